@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+#
+# Tests that are scripts run the program; they find it and the data through the environment.
+
+file(GLOB scripts CONFIGURE_DEPENDS
+  ${CMAKE_CURRENT_SOURCE_DIR}/test_*.sh ${CMAKE_CURRENT_SOURCE_DIR}/test_*.py)
+if(NOT TARGET vfc)
+  set(scripts)
+endif()
+foreach(script IN LISTS scripts)
+  get_filename_component(name ${script} NAME)
+  if(name MATCHES "\\.py$")
+    set(interpreter /usr/bin/python3) # the system's, which has Regina
+  else()
+    set(interpreter bash)
+  endif()
+  add_test(NAME ${name} COMMAND ${interpreter} ${script})
+  set_tests_properties(${name} PROPERTIES
+    ENVIRONMENT "${places}" SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS script)
+  if(name MATCHES "^test_long_")
+    set_tests_properties(${name} PROPERTIES LABELS "long;script" TIMEOUT 1500)
+  endif()
+endforeach()
