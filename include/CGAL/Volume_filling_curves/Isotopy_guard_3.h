@@ -1,0 +1,334 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_ISOTOPY_GUARD_3_H
+#define CGAL_VOLUME_FILLING_CURVES_ISOTOPY_GUARD_3_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/Certified_motion.h>
+#include <CGAL/Volume_filling_curves/internal/Grid_broad_phase.h>
+#include <CGAL/Volume_filling_curves/internal/Local_change_test.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief The class `Isotopy_guard_3` is the only way to change a `Curve_network_3`: it carries out
+ * a change if and only if it can certify it.
+ *
+ * A change is certified with exact predicates to be an ambient isotopy: the curve passes at no time
+ * through itself. Everything is built from the elementary moves of knot theory
+ * \cgalCite{vfc:r-ebt-26}: replacing an edge by two sides of a triangle that meets the rest of the
+ * curve only in the ends of the edge, or the reverse. Degenerate positions are decided exactly, too.
+ * For open curves the certificate says that no strand passes through another; a strand may slip off
+ * an end.
+ *
+ * On request the guard also keeps a clearance: it refuses changes that bring edges without a common
+ * node closer than a given distance and closer than half the distance that they had, for curves
+ * that land on contact can hardly move again.
+ *
+ * Inserting and removing nodes leaves gaps in the numbering, which `collect_garbage()` closes.
+ *
+ * Positions are rounded to `double` before they are certified; those that are not finite are
+ * refused.
+ *
+ * The guard borrows the network, which must outlive it and must not be assigned to. A network can
+ * have several guards. Guards of different networks can be used concurrently.
+ *
+ * \pre the network is embedded: two of its edges meet at most in a common node
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ */
+template <typename Traits = Curve_flow_traits_3<>>
+class Isotopy_guard_3
+{
+public:
+  /// \name Types
+  /// @{
+
+  using Curve_network = Curve_network_3<Traits>;
+  using Point_3 = typename Traits::Point_3;
+  using size_type = typename Curve_network::size_type;
+
+  /// @}
+
+  /// constructs a guard of `curve`.
+  explicit Isotopy_guard_3(Curve_network& curve)
+      : m_curve(curve),
+        m_predicates(curve.traits()),
+        m_locator(curve),
+        m_test(curve, m_predicates, m_locator)
+  {}
+
+  Isotopy_guard_3(const Isotopy_guard_3&) = delete;
+  Isotopy_guard_3& operator=(const Isotopy_guard_3&) = delete;
+
+  /// returns the guarded network.
+  const Curve_network& curve() const { return m_curve; }
+
+  /// sets the distance that edges without a common node keep, in the input's unit; 0 (default)
+  /// stands for none. Edges that are closer already may halve their distance.
+  void set_clearance(double distance) { m_clearance = internal::Clearance_rule(distance); }
+
+  /// \name Certified Operations
+  /// @{
+
+  /// moves node `v` to `target` if that is certified, and returns whether it did.
+  bool move_node(size_type v, const Point_3& target)
+  {
+    return count(is_finite(target) && move_node_if_safe(v, rounded(target)));
+  }
+
+  /// replaces edge `e` by two edges to a new node at `position` if that is certified, and returns
+  /// whether it did. The edge from `source(e)` keeps the index `e`; the new node is the last one.
+  ///
+  /// \pre the edge has not been removed
+  bool insert_node(size_type e, const Point_3& position)
+  {
+    CGAL_precondition_msg(!m_curve.is_removed_edge(e), "the edge has not been removed");
+    return count(is_finite(position) && insert_node_if_safe(e, rounded(position)));
+  }
+
+  /// removes node `v` and joins its two neighbors by an edge if that is certified, and returns
+  /// whether it did. Ends, junctions and pinned nodes stay, and a closed component keeps 3 edges.
+  bool remove_node(size_type v) { return count(remove_node_if_safe(v)); }
+
+  /*!
+   * moves all nodes towards their targets, as far as that is certified.
+   *
+   * Tries the fractions 1, 1/2, 1/4, ... of the way down to `least_fraction`.
+   *
+   * \tparam ConcurrencyTag enables a parallel run (`Parallel_tag`); the result is the same
+   * \tparam BroadPhase finds the pairs of edges to be tested
+   *
+   * \param targets one row per node with its x, y and z
+   * \param least_fraction the least fraction of the way to be tried
+   *
+   * \returns the fraction of the way that the nodes went, 0 if none was certified
+   *
+   * \pre the network has no garbage
+   * \pre `targets` has one row per node
+   * \pre `least_fraction` is positive
+   */
+  template <typename ConcurrencyTag = Sequential_tag,
+            typename BroadPhase = internal::Grid_broad_phase<Curve_network>>
+  double move_nodes(const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& targets,
+                    double least_fraction = 1)
+  {
+    const size_type n = m_curve.number_of_nodes();
+    CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
+    CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == n,
+                          "`targets` has one row per node");
+    CGAL_precondition_msg(least_fraction > 0, "`least_fraction` is positive");
+    if(!targets.allFinite()) {
+      m_number_of_rejected += n;
+      return 0;
+    }
+    const internal::Certified_motion<Curve_network, BroadPhase, ConcurrencyTag> motion(
+        m_curve, targets, m_clearance);
+    for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
+      if(motion.keeps_clearance(fraction)) {
+        std::vector<Point_3> points = motion.certify(fraction);
+        if(!points.empty() || n == 0) {
+          m_curve.m_points = std::move(points);
+          forget_edges();
+          m_number_of_certified += n;
+          return fraction;
+        }
+      }
+      m_number_of_rejected += n;
+    }
+    return 0;
+  }
+
+  /// multiplies all coordinates by two to the power of `exponent`, which is exact: a similarity.
+  ///
+  /// \pre no coordinate over- or underflows
+  void scale_by_power_of_two(int exponent)
+  {
+    for(Point_3& point : m_curve.m_points) {
+      const internal::Vector x = internal::to_vector(point);
+      point = internal::to_point(std::ldexp(1., exponent) * x, m_curve.traits());
+    }
+    forget_edges();
+  }
+
+  /// @}
+
+  /// closes the gaps that removed nodes left, numbers the nodes along the curve again, and returns
+  /// the former index of each node.
+  std::vector<std::uint32_t> collect_garbage()
+  {
+    const std::vector<std::uint32_t> former = m_curve.m_topology.compact();
+    std::vector<Point_3> points;
+    points.reserve(former.size());
+    for(std::uint32_t v : former) points.push_back(m_curve.m_points[v]);
+    m_curve.m_points = std::move(points);
+    forget_edges();
+    return former;
+  }
+
+  /// \name Statistics
+  /// @{
+
+  /// returns how many changes of a node were certified and carried out.
+  size_type number_of_certified_changes() const { return m_number_of_certified; }
+
+  /// returns how many changes of a node were refused.
+  size_type number_of_refused_changes() const { return m_number_of_rejected; }
+
+  /// @}
+
+private:
+  using Change_test = internal::Local_change_test<Curve_network>;
+  using Edge = typename Change_test::Edge;
+
+  bool count(bool is_certified)
+  {
+    ++(is_certified ? m_number_of_certified : m_number_of_rejected);
+    return is_certified;
+  }
+
+  static bool is_finite(const Point_3& p) { return internal::to_vector(p).allFinite(); }
+
+  Point_3 rounded(const Point_3& p) const
+  {
+    return internal::to_point(internal::to_vector(p), m_curve.traits());
+  }
+
+  // the curve has changed altogether
+  void forget_edges()
+  {
+    m_locator.reset();
+    m_revision = ++m_curve.m_revision;
+  }
+
+  // the edge has changed
+  void update_edge(size_type e)
+  {
+    m_locator.update(e);
+    m_revision = ++m_curve.m_revision;
+  }
+
+  // Forgets the edges if another guard has changed some since.
+  void notice_changes()
+  {
+    if(m_revision == m_curve.m_revision) return;
+    m_locator.reset();
+    m_revision = m_curve.m_revision;
+  }
+
+  bool move_node_if_safe(size_type v, const Point_3& target)
+  {
+    notice_changes();
+    if(m_predicates.are_equal(m_curve.point(v), target)) return true;
+    if(!is_move_safe_at_node(v, target)) return false;
+    const Point_3& start = m_curve.point(v);
+    const auto is_at_v = [&](size_type e) {
+      return m_curve.source(e) == v || m_curve.target(e) == v;
+    };
+    typename Change_test::Edges old_edges, new_edges;
+    for(size_type k = 0; k < m_curve.degree(v); ++k) {
+      const size_type a = m_curve.neighbor(v, k);
+      if(!m_test.is_triangle_free(a, m_curve.null_node(), m_curve.point(a), start, target, is_at_v))
+        return false;
+      old_edges.push_back({a, v, m_curve.point(a), start});
+      new_edges.push_back({a, v, m_curve.point(a), target});
+    }
+    if(!m_test.keeps_clearance(old_edges, new_edges, m_clearance, is_at_v)) return false;
+    m_curve.m_points[v] = target;
+    for(size_type k = 0; k < m_curve.degree(v); ++k) update_edge(m_curve.incident_edge(v, k));
+    return true;
+  }
+
+  // the node hits no neighbor and passes between each two of them
+  bool is_move_safe_at_node(size_type v, const Point_3& target) const
+  {
+    const Point_3& start = m_curve.point(v);
+    for(size_type i = 0; i < m_curve.degree(v); ++i) {
+      const Point_3& a = m_curve.point(m_curve.neighbor(v, i));
+      if(m_predicates.is_on_segment(a, start, target)) return false;
+      for(size_type j = 0; j < i; ++j)
+        if(m_predicates.does_segment_meet_line_outside(start, target, a,
+                                                       m_curve.point(m_curve.neighbor(v, j))))
+          return false;
+    }
+    return true;
+  }
+
+  bool insert_node_if_safe(size_type e, const Point_3& b)
+  {
+    notice_changes();
+    const size_type a = m_curve.source(e), c = m_curve.target(e);
+    const auto is_e = [&](size_type f) { return f == e; };
+    if(!is_corner_move_safe(a, b, c, is_e)) return false;
+    const Edge old_edge = {a, c, m_curve.point(a), m_curve.point(c)};
+    const Edge ab = {a, m_curve.null_node(), m_curve.point(a), b};
+    const Edge cb = {c, m_curve.null_node(), m_curve.point(c), b};
+    if(!m_test.keeps_clearance({old_edge}, {ab, cb}, m_clearance, is_e)) return false;
+    m_curve.m_topology.insert_node(e);
+    m_curve.m_points.push_back(b);
+    update_edge(e);
+    update_edge(m_curve.number_of_edges() - 1);
+    return true;
+  }
+
+  bool remove_node_if_safe(size_type v)
+  {
+    notice_changes();
+    if(m_curve.degree(v) != 2 || m_curve.is_pinned(v)) return false;
+    const size_type a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
+    if(m_curve.m_topology.are_adjacent(a, c)) return false;
+    const Point_3 b = m_curve.point(v);
+    const auto is_at_v = [&](size_type e) {
+      return m_curve.source(e) == v || m_curve.target(e) == v;
+    };
+    if(!is_corner_move_safe(a, b, c, is_at_v)) return false;
+    const Edge ab = {a, v, m_curve.point(a), b}, cb = {c, v, m_curve.point(c), b};
+    const Edge new_edge = {a, c, m_curve.point(a), m_curve.point(c)};
+    if(!m_test.keeps_clearance({ab, cb}, {new_edge}, m_clearance, is_at_v)) return false;
+    update_edge(m_curve.m_topology.remove_node(v));
+    return true;
+  }
+
+  // The elementary move between the edge ac and the edges ab, bc.
+  template <typename IsTakenOut>
+  bool is_corner_move_safe(size_type node_a,
+                           const Point_3& b,
+                           size_type node_c,
+                           const IsTakenOut& is_taken_out)
+  {
+    const Point_3 &a = m_curve.point(node_a), &c = m_curve.point(node_c);
+    if(m_predicates.are_collinear(a, b, c)) return m_predicates.is_strictly_between(a, b, c);
+    return m_test.is_triangle_free(node_a, node_c, a, b, c, is_taken_out);
+  }
+
+  Curve_network& m_curve;
+  internal::Exact_predicates<Traits> m_predicates;
+  internal::Edge_locator<Curve_network> m_locator;
+  Change_test m_test;
+  internal::Clearance_rule m_clearance;
+  size_type m_revision = 0; // of the curve when it was last looked at
+  size_type m_number_of_certified = 0;
+  size_type m_number_of_rejected = 0;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_ISOTOPY_GUARD_3_H
