@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_IO_WRITE_SVG_H
+#define CGAL_VOLUME_FILLING_CURVES_IO_WRITE_SVG_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/svg/Curve_view.h>
+#include <CGAL/Volume_filling_curves/internal/svg/Stroke_layers.h>
+#include <CGAL/Volume_filling_curves/internal/svg/Svg_painter.h>
+
+#include <ostream>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesIO
+ *
+ * \brief writes a picture of a curve as SVG, a vector format that every browser shows.
+ *
+ * The curve is seen along its shortest principal axis. Each component is a tube of its own color,
+ * paler the farther it is away, and interrupted where it passes under a strand. The picture does not
+ * depend on the curve's size and position. Takes \f$O(n \log n + k)\f$ time for \f$n\f$ nodes and
+ * \f$k\f$ places where strands come close in the picture.
+ *
+ * \param out the stream
+ * \param curve the curve, closed or open, with or without junctions
+ *
+ * \return whether writing succeeded
+ */
+template <typename Traits>
+bool write_svg(std::ostream& out, const Curve_network_3<Traits>& curve)
+{
+  const internal::Curve_view view(curve);
+  const internal::Stroke_layers layers(curve, view);
+  internal::Svg_painter(layers, view.width(), out)(curve, view);
+  return out.good();
+}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_IO_WRITE_SVG_H

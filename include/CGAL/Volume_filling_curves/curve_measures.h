@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_CURVE_MEASURES_H
+#define CGAL_VOLUME_FILLING_CURVES_CURVE_MEASURES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/Doubly_critical_distance.h>
+#include <CGAL/Volume_filling_curves/internal/Least_clearance.h>
+#include <CGAL/Volume_filling_curves/internal/Linking_numbers.h>
+#include <CGAL/Volume_filling_curves/internal/average_crossing_number.h>
+#include <CGAL/Volume_filling_curves/internal/bending.h>
+#include <CGAL/Volume_filling_curves/internal/strands.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief The struct `Curve_measures` collects what `measure()` computes of a curve.
+ *
+ * Lengths are in the input's unit. What does not apply is NaN, the least of nothing is infinity.
+ */
+struct Curve_measures
+{
+  /// the length of all components together
+  double length = 0;
+
+  /// see `component_lengths()`
+  std::vector<double> component_lengths;
+
+  /// see `total_curvatures()`
+  std::vector<double> total_curvatures;
+
+  /// see `max_curvature()`
+  double max_curvature = 0;
+
+  /// see `min_bend_radius()`
+  double min_bend_radius = 0;
+
+  /// see `polygonal_thickness()`
+  double polygonal_thickness = 0;
+
+  /// see `ropelength()`
+  double ropelength = 0;
+
+  /// see `min_clearance()`
+  double min_clearance = 0;
+
+  /// see `average_crossing_number()`
+  double average_crossing_number = 0;
+
+  /// see `linking_matrix()`
+  std::vector<std::vector<int>> linking_matrix;
+};
+
+/// \addtogroup PkgVolumeFillingCurvesMeasures
+/// @{
+
+/*!
+ * returns the length of each component, junctions or not. Linear time.
+ *
+ * All functions on this page only read the curve and can run concurrently. Scaling the curve by a
+ * power of two scales their results exactly, short of overflow and underflow.
+ */
+template <typename Traits>
+[[nodiscard]] std::vector<double> component_lengths(const Curve_network_3<Traits>& curve)
+{
+  std::vector<double> lengths(curve.number_of_components(), 0);
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    lengths[curve.component(curve.source(e))] += internal::edge_vector(curve, e).norm();
+  return lengths;
+}
+
+/// returns the length of all components together. Linear time.
+template <typename Traits>
+[[nodiscard]] double length(const Curve_network_3<Traits>& curve)
+{
+  double sum = 0;
+  for(double component_length : component_lengths(curve)) sum += component_length;
+  return sum;
+}
+
+/*!
+ * returns the total curvature of each component: the sum of the angles, in radians, by which the
+ * curve turns at its nodes; NaN for a component with junctions. Linear time.
+ *
+ * That of a closed curve is at least \f$2\pi\f$, and more than \f$4\pi\f$ if the curve is knotted
+ * (Fary, Milnor).
+ */
+template <typename Traits>
+[[nodiscard]] std::vector<double> total_curvatures(const Curve_network_3<Traits>& curve)
+{
+  std::vector<double> sums(curve.number_of_components(), 0);
+  for(std::size_t c = 0; c < sums.size(); ++c) {
+    internal::for_each_corner(curve, c, [&](const auto& in, const auto& out) {
+      sums[c] += internal::turning_angle(in, out);
+    });
+    if(internal::has_junction(curve, c)) sums[c] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return sums;
+}
+
+/*!
+ * returns the least bend radius of the curve's corners; infinity if there are none. Linear time.
+ *
+ * The bend radius of a corner with the turning angle \f$\theta\f$ is
+ * \f$\min(l_1, l_2) / (2 \tan(\theta/2))\f$, the radius of the arc that is tangent to both edges, of
+ * lengths \f$l_1\f$ and \f$l_2\f$, and touches the shorter one in its middle (Rawdon's MinRad). A
+ * regular polygon has the radius of its inscribed circle. Components with junctions are left out.
+ */
+template <typename Traits>
+[[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
+    internal::for_each_corner(curve, c, [&](const auto& in, const auto& out) {
+      least = (std::min)(least, internal::bend_radius(in, out));
+    });
+  return least;
+}
+
+/// returns the reciprocal of `min_bend_radius()`; 0 if the curve is straight. Linear time.
+template <typename Traits>
+[[nodiscard]] double max_curvature(const Curve_network_3<Traits>& curve)
+{
+  return 1 / min_bend_radius(curve);
+}
+
+/*!
+ * returns the radius of the thickest tube around the curve that neither kinks nor runs into itself:
+ * the smaller one of `min_bend_radius()` and half of the length of the shortest doubly critical chord
+ * (Rawdon's polygonal injectivity radius). NaN if the curve has a junction.
+ *
+ * A chord is doubly critical if at both of its ends the distance to the other end turns from growing
+ * to shrinking or back; it may join two components. An end of an open curve counts as such a place if
+ * the distance to the other end shrinks towards it. Near linear in the number of nodes for curves
+ * whose nodes are spaced evenly.
+ */
+template <typename Traits>
+[[nodiscard]] double polygonal_thickness(const Curve_network_3<Traits>& curve)
+{
+  if(curve.has_junction()) return std::numeric_limits<double>::quiet_NaN();
+  const internal::Doubly_critical_distance<Curve_network_3<Traits>> critical_distance(curve);
+  return critical_distance(2 * min_bend_radius(curve)) / 2;
+}
+
+/*!
+ * returns the length divided by `polygonal_thickness()`, a radius: \f$2\pi\f$ for the circle, about
+ * 32.7 for the tight trefoil. NaN if the curve has a junction.
+ */
+template <typename Traits>
+[[nodiscard]] double ropelength(const Curve_network_3<Traits>& curve)
+{
+  return length(curve) / polygonal_thickness(curve);
+}
+
+/*!
+ * returns the least distance of two segments that are not neighbors; infinity if all are.
+ *
+ * Segments are neighbors if they share a node or if, along their component, less than \f$\pi r\f$ of
+ * the curve lies between them. Segments of different components never are. Near linear in the number
+ * of nodes for curves whose nodes are spaced evenly.
+ *
+ * \param curve the curve
+ * \param r the radius that the curve is meant to keep, in the input's unit; with 0 only segments that
+ * share a node are neighbors
+ */
+template <typename Traits>
+[[nodiscard]] double min_clearance(const Curve_network_3<Traits>& curve, double r = 0)
+{
+  return internal::Least_clearance<Curve_network_3<Traits>>(curve, CGAL_PI * r)();
+}
+
+/*!
+ * returns the mean number of crossings that the curve shows, over 100 fixed directions that are
+ * spread evenly. Crossings between components and within them count alike.
+ *
+ * Takes \f$O(n \log n + k)\f$ time per direction for \f$n\f$ nodes and \f$k\f$ pairs of segments whose
+ * projections come close.
+ */
+template <typename Traits>
+[[nodiscard]] double average_crossing_number(const Curve_network_3<Traits>& curve)
+{
+  return internal::average_crossing_number(curve);
+}
+
+/*!
+ * returns the linking number of every two components, 0 where one of them is not closed. The
+ * diagonal is 0.
+ *
+ * Crossings are found and their signs taken with exact predicates. A crossing is positive if the
+ * upper strand, turned counterclockwise by less than a half turn, points along the lower one. Takes
+ * \f$O(n \log n + k)\f$ time for \f$n\f$ nodes and \f$k\f$ pairs of segments whose projections come
+ * close.
+ *
+ * \pre no two components intersect.
+ */
+template <typename Traits>
+[[nodiscard]] std::vector<std::vector<int>> linking_matrix(const Curve_network_3<Traits>& curve)
+{
+  return internal::Linking_numbers<Curve_network_3<Traits>>(curve)();
+}
+
+/*!
+ * computes all measures of a curve.
+ *
+ * \param curve the curve
+ * \param r as for `min_clearance()`
+ */
+template <typename Traits>
+[[nodiscard]] Curve_measures measure(const Curve_network_3<Traits>& curve, double r = 0)
+{
+  Curve_measures result;
+  result.length = length(curve);
+  result.component_lengths = component_lengths(curve);
+  result.total_curvatures = total_curvatures(curve);
+  result.max_curvature = max_curvature(curve);
+  result.min_bend_radius = min_bend_radius(curve);
+  result.polygonal_thickness = polygonal_thickness(curve);
+  result.ropelength = result.length / result.polygonal_thickness;
+  result.min_clearance = min_clearance(curve, r);
+  result.average_crossing_number = average_crossing_number(curve);
+  result.linking_matrix = linking_matrix(curve);
+  return result;
+}
+
+/// @}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_CURVE_MEASURES_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_LINKING_NUMBERS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_LINKING_NUMBERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/Box.h>
+#include <CGAL/Volume_filling_curves/internal/overlapping_projections.h>
+
+#include <CGAL/enum.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The linking numbers of closed components: half the sum of the signs of their crossings, seen from
+// a point far outside. Four exact orientation tests decide whether two edges cross there, and a fifth
+// gives the sign of the crossing, so the result is exact. Doubles only propose the candidates, by
+// boxes of the central projection with a margin. If a test is degenerate another viewpoint is taken:
+// that a viewpoint with 53-bit coordinates is coplanar with some edge and node is rare even for
+// curves on a lattice. O(n log n + k) for k candidates.
+template <typename Network>
+class Linking_numbers
+{
+  using Point_3 = typename Network::Point_3;
+
+public:
+  using Matrix = std::vector<std::vector<int>>;
+
+  explicit Linking_numbers(const Network& curve)
+      : m_curve(curve), m_orientation(curve.traits().orientation_3_object())
+  {}
+
+  Matrix operator()()
+  {
+    const std::size_t n = m_curve.number_of_components();
+    Matrix matrix(n, std::vector<int>(n, 0));
+    if(n < 2) return matrix;
+    for(int attempt = 0; attempt < max_viewpoints; ++attempt) {
+      for(auto& numbers : matrix) numbers.assign(n, 0);
+      look_from(attempt);
+      if(count_crossings(matrix)) break;
+    }
+    for(auto& numbers : matrix)
+      for(int& number : numbers) number /= 2;
+    return matrix;
+  }
+
+private:
+  static constexpr int max_viewpoints = 8;    // more than one is needed for invalid curves only
+  static constexpr double view_distance = 3;  // box diagonals from the box's center
+  static constexpr double box_margin = 1e-12; // of a projection of size 1/3; its rounding is 1e-15
+
+  void look_from(int attempt)
+  {
+    const Eigen::Quaterniond turn(0.613 + 0.1 * attempt, 0.297, -0.531, 0.7717);
+    m_frame = turn.normalized().toRotationMatrix();
+    Box box = Box::of(to_vector(m_curve.point(0)));
+    for(std::size_t v = 1; v < m_curve.number_of_nodes(); ++v) box += to_vector(m_curve.point(v));
+    const Vector direction = m_frame.row(2).transpose();
+    const double distance = view_distance * (box.max - box.min).norm();
+    m_eye = (box.min + box.max) / 2 + distance * direction;
+    m_viewpoint = to_point(m_eye, m_curve.traits());
+  }
+
+  // returns false if the viewpoint is degenerate; the counts are then worthless
+  bool count_crossings(Matrix& matrix) const
+  {
+    bool is_generic = true;
+    const auto count = [&](std::size_t e, std::size_t f) {
+      const std::size_t a = m_curve.component(m_curve.source(e));
+      const std::size_t b = m_curve.component(m_curve.source(f));
+      if(a == b || !m_curve.is_closed(a) || !m_curve.is_closed(b)) return;
+      const int sign = crossing(e, f, is_generic);
+      matrix[a][b] += sign;
+      matrix[b][a] += sign;
+    };
+    for_each_overlap_of_projected_edges(m_curve, projection(), box_margin, count);
+    return is_generic;
+  }
+
+  std::vector<Eigen::Vector2d> projection() const
+  {
+    std::vector<Eigen::Vector2d> result(m_curve.number_of_nodes());
+    for(std::size_t v = 0; v < result.size(); ++v) {
+      const Vector p = m_frame * (to_vector(m_curve.point(v)) - m_eye);
+      result[v] = p.head<2>() / p.z();
+    }
+    return result;
+  }
+
+  // returns the sign of the crossing of edges e and f, or 0 if they do not cross
+  int crossing(std::size_t e, std::size_t f, bool& is_generic) const
+  {
+    const Point_3 &p = m_curve.point(m_curve.source(e)), &q = m_curve.point(m_curve.target(e));
+    const Point_3 &r = m_curve.point(m_curve.source(f)), &s = m_curve.point(m_curve.target(f));
+    const std::array<Orientation, 4> sides{
+        m_orientation(m_viewpoint, p, q, r), m_orientation(m_viewpoint, p, q, s),
+        m_orientation(m_viewpoint, r, s, p), m_orientation(m_viewpoint, r, s, q)};
+    for(Orientation side : sides)
+      if(side == COPLANAR) is_generic = false;
+    if(sides[0] * sides[1] >= 0 || sides[2] * sides[3] >= 0) return 0;
+    return m_orientation(p, q, r, s);
+  }
+
+  const Network& m_curve;
+  const typename Network::Traits::Orientation_3 m_orientation;
+  Eigen::Matrix3d m_frame; // the last row points from the curve to the eye
+  Vector m_eye;
+  Point_3 m_viewpoint;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_LINKING_NUMBERS_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GENERATORS_HARD_UNKNOT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GENERATORS_HARD_UNKNOT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Tangles a curve inside the unit ball by certified random moves, so that its type is known. It
+// starts coarse, with edges as long as the ball, where every move leads around many other strands;
+// then the edges are halved and tangled on at half the scale, until there are enough nodes.
+template <typename Traits>
+class Random_tangler
+{
+public:
+  Random_tangler(Curve_network_3<Traits>& curve, std::uint64_t seed)
+      : m_curve(curve), m_guard(curve), m_random(seed)
+  {
+    m_guard.set_clearance(clearance);
+  }
+
+  // Proposes `number_of_moves` moves by at most `reach`, each of a random node.
+  void tangle(std::size_t number_of_moves, double reach)
+  {
+    for(std::size_t k = 0; k < number_of_moves; ++k) {
+      const std::size_t v = m_random.index(m_curve.number_of_nodes());
+      const Vector target =
+          to_vector(m_curve.point(v)) + reach * std::cbrt(m_random.real()) * m_random.direction();
+      if(target.squaredNorm() < 1) m_guard.move_node(v, to_point(target, m_curve.traits()));
+    }
+  }
+
+  // Halves edges in the order of the nodes until there are `number_of_nodes`.
+  void refine(std::size_t number_of_nodes)
+  {
+    const std::size_t n = m_curve.number_of_edges();
+    for(std::size_t e = 0; e < n && m_curve.number_of_nodes() < number_of_nodes; ++e) {
+      const Vector a = to_vector(m_curve.point(m_curve.source(e)));
+      const Vector b = to_vector(m_curve.point(m_curve.target(e)));
+      m_guard.insert_node(e, to_point(Vector((a + b) / 2), m_curve.traits()));
+    }
+    m_guard.collect_garbage();
+  }
+
+private:
+  static constexpr double clearance = 0.01; // of the ball's radius
+
+  Curve_network_3<Traits>& m_curve;
+  Isotopy_guard_3<Traits> m_guard;
+  Random_source m_random;
+};
+
+// Returns an unknot that does not look like one: a circle after `number_of_moves` random moves that
+// are certified, hence nothing but an unknot by construction. \throws std::invalid_argument for fewer
+// than 3 nodes
+template <typename Traits = Curve_flow_traits_3<>>
+Curve_network_3<Traits> hard_unknot(std::size_t number_of_nodes,
+                                    std::size_t number_of_moves,
+                                    std::uint64_t seed,
+                                    const Traits& traits = Traits())
+{
+  constexpr std::size_t coarsest = 32;
+  constexpr double radius = 0.5; // of the circle, and the reach of the coarsest moves
+  if(number_of_nodes < 3) throw std::invalid_argument("an unknot needs at least 3 nodes");
+  Polygon circle;
+  std::size_t n = number_of_nodes;
+  while(n > coarsest) n = (n + 1) / 2;
+  for(std::size_t k = 0; k < n; ++k) {
+    const auto [x, y] = cos_sin(static_cast<double>(k) / static_cast<double>(n));
+    circle.push_back({radius * x, radius * y, 0});
+  }
+  Curve_network_3<Traits> curve = make_network(Polygons(1, circle), traits);
+  Random_tangler<Traits> tangler(curve, seed);
+  double reach = 2 * radius;
+  std::size_t number_of_levels = 1;
+  for(std::size_t m = n; m < number_of_nodes; m *= 2) ++number_of_levels;
+  for(std::size_t level = 0; level < number_of_levels; ++level, reach /= 2) {
+    if(level > 0) tangler.refine(number_of_nodes);
+    tangler.tangle(number_of_moves / number_of_levels, reach);
+  }
+  return curve;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GENERATORS_HARD_UNKNOT_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GENERATORS_POLYGONS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GENERATORS_POLYGONS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What the generators make: closed polygons, one per component, and what they share: spreading nodes
+// evenly along a finely sampled curve, and turning it by a random rotation.
+using Polygon = std::vector<Vector>;
+using Polygons = std::vector<Polygon>;
+
+// Nodes are spread along polygons that are this much finer, so that they look smooth.
+constexpr std::size_t samples_per_node = 8;
+
+template <typename Traits = Curve_flow_traits_3<>>
+Curve_network_3<Traits> make_network(const Polygons& polygons, const Traits& traits = Traits())
+{
+  std::vector<typename Traits::Point_3> points;
+  std::vector<std::array<std::size_t, 2>> edges;
+  for(const Polygon& polygon : polygons) {
+    const std::size_t first = points.size(), n = polygon.size();
+    for(std::size_t i = 0; i < n; ++i) {
+      points.push_back(to_point(polygon[i], traits));
+      edges.push_back({first + i, first + (i + 1) % n});
+    }
+  }
+  return Curve_network_3<Traits>(points, edges, traits);
+}
+
+inline double perimeter(const Polygon& polygon)
+{
+  double length = 0;
+  for(std::size_t i = 0, n = polygon.size(); i < n; ++i)
+    length += (polygon[(i + 1) % n] - polygon[i]).norm();
+  return length;
+}
+
+// returns n points on the polygon, equally spaced along it, from its first point on
+inline Polygon equally_spaced(const Polygon& polygon, std::size_t n)
+{
+  const double spacing = perimeter(polygon) / static_cast<double>(n);
+  Polygon result(1, polygon.front());
+  double walked = 0;
+  for(std::size_t i = 0; i < polygon.size() && result.size() < n; ++i) {
+    const Vector &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double length = (b - a).norm();
+    for(double next = static_cast<double>(result.size()) * spacing;
+        next < walked + length && result.size() < n;
+        next = static_cast<double>(result.size()) * spacing)
+      result.push_back(a + (next - walked) / length * (b - a));
+    walked += length;
+  }
+  return result;
+}
+
+/* returns polygons with `number_of_nodes` equally spaced nodes together, each component with a share
+ * in proportion to its length.
+ * \throws std::invalid_argument if that spaces them wider than `max_spacing`, so that strands might
+ * cut through each other
+ */
+inline Polygons equally_spaced(const Polygons& curves,
+                               std::size_t number_of_nodes,
+                               double max_spacing)
+{
+  std::vector<double> lengths;
+  std::size_t needed = 0;
+  for(const Polygon& curve : curves) {
+    lengths.push_back(perimeter(curve));
+    needed += 3 + static_cast<std::size_t>(lengths.back() / max_spacing);
+  }
+  if(number_of_nodes < needed)
+    throw std::invalid_argument("this curve needs at least " + std::to_string(needed) +
+                                " nodes, not " + std::to_string(number_of_nodes));
+  const double total = std::accumulate(lengths.begin(), lengths.end(), 0.);
+  const double to_share = static_cast<double>(number_of_nodes - 3 * curves.size());
+  Polygons result;
+  double length = 0;
+  std::size_t given = 0;
+  for(std::size_t c = 0; c < curves.size(); ++c) {
+    length += lengths[c];
+    const bool is_last = c + 1 == curves.size();
+    const std::size_t end = is_last ? number_of_nodes - 3 * curves.size()
+                                    : static_cast<std::size_t>(to_share * (length / total));
+    result.push_back(equally_spaced(curves[c], 3 + end - given));
+    given = end;
+  }
+  return result;
+}
+
+// Seed 0 leaves the curve as it is, another seed turns it by a random rotation (Shoemake 1992).
+inline void turn_randomly(Polygons& polygons, std::uint64_t seed)
+{
+  if(seed == 0) return;
+  Random_source random(seed);
+  const double share = random.real();
+  const auto [a, b] = cos_sin(random.real());
+  const auto [c, d] = cos_sin(random.real());
+  const double p = std::sqrt(share), q = std::sqrt(1 - share);
+  const Eigen::Matrix3d rotation =
+      Eigen::Quaterniond(p * a, p * b, q * c, q * d).toRotationMatrix();
+  for(Polygon& polygon : polygons)
+    for(Vector& v : polygon) v = rotation * v;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GENERATORS_POLYGONS_H
