@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_CURVE_FLOW_3_H
+#define CGAL_VOLUME_FILLING_CURVES_CURVE_FLOW_3_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/internal/Direction_solver.h>
+#include <CGAL/Volume_filling_curves/internal/Medial_spheres.h>
+#include <CGAL/Volume_filling_curves/internal/Medial_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/energy_gradient.h>
+#include <CGAL/Volume_filling_curves/internal/preconditioner.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// A sphere that touches a curve at a node and holds no other node.
+template <typename Point_3>
+struct Medial_sphere
+{
+  Point_3 center;           ///< the center, in the plane orthogonal to the curve at the node
+  double radius;            ///< the radius, in the input's unit
+  std::size_t touched_node; ///< the node that limits the radius, `null_node()` if the cap does
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief The class `Curve_flow_3` moves a curve, one certified step at a time, so that it gets
+ * shorter and its strands keep an even distance.
+ *
+ * Each step (i) goes along the negative gradient of a two-term energy, length plus squared medial
+ * radii, preconditioned by a sparse matrix whose pattern follows the medial spheres
+ * \cgalCite{vfc:njs-mspku-25}, (ii) as far as `Isotopy_guard_3` certifies, and (iii) is followed by
+ * certified remeshing. Between steps everything can be read: it belongs to the curve as it stands.
+ *
+ * The result is the same for every number of threads. A step takes near-linear time.
+ *
+ * The flow borrows the network, which must outlive it and not be changed by others meanwhile.
+ *
+ * \pre the network is embedded
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam ConcurrencyTag enables parallel steps: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`
+ */
+template <typename Traits = Curve_flow_traits_3<>, typename ConcurrencyTag = Sequential_tag>
+class Curve_flow_3
+{
+public:
+  /// \name Types
+  /// @{
+
+  using Curve_network = Curve_network_3<Traits>;
+  using Point_3 = typename Traits::Point_3;
+  using size_type = typename Curve_network::size_type;
+
+  /// one vector per node: a matrix with a row for each, `x`, `y`, `z`
+  using Vector_field = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+  /// @}
+
+  /*!
+   * prepares the flow of `curve`: measures the thickness if none is given, and brings the edges to
+   * the lengths that the parameters ask for, by certified operations.
+   *
+   * Nodes that are pinned stay where they are.
+   */
+  explicit Curve_flow_3(Curve_network& curve,
+                        const Curve_flow_parameters& parameters = Curve_flow_parameters())
+      : m_guard(curve), m_parameters(parameters), m_step_size(0)
+  {
+    if(!(m_parameters.thickness > 0)) {
+      internal::Medial_thickness<Curve_network, ConcurrencyTag> measure(
+          curve, m_parameters.number_of_directions);
+      m_parameters.thickness = measure();
+    }
+    m_step_size = internal::Step_size(m_parameters.max_displacement * thickness());
+    m_guard.set_clearance(clearance_over_thickness * thickness());
+    remesh_until_even();
+    update();
+  }
+
+  /// moves the curve by one step, remeshes it, and returns whether it moved.
+  bool step()
+  {
+    ++m_statistics.iterations;
+    const double fraction = move();
+    remesh();
+    update();
+    return fraction > 0;
+  }
+
+  /// \name Reading
+  /// @{
+
+  /// returns the network.
+  const Curve_network& curve() const { return m_guard.curve(); }
+
+  /// returns the parameters, with the thickness that was measured if none was given.
+  const Curve_flow_parameters& parameters() const { return m_parameters; }
+
+  /// returns the thickness r, in the input's unit.
+  double thickness() const { return m_parameters.thickness; }
+
+  /// returns the length of all edges.
+  double length() const { return m_length; }
+
+  /// returns the gradient of the energy at each node; zero at pinned nodes.
+  const Vector_field& gradient() const { return m_gradient; }
+
+  /// returns r times the sum of the norms of the nodes' gradients, over the length: dimensionless,
+  /// and independent of the spacing.
+  double gradient_norm() const { return m_gradient_norm; }
+
+  /// returns the direction in which the next step goes.
+  const Vector_field& direction() const { return m_direction; }
+
+  /// returns the medial spheres of node `v`; there are several circles of them at ends, junctions
+  /// and spikes.
+  std::vector<Medial_sphere<Point_3>> medial_spheres(size_type v) const
+  {
+    std::vector<Medial_sphere<Point_3>> spheres;
+    for(std::size_t c = m_spheres.first_circle(v); c < m_spheres.first_circle(v + 1); ++c)
+      for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l) {
+        const internal::Vector center = internal::to_vector(curve().point(v)) +
+                                        m_spheres.radius(c, l) * m_spheres.direction(c, l);
+        const auto touched = m_spheres.touching_node(c, l);
+        spheres.push_back(
+            {internal::to_point(center, curve().traits()), m_spheres.radius(c, l), touched});
+      }
+    return spheres;
+  }
+
+  /// returns what the flow has done so far.
+  Curve_flow_statistics statistics() const
+  {
+    Curve_flow_statistics statistics = m_statistics;
+    statistics.certified_changes = m_guard.number_of_certified_changes();
+    statistics.refused_changes = m_guard.number_of_refused_changes();
+    return statistics;
+  }
+
+  /// @}
+
+private:
+  // A step leaves strands a tenth of the thickness apart, so that they can move on.
+  static constexpr double clearance_over_thickness = 0.1;
+  static constexpr double least_fraction = 1. / 64; // of a step that is shortened
+
+  double spacing() const { return m_parameters.spacing * thickness(); }
+
+  void update()
+  {
+    m_positions = internal::coordinates(curve());
+    m_weights = internal::node_weights(curve(), m_positions);
+    m_length = 0;
+    for(double weight : m_weights) m_length += weight;
+    update_spheres();
+    update_direction();
+  }
+
+  void update_spheres()
+  {
+    const Stage stage(m_statistics.seconds_medial_spheres);
+    m_spheres = internal::Medial_spheres(
+        ConcurrencyTag(), m_positions, internal::node_circles(curve(), m_positions),
+        m_parameters.number_of_directions, m_parameters.max_radius * thickness());
+  }
+
+  void update_direction()
+  {
+    const Stage stage(m_statistics.seconds_direction);
+    const double alpha = internal::alpha_of_thickness(thickness());
+    internal::Energy_gradient<Curve_network> gradient(curve(), m_positions, m_weights);
+    gradient.add_length(internal::component_tensions(curve(), m_weights, thickness()));
+    gradient.add_medial_spheres(m_spheres, thickness());
+    m_gradient = gradient.result();
+    m_gradient_norm = thickness() * m_gradient.rowwise().norm().sum() / m_length;
+    const double lambda = m_parameters.screening / (thickness() * thickness());
+    m_direction = m_solver(internal::preconditioner(m_parameters.preconditioner, curve(),
+                                                    m_positions, m_weights, m_spheres, lambda,
+                                                    m_parameters.coupling, alpha),
+                           -m_gradient);
+  }
+
+  // Returns the fraction of the step that was certified.
+  double move()
+  {
+    const Stage stage(m_statistics.seconds_motion);
+    if(!(m_direction.cwiseAbs().maxCoeff() > 0)) return 0;
+    const double scale =
+        m_parameters.time_step > 0 ? m_parameters.time_step : m_step_size.next(m_direction);
+    const double fraction = m_guard.template move_nodes<ConcurrencyTag>(
+        m_positions + scale * m_direction, least_fraction);
+    if(fraction < 1) {
+      ++m_statistics.shortened_steps;
+      m_step_size.on_shortened_step();
+    }
+    return fraction;
+  }
+
+  void remesh()
+  {
+    const Stage stage(m_statistics.seconds_remeshing);
+    internal::Remesher<Traits> remesher(m_guard, spacing());
+    remesher.collapse_short_edges();
+    remesher.split_long_edges();
+    m_statistics.refused_remeshing += remesher.number_of_refusals();
+    if(curve().has_garbage()) m_step_size.renumber(m_guard.collect_garbage());
+  }
+
+  // Each round halves edges that are too long.
+  void remesh_until_even()
+  {
+    const Stage stage(m_statistics.seconds_remeshing);
+    internal::Remesher<Traits>(m_guard, spacing()).collapse_short_edges();
+    do {
+      m_guard.collect_garbage();
+      internal::Remesher<Traits>(m_guard, spacing()).split_long_edges();
+    } while(curve().has_garbage());
+  }
+
+  // Adds the time until its end to a stage's seconds.
+  class Stage
+  {
+  public:
+    explicit Stage(double& seconds) : m_seconds(seconds) { m_timer.start(); }
+    ~Stage() { m_seconds += m_timer.time(); }
+
+  private:
+    double& m_seconds;
+    Real_timer m_timer;
+  };
+
+  Isotopy_guard_3<Traits> m_guard;
+  Curve_flow_parameters m_parameters;
+  Curve_flow_statistics m_statistics;
+  internal::Step_size m_step_size;
+  internal::Direction_solver m_solver;
+
+  // of the curve as it stands
+  Vector_field m_positions, m_gradient, m_direction;
+  std::vector<double> m_weights;
+  internal::Medial_spheres m_spheres;
+  double m_length = 0, m_gradient_norm = 0;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_CURVE_FLOW_3_H

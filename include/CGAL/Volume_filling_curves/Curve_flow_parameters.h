@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_CURVE_FLOW_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_CURVE_FLOW_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// The matrix that turns the gradient of the energy into the direction of a step. `L` is the
+/// Laplacian of the curve, `M` the diagonal matrix of the nodes' weights.
+enum class Preconditioner
+{
+  MEDIAL,      ///< `L`, coupled with weight beta / R along medial spheres, + lambda `M`
+  H1,          ///< `L` + lambda `M`
+  L2,          ///< lambda `M`
+  QUASI_NEWTON ///< `L` + alpha `M`, the Hessian with the spheres held fixed
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief The parameters of a `Curve_flow_3`.
+ *
+ * Only the thickness is a length; everything else is in units of the thickness r or dimensionless,
+ * so that scaling the input scales the output and changes nothing else.
+ */
+struct Curve_flow_parameters
+{
+  /// The distance r that strands keep from the medial surface between them, in the input's unit.
+  /// 0 (default) stands for the 25th percentile of the medial radii of the input.
+  double thickness = 0;
+
+  /// The number N of medial spheres per node.
+  std::size_t number_of_directions = 16;
+
+  /// The largest radius of a medial sphere, in units of r. Below 1 the curve shrinks where it can.
+  double max_radius = 0.9;
+
+  /// The least length of an edge, in units of r; edges longer than twice that are split.
+  double spacing = 0.2;
+
+  /// The weight lambda of `M` in the preconditioner, in units of 1 / r^2: the locality of the flow.
+  double screening = 0.3;
+
+  /// The weight beta of the coupling along medial spheres in the preconditioner.
+  double coupling = 0.01;
+
+  /// The preconditioner.
+  Preconditioner preconditioner = Preconditioner::MEDIAL;
+
+  /// The largest displacement of a node in a step, in units of r.
+  double max_displacement = 0.5;
+
+  /// The time step tau of the paper instead of the adaptive step; 0 (default) for the latter.
+  double time_step = 0;
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// What a `Curve_flow_3` has done so far.
+struct Curve_flow_statistics
+{
+  std::size_t iterations = 0;        ///< number of steps
+  std::size_t certified_changes = 0; ///< changes of a node that were certified and carried out
+  std::size_t refused_changes = 0;   ///< changes of a node that were refused
+  std::size_t shortened_steps = 0;   ///< steps that went only a part of the way, or nowhere
+  std::size_t refused_remeshing = 0; ///< collapses and splits that were refused
+  double seconds_medial_spheres = 0; ///< time spent on medial spheres
+  double seconds_direction = 0;      ///< time spent on the gradient and the preconditioner
+  double seconds_motion = 0;         ///< time spent on certified motion
+  double seconds_remeshing = 0;      ///< time spent on certified remeshing
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_CURVE_FLOW_PARAMETERS_H

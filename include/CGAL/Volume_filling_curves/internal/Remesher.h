@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_REMESHER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_REMESHER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Keeps edge lengths between h and 2h by certified operations (section 4.4 of the paper). An edge
+// shorter than h loses one of its ends; where that would leave an edge longer than 2h, which would
+// be split again, the end moves to the middle of its neighbours instead. Edges longer than 2h are
+// split in the middle. What the guard refuses stays as it is. Linear.
+template <typename Traits>
+class Remesher
+{
+  using Guard = Isotopy_guard_3<Traits>;
+  using Network = Curve_network_3<Traits>;
+
+public:
+  Remesher(Guard& guard, double spacing)
+      : m_guard(guard), m_curve(guard.curve()), m_spacing(spacing)
+  {}
+
+  // Leaves garbage in the network if it changes anything but positions.
+  void collapse_short_edges()
+  {
+    const std::size_t n = m_curve.number_of_edges();
+    for(std::size_t e = 0; e < n; ++e)
+      if(!m_curve.is_removed_edge(e) && length(e) < m_spacing) collapse(e);
+  }
+
+  void split_long_edges()
+  {
+    const std::size_t n = m_curve.number_of_edges();
+    for(std::size_t e = 0; e < n; ++e)
+      if(!m_curve.is_removed_edge(e) && length(e) > 2 * m_spacing) split(e);
+  }
+
+  std::size_t number_of_refusals() const { return m_number_of_refusals; }
+
+private:
+  Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
+
+  double length(std::size_t e) const
+  {
+    return (position(m_curve.target(e)) - position(m_curve.source(e))).norm();
+  }
+
+  bool can_remove(std::size_t v) const { return m_curve.degree(v) == 2 && !m_curve.is_pinned(v); }
+
+  // the length of the edge that would replace node v
+  double length_without(std::size_t v) const
+  {
+    return (position(m_curve.neighbor(v, 0)) - position(m_curve.neighbor(v, 1))).norm();
+  }
+
+  void collapse(std::size_t e)
+  {
+    std::size_t first = m_curve.source(e), second = m_curve.target(e);
+    if(!can_remove(first)) std::swap(first, second);
+    if(!can_remove(first)) return;
+    if(can_remove(second) && length_without(second) < length_without(first))
+      std::swap(first, second);
+    if(length_without(first) > 2 * m_spacing)
+      count(m_guard.move_node(first, middle(first)));
+    else if(!m_guard.remove_node(first))
+      count(can_remove(second) && length_without(second) <= 2 * m_spacing &&
+            m_guard.remove_node(second));
+  }
+
+  void split(std::size_t e)
+  {
+    const Vector middle = (position(m_curve.source(e)) + position(m_curve.target(e))) / 2;
+    count(m_guard.insert_node(e, to_point(middle, m_curve.traits())));
+  }
+
+  typename Traits::Point_3 middle(std::size_t v) const
+  {
+    return to_point(
+        Vector((position(m_curve.neighbor(v, 0)) + position(m_curve.neighbor(v, 1))) / 2),
+        m_curve.traits());
+  }
+
+  void count(bool is_done) { m_number_of_refusals += is_done ? 0 : 1; }
+
+  Guard& m_guard;
+  const Network& m_curve;
+  double m_spacing;
+  std::size_t m_number_of_refusals = 0;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_REMESHER_H

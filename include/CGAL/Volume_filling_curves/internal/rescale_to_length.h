@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_RESCALE_TO_LENGTH_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_RESCALE_TO_LENGTH_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+template <typename Network>
+double length(const Network& curve)
+{
+  double sum = 0;
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    sum +=
+        (to_vector(curve.point(curve.target(e))) - to_vector(curve.point(curve.source(e)))).norm();
+  return sum;
+}
+
+// Scales a curve to the given length and returns the factor: by a power of two, which is exact, and
+// from there in small certified steps, since rounding moves nodes apart. Stops early, with the
+// factor reached, if a step is refused.
+template <typename Traits>
+double rescale_to_length(Curve_network_3<Traits>& curve, double wanted)
+{
+  constexpr double largest_step = 1.02; // smaller than what strands keep clear in units of the size
+  constexpr double precision = 1e-12;
+  const double start = length(curve);
+  Isotopy_guard_3<Traits> guard(curve);
+  guard.scale_by_power_of_two(std::ilogb(wanted / start));
+  for(double rest = wanted / length(curve); std::abs(rest - 1) > precision;
+      rest = wanted / length(curve)) {
+    const double factor = (std::min)(rest, largest_step);
+    const Vector_field x = coordinates(curve);
+    const Eigen::RowVector3d center = x.colwise().mean();
+    const Vector_field target = (factor * (x.rowwise() - center)).rowwise() + center;
+    if(guard.move_nodes(target) < 1) break;
+  }
+  return length(curve) / start;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_RESCALE_TO_LENGTH_H
