@@ -68,8 +68,13 @@ public:
   /// \name Types
   /// @{
 
+  /// the type of the curve
   using Curve_network = Curve_network_3<Traits>;
+
+  /// the type of points
   using Point_3 = typename Traits::Point_3;
+
+  /// the type of the indices of nodes
   using size_type = typename Curve_network::size_type;
 
   /// one vector per node: a matrix with a row for each, `x`, `y`, `z`

@@ -40,10 +40,19 @@ public:
   /// \name Types
   /// @{
 
+  /// the kernel's point type
   using Point_3 = typename Kernel::Point_3;
+
+  /// constructs a point from its coordinates
   using Construct_point_3 = typename Kernel::Construct_point_3;
+
+  /// the orientation of four points
   using Orientation_3 = typename Kernel::Orientation_3;
+
+  /// the orientation of three points in their plane
   using Coplanar_orientation_3 = typename Kernel::Coplanar_orientation_3;
+
+  /// the lexicographic order of points
   using Less_xyz_3 = typename Kernel::Less_xyz_3;
 
   /// @}

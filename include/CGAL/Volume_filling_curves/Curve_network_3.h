@@ -49,8 +49,13 @@ public:
   /// \name Types
   /// @{
 
+  /// the traits class
   using Traits = Traits_;
+
+  /// the type of points; their coordinates are of type `double`, or exactly representable by it
   using Point_3 = typename Traits::Point_3;
+
+  /// the type of the indices of nodes, edges and components
   using size_type = std::size_t;
 
   /// @}

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/Certified_motion.h>
 #include <CGAL/Volume_filling_curves/internal/Grid_broad_phase.h>
-#include <CGAL/Volume_filling_curves/internal/Local_change_test.h>
+#include <CGAL/Volume_filling_curves/internal/Local_change_certifier.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -61,8 +61,13 @@ public:
   /// \name Types
   /// @{
 
+  /// the type of the curve
   using Curve_network = Curve_network_3<Traits>;
+
+  /// the type of points
   using Point_3 = typename Traits::Point_3;
+
+  /// the type of the indices of nodes and edges
   using size_type = typename Curve_network::size_type;
 
   /// @}
@@ -72,7 +77,7 @@ public:
       : m_curve(curve),
         m_predicates(curve.traits()),
         m_locator(curve),
-        m_test(curve, m_predicates, m_locator)
+        m_certifier(curve, m_predicates, m_locator)
   {}
 
   Isotopy_guard_3(const Isotopy_guard_3&) = delete;
@@ -145,8 +150,7 @@ public:
       if(motion.keeps_clearance(fraction)) {
         std::vector<Point_3> points = motion.certify(fraction);
         if(!points.empty() || n == 0) {
-          m_curve.m_points = std::move(points);
-          forget_edges();
+          replace_points(std::move(points));
           m_number_of_certified += n;
           return fraction;
         }
@@ -156,16 +160,20 @@ public:
     return 0;
   }
 
-  /// multiplies all coordinates by two to the power of `exponent`, which is exact: a similarity.
-  ///
-  /// \pre no coordinate over- or underflows
-  void scale_by_power_of_two(int exponent)
+  /// multiplies all coordinates by two to the power of `exponent` if that is exact, that is, if no
+  /// coordinate over- or underflows, and returns whether it did.
+  bool scale_by_power_of_two(int exponent)
   {
-    for(Point_3& point : m_curve.m_points) {
-      const internal::Vector x = internal::to_vector(point);
-      point = internal::to_point(std::ldexp(1., exponent) * x, m_curve.traits());
+    std::vector<Point_3> scaled;
+    scaled.reserve(m_curve.number_of_nodes());
+    const double factor = std::ldexp(1., exponent), inverse = std::ldexp(1., -exponent);
+    for(const Point_3& point : m_curve.m_points) {
+      const internal::Vector x = internal::to_vector(point), y = factor * x;
+      if(inverse * y != x) return false;
+      scaled.push_back(internal::to_point(y, m_curve.traits()));
     }
-    forget_edges();
+    replace_points(std::move(scaled));
+    return true;
   }
 
   /// @}
@@ -178,8 +186,7 @@ public:
     std::vector<Point_3> points;
     points.reserve(former.size());
     for(std::uint32_t v : former) points.push_back(m_curve.m_points[v]);
-    m_curve.m_points = std::move(points);
-    forget_edges();
+    replace_points(std::move(points));
     return former;
   }
 
@@ -195,9 +202,6 @@ public:
   /// @}
 
 private:
-  using Change_test = internal::Local_change_test<Curve_network>;
-  using Edge = typename Change_test::Edge;
-
   bool count(bool is_certified)
   {
     ++(is_certified ? m_number_of_certified : m_number_of_rejected);
@@ -212,8 +216,9 @@ private:
   }
 
   // the curve has changed altogether
-  void forget_edges()
+  void replace_points(std::vector<Point_3> points)
   {
+    m_curve.m_points = std::move(points);
     m_locator.reset();
     m_revision = ++m_curve.m_revision;
   }
@@ -237,50 +242,16 @@ private:
   {
     notice_changes();
     if(m_predicates.are_equal(m_curve.point(v), target)) return true;
-    if(!is_move_safe_at_node(v, target)) return false;
-    const Point_3& start = m_curve.point(v);
-    const auto is_at_v = [&](size_type e) {
-      return m_curve.source(e) == v || m_curve.target(e) == v;
-    };
-    typename Change_test::Edges old_edges, new_edges;
-    for(size_type k = 0; k < m_curve.degree(v); ++k) {
-      const size_type a = m_curve.neighbor(v, k);
-      if(!m_test.is_triangle_free(a, m_curve.null_node(), m_curve.point(a), start, target, is_at_v))
-        return false;
-      old_edges.push_back({a, v, m_curve.point(a), start});
-      new_edges.push_back({a, v, m_curve.point(a), target});
-    }
-    if(!m_test.keeps_clearance(old_edges, new_edges, m_clearance, is_at_v)) return false;
+    if(!m_certifier.is_move_safe(v, target, m_clearance)) return false;
     m_curve.m_points[v] = target;
     for(size_type k = 0; k < m_curve.degree(v); ++k) update_edge(m_curve.incident_edge(v, k));
-    return true;
-  }
-
-  // the node hits no neighbor and passes between each two of them
-  bool is_move_safe_at_node(size_type v, const Point_3& target) const
-  {
-    const Point_3& start = m_curve.point(v);
-    for(size_type i = 0; i < m_curve.degree(v); ++i) {
-      const Point_3& a = m_curve.point(m_curve.neighbor(v, i));
-      if(m_predicates.is_on_segment(a, start, target)) return false;
-      for(size_type j = 0; j < i; ++j)
-        if(m_predicates.does_segment_meet_line_outside(start, target, a,
-                                                       m_curve.point(m_curve.neighbor(v, j))))
-          return false;
-    }
     return true;
   }
 
   bool insert_node_if_safe(size_type e, const Point_3& b)
   {
     notice_changes();
-    const size_type a = m_curve.source(e), c = m_curve.target(e);
-    const auto is_e = [&](size_type f) { return f == e; };
-    if(!is_corner_move_safe(a, b, c, is_e)) return false;
-    const Edge old_edge = {a, c, m_curve.point(a), m_curve.point(c)};
-    const Edge ab = {a, m_curve.null_node(), m_curve.point(a), b};
-    const Edge cb = {c, m_curve.null_node(), m_curve.point(c), b};
-    if(!m_test.keeps_clearance({old_edge}, {ab, cb}, m_clearance, is_e)) return false;
+    if(!m_certifier.is_insertion_safe(e, b, m_clearance)) return false;
     m_curve.m_topology.insert_node(e);
     m_curve.m_points.push_back(b);
     update_edge(e);
@@ -291,37 +262,15 @@ private:
   bool remove_node_if_safe(size_type v)
   {
     notice_changes();
-    if(m_curve.degree(v) != 2 || m_curve.is_pinned(v)) return false;
-    const size_type a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
-    if(m_curve.m_topology.are_adjacent(a, c)) return false;
-    const Point_3 b = m_curve.point(v);
-    const auto is_at_v = [&](size_type e) {
-      return m_curve.source(e) == v || m_curve.target(e) == v;
-    };
-    if(!is_corner_move_safe(a, b, c, is_at_v)) return false;
-    const Edge ab = {a, v, m_curve.point(a), b}, cb = {c, v, m_curve.point(c), b};
-    const Edge new_edge = {a, c, m_curve.point(a), m_curve.point(c)};
-    if(!m_test.keeps_clearance({ab, cb}, {new_edge}, m_clearance, is_at_v)) return false;
+    if(m_curve.is_pinned(v) || !m_certifier.is_removal_safe(v, m_clearance)) return false;
     update_edge(m_curve.m_topology.remove_node(v));
     return true;
-  }
-
-  // The elementary move between the edge ac and the edges ab, bc.
-  template <typename IsTakenOut>
-  bool is_corner_move_safe(size_type node_a,
-                           const Point_3& b,
-                           size_type node_c,
-                           const IsTakenOut& is_taken_out)
-  {
-    const Point_3 &a = m_curve.point(node_a), &c = m_curve.point(node_c);
-    if(m_predicates.are_collinear(a, b, c)) return m_predicates.is_strictly_between(a, b, c);
-    return m_test.is_triangle_free(node_a, node_c, a, b, c, is_taken_out);
   }
 
   Curve_network& m_curve;
   internal::Exact_predicates<Traits> m_predicates;
   internal::Edge_locator<Curve_network> m_locator;
-  Change_test m_test;
+  internal::Local_change_certifier<Curve_network> m_certifier;
   internal::Clearance_rule m_clearance;
   size_type m_revision = 0; // of the curve when it was last looked at
   size_type m_number_of_certified = 0;

@@ -54,12 +54,12 @@ enum class Link_status
 /// What `untangle()` returns. Whatever the status, the curve is ambient isotopic to the input.
 struct Untangling_result
 {
-  Untangling_status status = Untangling_status::LIMIT;
-  std::vector<Unknot_proof> proofs;           ///< one per component
-  Link_status link = Link_status::NOT_A_LINK; ///< whether the components are linked
-  double thickness = 0;                       ///< r, in the input's unit
-  double gradient_norm = 0;                   ///< at the end, see `Curve_flow_3::gradient_norm()`
-  Curve_flow_statistics statistics;           ///< the work
+  Untangling_status status = Untangling_status::LIMIT; ///< how the run ended
+  std::vector<Unknot_proof> proofs;                    ///< one per component
+  Link_status link = Link_status::NOT_A_LINK;          ///< whether the components are linked
+  double thickness = 0;                                ///< r, in the input's unit
+  double gradient_norm = 0;         ///< at the end, see `Curve_flow_3::gradient_norm()`
+  Curve_flow_statistics statistics; ///< the work
 };
 
 } // namespace Volume_filling_curves

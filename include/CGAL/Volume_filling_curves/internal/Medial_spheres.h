@@ -99,18 +99,16 @@ public:
   }
 
 private:
-  struct
-      Image // of a node under inversion, projected to the plane of the circle, in units of 1 / r_max
-  {
-    double u, v;
-    Index node;
-  };
-
+  // Nodes near a run, their images under inversion at a node, projected to the plane of its circle in
+  // units of 1 / r_max, and the support function of these. An array for each coordinate, so that
+  // loops take several at a time.
   struct Workspace
   {
     std::vector<Index> nodes;
-    std::vector<Vector> positions;
-    std::vector<Image> images;
+    std::vector<double> x, y, z;
+    std::vector<double> u, v, squared_norm;
+    std::vector<double> support;          // per direction
+    std::vector<std::int64_t> supporting; // per direction, place of the node in `nodes`
   };
 
   // Measures the spheres of a run of circles from `begin` on, and returns where it ends.
@@ -120,7 +118,7 @@ private:
                           std::size_t end,
                           Workspace& workspace)
   {
-    constexpr std::size_t longest_run = 16; // best of 4 to 32
+    constexpr std::size_t longest_run = 16; // 8 and 32 are as fast
     const Vector first = row(x, m_circles[begin].node);
     Vector low = first, high = first;
     std::size_t run_end = begin + 1;
@@ -133,45 +131,69 @@ private:
     const double slack = 1 + 1e-12; // rounding of the centre
     neighborhoods.find((low + high) / 2, slack * ((high - low).norm() / 2 + 2 * m_max_radius),
                        workspace.nodes);
-    workspace.positions.clear();
-    for(Index v : workspace.nodes) workspace.positions.push_back(row(x, v));
-    for(std::size_t c = begin; c < run_end; ++c) measure_circle(x, c, workspace);
+    load(x, workspace);
+    for(std::size_t c = begin; c < run_end; ++c)
+      measure_circle(row(x, m_circles[c].node), c, workspace);
     return run_end;
   }
 
-  void measure_circle(const Vector_field& x, std::size_t c, Workspace& workspace)
+  static void load(const Vector_field& x, Workspace& workspace)
   {
-    find_images(row(x, m_circles[c].node), m_circles[c], workspace);
-    const std::size_t n = number_of_directions();
-    double* radius = m_radius.data() + c * n;
-    Index* touching = m_touching.data() + c * n;
-    for(std::size_t l = 0; l < n; ++l) {
-      double support = 1;
-      Index node = no_node;
-      for(const Image& image : workspace.images) {
-        const double value = m_cosine[l] * image.u + m_sine[l] * image.v;
-        // ties go to the lower index: the kd-tree reports in no order
-        if(value > support || (value == support && image.node < node && node != no_node)) {
-          support = value;
-          node = image.node;
-        }
-      }
-      radius[l] = m_max_radius / support;
-      touching[l] = node;
+    const std::size_t n = workspace.nodes.size();
+    for(auto* values : {&workspace.x, &workspace.y, &workspace.z, &workspace.u, &workspace.v,
+                        &workspace.squared_norm})
+      values->resize(n);
+    for(std::size_t k = 0; k < n; ++k) {
+      const Vector position = row(x, workspace.nodes[k]);
+      workspace.x[k] = position.x();
+      workspace.y[k] = position.y();
+      workspace.z[k] = position.z();
     }
   }
 
-  // Only images outside the unit circle can lie beyond the cap in some direction.
-  void find_images(const Vector& center, const Node_circle& circle, Workspace& workspace) const
+  void measure_circle(const Vector& center, std::size_t c, Workspace& workspace)
   {
-    workspace.images.clear();
-    for(std::size_t k = 0; k < workspace.nodes.size(); ++k) {
-      const Vector d = workspace.positions[k] - center;
-      const double d2 = d.squaredNorm();
-      if(d2 == 0 || d2 > 4 * m_max_radius * m_max_radius) continue;
-      const double scale = 2 * m_max_radius / d2;
-      const double u = scale * d.dot(circle.u), v = scale * d.dot(circle.v);
-      if(u * u + v * v > 1) workspace.images.push_back({u, v, workspace.nodes[k]});
+    invert(center, m_circles[c], workspace);
+    const std::size_t n = number_of_directions();
+    workspace.support.assign(n, 1.); // the cap
+    workspace.supporting.assign(n, -1);
+    for(std::size_t k = 0; k < workspace.nodes.size(); ++k)
+      // Only images outside the unit circle lie beyond the cap in some direction. The node itself
+      // and coincident ones have no image: their norm is not a number.
+      if(workspace.squared_norm[k] > 1) add_image(k, workspace);
+    for(std::size_t l = 0; l < n; ++l) {
+      const std::int64_t k = workspace.supporting[l];
+      m_radius[c * n + l] = m_max_radius / workspace.support[l];
+      m_touching[c * n + l] = k < 0 ? no_node : workspace.nodes[static_cast<std::size_t>(k)];
+    }
+  }
+
+  void invert(const Vector& center, const Node_circle& circle, Workspace& workspace) const
+  {
+    const double *x = workspace.x.data(), *y = workspace.y.data(), *z = workspace.z.data();
+    double *u = workspace.u.data(), *v = workspace.v.data();
+    double* squared_norm = workspace.squared_norm.data();
+    const Vector a = circle.u, b = circle.v;
+    for(std::size_t k = 0, n = workspace.nodes.size(); k < n; ++k) {
+      const double dx = x[k] - center.x(), dy = y[k] - center.y(), dz = z[k] - center.z();
+      const double scale = 2 * m_max_radius / (dx * dx + dy * dy + dz * dz);
+      u[k] = scale * (dx * a.x() + dy * a.y() + dz * a.z());
+      v[k] = scale * (dx * b.x() + dy * b.y() + dz * b.z());
+      squared_norm[k] = u[k] * u[k] + v[k] * v[k];
+    }
+  }
+
+  void add_image(std::size_t k, Workspace& workspace) const
+  {
+    const double u = workspace.u[k], v = workspace.v[k];
+    const double *cosine = m_cosine.data(), *sine = m_sine.data();
+    double* support = workspace.support.data();
+    std::int64_t* supporting = workspace.supporting.data();
+    const auto node = static_cast<std::int64_t>(k);
+    for(std::size_t l = 0, n = number_of_directions(); l < n; ++l) {
+      const double value = cosine[l] * u + sine[l] * v;
+      supporting[l] = value > support[l] ? node : supporting[l];
+      support[l] = value > support[l] ? value : support[l];
     }
   }
 

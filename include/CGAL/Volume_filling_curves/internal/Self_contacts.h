@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/exact_predicates.h>
 
 #include <CGAL/Bbox_3.h>
@@ -36,7 +37,7 @@ public:
   using Point_3 = typename Traits::Point_3;
   using Edge = std::array<std::size_t, 2>;
 
-  // \pre no edge has length zero, no two edges have the same nodes
+  // \pre coordinates are of type double; no edge has length zero, no two edges have the same nodes
   Self_contacts(const std::vector<Point_3>& points,
                 const std::vector<Edge>& edges,
                 const Traits& traits = Traits())
@@ -53,7 +54,7 @@ public:
     boxes.reserve(m_edges.size());
     pointers.reserve(m_edges.size());
     for(std::size_t e = 0; e < m_edges.size(); ++e) {
-      boxes.emplace_back(m_points[m_edges[e][0]].bbox() + m_points[m_edges[e][1]].bbox(), e);
+      boxes.emplace_back(bbox(m_edges[e][0]) + bbox(m_edges[e][1]), e);
       pointers.push_back(&boxes.back());
     }
     const auto check = [&](const Box* a, const Box* b) { check_pair(a->info(), b->info()); };
@@ -111,6 +112,12 @@ private:
   // Below this number of boxes the broad phase compares all with all. (A million edges: 1.6 s, with
   // a cutoff of 10 it was 3.1 s, with 200 1.8 s; 2026-11-21.)
   static constexpr int cutoff = 50;
+
+  Bbox_3 bbox(std::size_t v) const
+  {
+    const Vector p = to_vector(m_points[v]);
+    return {p.x(), p.y(), p.z(), p.x(), p.y(), p.z()};
+  }
 
   // The broad phase finds pairs in no useful order; a heap keeps the first ones.
   void check_pair(std::size_t e, std::size_t f)

@@ -96,7 +96,8 @@ Sparse_matrix preconditioner(Preconditioner kind,
   Preconditioner_assembly<Network> assembly(curve);
   assembly.add_mass(weights, kind == Preconditioner::QUASI_NEWTON ? alpha : lambda);
   if(kind != Preconditioner::L2) assembly.add_curve_laplacian(x);
-  if(kind == Preconditioner::MEDIAL) assembly.add_medial_laplacian(touching_pairs(spheres), beta);
+  if(kind == Preconditioner::MEDIAL)
+    assembly.add_medial_laplacian(touching_pairs(spheres, curve.number_of_nodes()), beta);
   return assembly.matrix();
 }
 

@@ -12,8 +12,8 @@
 #include <CGAL/Volume_filling_curves/internal/Medial_spheres.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -27,31 +27,56 @@ struct Touching_pair
   double radius;
 };
 
-// Each pair once, whichever node's spheres it comes from, ordered by its nodes.
-inline std::vector<Touching_pair> touching_pairs(const Medial_spheres& spheres)
+// Adds the pairs of a circle's node, each once.
+inline void add_touching_pairs(const Medial_spheres& spheres,
+                               std::size_t c,
+                               std::vector<Touching_pair>& pairs)
 {
-  std::vector<Touching_pair> pairs;
-  for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
-    const auto node = static_cast<Medial_spheres::Index>(spheres.circles()[c].node);
-    const std::size_t first_of_circle = pairs.size();
-    for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
-      const auto other = spheres.touching_node(c, l);
-      if(other == Medial_spheres::no_node) continue;
-      const Touching_pair pair = {(std::min)(node, other), (std::max)(node, other),
-                                  spheres.radius(c, l)};
-      const auto known = std::find_if(
-          pairs.begin() + static_cast<std::ptrdiff_t>(first_of_circle), pairs.end(),
-          [&](const Touching_pair& p) { return p.low == pair.low && p.high == pair.high; });
-      if(known == pairs.end())
-        pairs.push_back(pair);
-      else
-        known->radius = (std::min)(known->radius, pair.radius);
-    }
+  const auto first = static_cast<std::ptrdiff_t>(pairs.size());
+  const auto node = static_cast<Medial_spheres::Index>(spheres.circles()[c].node);
+  for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
+    const auto other = spheres.touching_node(c, l);
+    if(other == Medial_spheres::no_node) continue;
+    const Touching_pair pair = {(std::min)(node, other), (std::max)(node, other),
+                                spheres.radius(c, l)};
+    const auto known = std::find_if(pairs.begin() + first, pairs.end(), [&](const auto& p) {
+      return p.low == pair.low && p.high == pair.high;
+    });
+    if(known == pairs.end())
+      pairs.push_back(pair);
+    else
+      known->radius = (std::min)(known->radius, pair.radius);
   }
-  std::sort(pairs.begin(), pairs.end(), [](const Touching_pair& a, const Touching_pair& b) {
-    return std::array<double, 3>{double(a.low), double(a.high), a.radius} <
-           std::array<double, 3>{double(b.low), double(b.high), b.radius};
-  });
+}
+
+// Sorts by the lower nodes first: a node has a few pairs only, so that counting beats comparing.
+inline std::vector<Touching_pair> sorted_by_lower_node(const std::vector<Touching_pair>& pairs,
+                                                       std::size_t number_of_nodes)
+{
+  std::vector<std::size_t> place(number_of_nodes + 1, 0);
+  for(const Touching_pair& pair : pairs) ++place[pair.low + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<Touching_pair> sorted(pairs.size());
+  for(const Touching_pair& pair : pairs) sorted[place[pair.low]++] = pair;
+  return sorted;
+}
+
+// Each pair once, whichever node's spheres it comes from, ordered by its nodes. Linear.
+inline std::vector<Touching_pair> touching_pairs(const Medial_spheres& spheres,
+                                                 std::size_t number_of_nodes)
+{
+  std::vector<Touching_pair> found;
+  for(std::size_t c = 0; c < spheres.circles().size(); ++c) add_touching_pairs(spheres, c, found);
+  std::vector<Touching_pair> pairs = sorted_by_lower_node(found, number_of_nodes);
+  const auto is_less = [](const Touching_pair& a, const Touching_pair& b) {
+    return a.high != b.high ? a.high < b.high : a.radius < b.radius;
+  };
+  for(auto begin = pairs.begin(); begin != pairs.end();) {
+    const auto end = std::find_if(
+        begin, pairs.end(), [&](const Touching_pair& pair) { return pair.low != begin->low; });
+    std::sort(begin, end, is_less);
+    begin = end;
+  }
   const auto is_same = [](const Touching_pair& a, const Touching_pair& b) {
     return a.low == b.low && a.high == b.high;
   };
