@@ -67,35 +67,34 @@ private:
   Random_source m_random;
 };
 
-// Returns an unknot that does not look like one: a circle after `number_of_moves` random moves that
-// are certified, hence nothing but an unknot by construction. \throws std::invalid_argument for fewer
-// than 3 nodes
-template <typename Traits = Curve_flow_traits_3<>>
-Curve_network_3<Traits> hard_unknot(std::size_t number_of_nodes,
-                                    std::size_t number_of_moves,
-                                    std::uint64_t seed,
-                                    const Traits& traits = Traits())
+// Returns an unknot that does not look like one, in the unit ball: a circle after `number_of_moves`
+// random moves, certified, and hence an unknot by construction.
+// \throws std::invalid_argument for fewer than 3 nodes
+inline Polygons hard_unknot(std::size_t number_of_nodes,
+                            std::size_t number_of_moves,
+                            std::uint64_t seed)
 {
-  constexpr std::size_t coarsest = 32;
-  constexpr double radius = 0.5; // of the circle, and the reach of the coarsest moves
+  constexpr std::size_t most_coarse_nodes = 32;
+  constexpr double radius = 0.5; // of the circle
   if(number_of_nodes < 3) throw std::invalid_argument("an unknot needs at least 3 nodes");
+  std::size_t coarse_nodes = number_of_nodes, number_of_levels = 1;
+  for(; coarse_nodes > most_coarse_nodes; coarse_nodes = (coarse_nodes + 1) / 2) ++number_of_levels;
   Polygon circle;
-  std::size_t n = number_of_nodes;
-  while(n > coarsest) n = (n + 1) / 2;
-  for(std::size_t k = 0; k < n; ++k) {
-    const auto [x, y] = cos_sin(static_cast<double>(k) / static_cast<double>(n));
+  for(std::size_t k = 0; k < coarse_nodes; ++k) {
+    const auto [x, y] = cos_sin(static_cast<double>(k) / static_cast<double>(coarse_nodes));
     circle.push_back({radius * x, radius * y, 0});
   }
-  Curve_network_3<Traits> curve = make_network(Polygons(1, circle), traits);
-  Random_tangler<Traits> tangler(curve, seed);
+  Curve_network_3<> curve = make_network(Polygons(1, circle));
+  Random_tangler<Curve_flow_traits_3<>> tangler(curve, seed);
   double reach = 2 * radius;
-  std::size_t number_of_levels = 1;
-  for(std::size_t m = n; m < number_of_nodes; m *= 2) ++number_of_levels;
   for(std::size_t level = 0; level < number_of_levels; ++level, reach /= 2) {
     if(level > 0) tangler.refine(number_of_nodes);
     tangler.tangle(number_of_moves / number_of_levels, reach);
   }
-  return curve;
+  Polygon result;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    result.push_back(to_vector(curve.point(v)));
+  return Polygons(1, result);
 }
 
 } // namespace internal

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_FLOW_OBSERVER_H
+#define VFC_FLOW_OBSERVER_H
+
+#include "Frames.h"
+#include "Progress.h"
+#include "Session.h"
+#include "interruption.h"
+#include "numbers.h"
+
+#include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
+#include <CGAL/Volume_filling_curves/internal/Stop_rules.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace vfc {
+
+// Follows a flow: shows the progress, writes the frames, and stops it if the user interrupts.
+class Flow_observer : public CGAL::Volume_filling_curves::Default_curve_flow_visitor
+{
+public:
+  using Stop_rules = CGAL::Volume_filling_curves::internal::Stop_rules;
+
+  Flow_observer(const Session& session, const Stop_rules& rules, Frames frames)
+      : m_session(session),
+        m_rules(rules),
+        m_frames(std::move(frames)),
+        m_progress(session.console())
+  {}
+
+  template <typename Flow>
+  void on_start(const Flow& flow)
+  {
+    m_start_seconds = m_session.seconds();
+    m_start_gradient = flow.gradient_norm();
+    m_frames.add(0, flow.curve());
+  }
+
+  template <typename Flow>
+  void on_iteration(const Flow& flow)
+  {
+    const std::size_t iteration = flow.statistics().iterations;
+    m_frames.add(iteration, flow.curve());
+    if(!m_progress.is_due()) return;
+    m_progress.show(part_done(iteration, flow.gradient_norm()),
+                    std::to_string(iteration) + " iterations, length " + to_text(flow.length()) +
+                        ", gradient " + to_text(flow.gradient_norm()));
+  }
+
+  template <typename Flow>
+  bool go_further(const Flow&)
+  {
+    return !is_interruption_requested();
+  }
+
+private:
+  // The stop rule that is closest decides. The gradient falls exponentially in the end.
+  double part_done(std::size_t iteration, double gradient) const
+  {
+    const double iterations =
+        static_cast<double>(iteration) / static_cast<double>(m_rules.max_iterations);
+    const double time = (m_session.seconds() - m_start_seconds) / m_rules.time_limit;
+    const double fall =
+        std::log(gradient / m_start_gradient) / std::log(m_rules.tolerance / m_start_gradient);
+    return (std::max)({iterations, time, std::isfinite(fall) ? fall : 0});
+  }
+
+  const Session& m_session;
+  Stop_rules m_rules;
+  Frames m_frames;
+  Progress m_progress;
+  double m_start_seconds = 0, m_start_gradient = 0;
+};
+
+} // namespace vfc
+
+#endif // VFC_FLOW_OBSERVER_H

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_INTERRUPTION_H
+#define VFC_INTERRUPTION_H
+
+namespace vfc {
+
+// SIGINT and SIGTERM end the program at once, with the status for interruptions, until somebody
+// polls: then the first signal is a request to wind up and save what there is, and the second one
+// ends the program at once.
+
+void handle_interruptions();
+void poll_interruptions();
+bool is_interruption_requested();
+
+} // namespace vfc
+
+#endif // VFC_INTERRUPTION_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// The program vfc. Finds out which command is meant, runs it, and turns errors into messages, a
+// report and an exit status.
+
+#include "Command_line.h"
+#include "Exit_status.h"
+#include "commands.h"
+#include "errors.h"
+#include "interruption.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace vfc {
+namespace {
+
+// Says what went wrong, in the report too.
+int fail(Session& session, Exit_status status, const std::string& message)
+{
+  session.console().fail(message);
+  if(session.report()["status"] != "error") session.report().set_error(message);
+  try {
+    session.write_report();
+  } catch(const std::exception& error) {
+    session.console().fail(error.what());
+  }
+  return status;
+}
+
+int fail(Session& session, const Input_error& error)
+{
+  print_defects(session.console(), error.file(), error.defects());
+  session.report().set_error(error);
+  return fail(session, INVALID_INPUT, error.file() + " is no valid curve");
+}
+
+int run(const Command_line& command_line)
+{
+  Session session(command_line.name, command_line.options);
+  try {
+    session.start_report();
+    const int status = command_line.command(session);
+    session.write_report();
+    if(std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw Usage_error("standard output cannot be written");
+    return status;
+  } catch(const Input_error& error) {
+    return fail(session, error);
+  } catch(const std::bad_alloc&) {
+    return fail(session, FAILURE, "there is not enough memory");
+  } catch(const std::exception& error) {
+    return fail(session, FAILURE, error.what());
+  }
+}
+
+// returns what follows an option on a command line that could not be parsed
+std::string value_of(const std::string& option, const std::vector<std::string>& arguments)
+{
+  for(std::size_t i = 0; i < arguments.size(); ++i) {
+    if(arguments[i] == option) return i + 1 < arguments.size() ? arguments[i + 1] : "";
+    if(arguments[i].compare(0, option.size() + 1, option + '=') == 0)
+      return arguments[i].substr(option.size() + 1);
+  }
+  return "";
+}
+
+// A script that asks for a report gets one even if it uses wrong options.
+int refuse(const std::vector<std::string>& arguments, const std::string& message)
+{
+  Common_options options;
+  options.report = value_of("--report", arguments);
+  options.may_overwrite =
+      std::find(arguments.begin(), arguments.end(), "--force") != arguments.end();
+  Session session(arguments.empty() ? "" : arguments.front(), options);
+  try {
+    session.start_report();
+  } catch(const Usage_error&) {
+    // the first error is the one to tell
+  }
+  return fail(session, FAILURE, message);
+}
+
+std::string complaint_about_command(const std::vector<std::string>& arguments)
+{
+  if(arguments.empty()) return "a command is missing; vfc --help lists them";
+  return "there is no command '" + arguments.front() + "'; vfc --help lists them";
+}
+
+int run_program(int argc, char** argv)
+{
+  handle_interruptions();
+  Command_line command_line;
+  add_untangle_command(command_line);
+  add_check_command(command_line);
+  add_measure_command(command_line);
+  add_generate_command(command_line);
+  add_draw_command(command_line);
+  try {
+    command_line.program.parse(argc, argv);
+  } catch(const CLI::ParseError& error) {
+    if(error.get_exit_code() == 0) return command_line.program.exit(error); // --help, --version
+    const bool has_command = !command_line.program.get_subcommands().empty();
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    return refuse(arguments, has_command ? error.what() : complaint_about_command(arguments));
+  }
+  return run(command_line);
+}
+
+} // namespace
+} // namespace vfc
+
+int main(int argc, char** argv)
+{
+  return vfc::run_program(argc, argv);
+}
