@@ -232,11 +232,14 @@ private:
     if(curve().has_garbage()) m_step_size.renumber(m_guard.collect_garbage());
   }
 
-  // Each round halves edges that are too long.
+  // Each round joins pairs of edges that are too short; then each halves edges that are too long.
   void remesh_until_even()
   {
     const Stage stage(m_statistics.seconds_remeshing);
-    internal::Remesher<Traits>(m_guard, spacing()).collapse_short_edges();
+    do {
+      m_guard.collect_garbage();
+      internal::Remesher<Traits>(m_guard, spacing()).collapse_short_edges();
+    } while(curve().has_garbage());
     do {
       m_guard.collect_garbage();
       internal::Remesher<Traits>(m_guard, spacing()).split_long_edges();

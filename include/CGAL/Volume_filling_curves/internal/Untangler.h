@@ -38,10 +38,8 @@ public:
             const Curve_flow_parameters& parameters,
             const Stop_rules& rules,
             Visitor& visitor)
-      : m_flow(curve, parameters), m_rules(rules), m_visitor(visitor)
-  {
-    m_timer.start();
-  }
+      : m_timer(started_timer()), m_flow(curve, parameters), m_rules(rules), m_visitor(visitor)
+  {}
 
   Untangling_result operator()()
   {
@@ -105,11 +103,18 @@ private:
     return result;
   }
 
+  static Real_timer started_timer()
+  {
+    Real_timer timer;
+    timer.start();
+    return timer;
+  }
+
+  Real_timer m_timer; // starts before the flow is prepared
   Flow m_flow;
   Stop_rules m_rules;
   Visitor& m_visitor;
   Stall_monitor m_stall_monitor;
-  Real_timer m_timer;
   std::vector<Unknot_proof> m_proofs;
   Link_status m_link = Link_status::UNDECIDED;
 };

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -31,7 +32,7 @@ double length(const Network& curve)
 
 // Scales a curve to the given length and returns the factor: by a power of two, which is exact, and
 // from there in small certified steps, since rounding moves nodes apart. Stops early, with the
-// factor reached, if a step is refused.
+// factor reached, if a step is refused, or gets no closer because coordinates are rounded coarsely.
 template <typename Traits>
 double rescale_to_length(Curve_network_3<Traits>& curve, double wanted)
 {
@@ -40,8 +41,10 @@ double rescale_to_length(Curve_network_3<Traits>& curve, double wanted)
   const double start = length(curve);
   Isotopy_guard_3<Traits> guard(curve);
   guard.scale_by_power_of_two(std::ilogb(wanted / start));
-  for(double rest = wanted / length(curve); std::abs(rest - 1) > precision;
-      rest = wanted / length(curve)) {
+  double error = std::numeric_limits<double>::infinity();
+  for(double rest = wanted / length(curve);
+      std::abs(rest - 1) > precision && std::abs(rest - 1) < error; rest = wanted / length(curve)) {
+    error = std::abs(rest - 1);
     const double factor = (std::min)(rest, largest_step);
     const Vector_field x = coordinates(curve);
     const Eigen::RowVector3d center = x.colwise().mean();

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Untangles links, of which a linking number or a proof is reported, and an arc with pinned ends.
+
+#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/untangle.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace VFC = CGAL::Volume_filling_curves;
+
+using Curve = VFC::Curve_network_3<>;
+using Point_3 = Curve::Point_3;
+using Polyline = std::vector<Point_3>;
+
+// An ellipse in a plane that is orthogonal to y or to z
+Polyline ellipse(double center, bool is_upright)
+{
+  Polyline points;
+  const int n = 60;
+  for(int i = 0; i < n; ++i) {
+    const double x = center + 2 * std::cos(2 * CGAL_PI * i / n), h = std::sin(2 * CGAL_PI * i / n);
+    points.push_back(is_upright ? Point_3(x, 0, h) : Point_3(x, h, 0));
+  }
+  points.push_back(points.front());
+  return points;
+}
+
+VFC::Link_status status_of_link(double distance)
+{
+  std::vector<Polyline> link = {ellipse(0, false), ellipse(distance, true)};
+  const VFC::Untangling_result result = VFC::untangle(link, VFC::parameters::tolerance(0.02));
+  std::cout << "ellipses at distance " << distance << ": " << result.statistics.iterations
+            << " iterations, "
+            << (result.link == VFC::Link_status::LINKED ? "linked" : "not linked") << '\n';
+  return result.link;
+}
+
+// A winding arc; its ends, and the nodes in between that are pinned, stay where they are.
+bool does_arc_stay_pinned()
+{
+  std::vector<Polyline> arc(1);
+  for(int i = 0; i <= 80; ++i) arc[0].emplace_back(0.1 * i, std::sin(0.4 * i), std::cos(0.4 * i));
+  Curve curve;
+  std::vector<VFC::Curve_defect> defects;
+  if(!VFC::polylines_to_curve_network(arc, curve, defects)) return false;
+  curve.pin_ends();
+  curve.set_pinned(40);
+
+  const VFC::Untangling_result result = VFC::untangle(curve);
+  std::size_t pinned = 0, new_nodes = 0;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
+    const std::size_t origin = curve.origin(v); // the node of the input that v was
+    if(origin == Curve::null_node()) ++new_nodes;
+    if(!curve.is_pinned(v)) continue;
+    if(curve.point(v) != arc[0][origin]) return false;
+    ++pinned;
+  }
+  std::cout << "arc: " << result.statistics.iterations << " iterations, " << pinned
+            << " pinned nodes and " << new_nodes << " new ones of " << curve.number_of_nodes()
+            << '\n';
+  return pinned == 3;
+}
+
+int main()
+{
+  const bool is_ok = status_of_link(2) == VFC::Link_status::LINKED &&
+                     status_of_link(5) == VFC::Link_status::TRIVIAL && does_arc_stay_pinned();
+  return is_ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}
