@@ -41,10 +41,8 @@ public:
     const double diagonal = box_diagonal();
     double thickness = first_guess * diagonal;
     for(int k = 0; k < max_refinements && thickness > 0; ++k) {
-      const double spacing = samples_per_thickness * thickness;
-      sample(spacing);
+      sample(samples_per_thickness * thickness);
       const double refined = (std::min)(percentile(diagonal), thickness);
-      if(refined == thickness && k > 0) break;
       const bool is_settled = refined > settled * thickness;
       thickness = refined;
       if(is_settled) break;
