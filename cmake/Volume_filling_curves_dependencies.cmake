@@ -3,12 +3,9 @@
 # Author(s) : The Volume_filling_curves authors
 #
 # Finds what CGAL::Volume_filling_curves links to. Required: CGAL (which brings Boost) and Eigen.
-# Used when found, unless switched off: TBB, CHOLMOD, zlib. Used in the build and by the installed
-# package.
+# Used when found, unless switched off: TBB. Used in the build and by the installed package.
 
 option(Volume_filling_curves_WITH_TBB "Run in parallel with TBB when it is found" ON)
-option(Volume_filling_curves_WITH_CHOLMOD "Factorize with CHOLMOD when it is found" ON)
-option(Volume_filling_curves_WITH_ZLIB "Compress pictures with zlib when it is found" ON)
 
 find_package(CGAL 5.5 REQUIRED QUIET)
 find_package(Eigen3 3.4 REQUIRED QUIET)
@@ -17,14 +14,6 @@ include(CGAL_Eigen3_support)
 if(Volume_filling_curves_WITH_TBB)
   find_package(TBB QUIET)
   include(CGAL_TBB_support)
-endif()
-if(Volume_filling_curves_WITH_CHOLMOD)
-  list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
-  find_package(CHOLMOD QUIET)
-  list(POP_FRONT CMAKE_MODULE_PATH)
-endif()
-if(Volume_filling_curves_WITH_ZLIB)
-  find_package(ZLIB QUIET)
 endif()
 
 # A parent project (add_subdirectory) must see the imported targets too.

@@ -7,17 +7,12 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(libraries TBB CHOLMOD ZLIB)
-set(targets CGAL::TBB_support CHOLMOD::CHOLMOD ZLIB::ZLIB)
 set(config_dir ${CMAKE_INSTALL_DATADIR}/cmake/Volume_filling_curves)
 # The installed package must find again what the exported target names, and only that.
-foreach(library target IN ZIP_LISTS libraries targets)
-  if(TARGET ${target})
-    set(use_${library} ON)
-  else()
-    set(use_${library} OFF)
-  endif()
-endforeach()
+set(use_TBB OFF)
+if(TARGET CGAL::TBB_support)
+  set(use_TBB ON)
+endif()
 
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/Volume_filling_curvesConfig.cmake.in
@@ -34,5 +29,4 @@ install(FILES
   ${PROJECT_BINARY_DIR}/cmake/Volume_filling_curvesConfig.cmake
   ${PROJECT_BINARY_DIR}/cmake/Volume_filling_curvesConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/Volume_filling_curves_dependencies.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake
   DESTINATION ${config_dir})

@@ -52,7 +52,7 @@ void Output_files::add(const std::string& option, const std::string& path)
   if(fs::exists(status) && !m_may_overwrite) refuse(option, path, "exists; --force overwrites it");
   const fs::path target = fs::exists(status) ? fs::canonical(path, error) : fs::path(path);
   check_writable(option, target);
-  const std::string name = fs::weakly_canonical(target, error).string();
+  const std::string name = fs::weakly_canonical(fs::absolute(target), error).string();
   if(std::find(m_paths.begin(), m_paths.end(), name) != m_paths.end())
     refuse(option, path, "is also the file of another option");
   m_paths.push_back(name);

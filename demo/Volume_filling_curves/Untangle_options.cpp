@@ -93,7 +93,7 @@ void add_flow_options(CLI::App& command, Untangle_options& options)
              "coupling along medial spheres, dimensionless", true)
       .capture_default_str();
   add_number(command, "--tau", options.flow.time_step,
-             "the paper's fixed step, in units of r; default: an adaptive step up to 0.5 r");
+             "the paper's fixed time step, dimensionless; default: adaptive, moves up to 0.5 r");
   command
       .add_option("--preconditioner", options.name_of_preconditioner,
                   "medial, h1, l2 or quasi-newton")

@@ -22,7 +22,7 @@ namespace curves = CGAL::Volume_filling_curves;
 Curve_and_defects read_curve_and_defects(const std::string& file, bool is_network)
 {
   Curve_and_defects result;
-  const auto junctions = is_network ? curves::Junctions::allowed : curves::Junctions::forbidden;
+  const auto junctions = is_network ? curves::Junctions::ALLOWED : curves::Junctions::FORBIDDEN;
   result.is_valid = CGAL::IO::read_curve_network(file, result.curve, result.defects, junctions);
   return result;
 }

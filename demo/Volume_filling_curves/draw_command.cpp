@@ -43,7 +43,7 @@ int draw(Session& session, const Draw_options& options)
   const Curve curve = read_curve(session, options.file, options.is_network);
   std::ostringstream picture;
   picture.imbue(std::locale::classic());
-  CGAL::Volume_filling_curves::write_svg(picture, curve);
+  CGAL::IO::write_svg(picture, curve);
   Output_files::write(options.picture, picture.str());
   session.end_stage("drawing");
   session.report()["status"] = "done";

@@ -78,7 +78,7 @@ void require_round_trip(const Network& network, Junctions junctions)
 // Reads a text in both formats, with and without junctions.
 void run(std::string_view text)
 {
-  for(const Junctions junctions : {Junctions::forbidden, Junctions::allowed}) {
+  for(const Junctions junctions : {Junctions::FORBIDDEN, Junctions::ALLOWED}) {
     for(const auto reader : {internal::read_obj, internal::read_polylines_txt}) {
       Network network;
       if(read(reader(text, junctions), junctions, network)) require_round_trip(network, junctions);

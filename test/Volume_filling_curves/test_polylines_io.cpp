@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <clocale>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -19,6 +18,7 @@
 #include <iterator>
 #include <limits>
 #include <list>
+#include <locale>
 #include <random>
 #include <string>
 #include <utility>
@@ -60,12 +60,12 @@ Reading read(internal::Curve_file file, Junctions junctions)
   return reading;
 }
 
-Reading read_obj(const std::string& text, Junctions junctions = Junctions::forbidden)
+Reading read_obj(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
 {
   return read(internal::read_obj(text, junctions), junctions);
 }
 
-Reading read_txt(const std::string& text, Junctions junctions = Junctions::forbidden)
+Reading read_txt(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
 {
   return read(internal::read_polylines_txt(text, junctions), junctions);
 }
@@ -190,7 +190,7 @@ TEST(Obj, vertices_without_lines_are_one_closed_curve_with_a_warning)
   ASSERT_TRUE(reading.is_accepted);
   EXPECT_TRUE(reading.network.is_closed(0));
   ASSERT_EQ(reading.defects.size(), 1u);
-  EXPECT_EQ(reading.defects[0].kind, Curve_defect_kind::no_lines);
+  EXPECT_EQ(reading.defects[0].kind, Curve_defect_kind::NO_LINES);
 }
 
 TEST(Obj, components_keep_the_order_of_their_first_edges)
@@ -227,7 +227,7 @@ TEST(Polylines_txt, repeated_first_point_closes)
   EXPECT_FALSE(reading.network.is_closed(1));
   EXPECT_EQ(reading.origins(), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
   ASSERT_EQ(reading.defects.size(), 1u);
-  EXPECT_EQ(reading.defects[0].kind, Curve_defect_kind::isolated_vertex);
+  EXPECT_EQ(reading.defects[0].kind, Curve_defect_kind::ISOLATED_VERTEX);
   EXPECT_EQ(reading.defects[0].nodes, std::vector<std::size_t>{6});
 }
 
@@ -242,7 +242,7 @@ TEST(Polylines_txt, equal_ends_are_one_node_of_a_network_only)
 {
   const std::string text = "2 0 0 0 1 0 0\n2 1 0 0 0 1 0\n2 1 0 0 0 0 1\n";
   EXPECT_FALSE(read_txt(text).is_accepted);
-  const Reading reading = read_txt(text, Junctions::allowed);
+  const Reading reading = read_txt(text, Junctions::ALLOWED);
   ASSERT_TRUE(reading.is_accepted);
   EXPECT_EQ(reading.network.number_of_nodes(), 4u);
   EXPECT_TRUE(reading.network.has_junction());
@@ -255,7 +255,7 @@ TEST(Polylines_txt, wrong_number_of_points_is_an_error)
     const Reading reading = read_txt(text);
     EXPECT_FALSE(reading.is_accepted);
     ASSERT_FALSE(reading.defects.empty());
-    EXPECT_EQ(reading.defects[0].kind, Curve_defect_kind::wrong_point_count) << text;
+    EXPECT_EQ(reading.defects[0].kind, Curve_defect_kind::WRONG_POINT_COUNT) << text;
   }
 }
 
@@ -343,10 +343,10 @@ TEST(Round_trip, keeps_a_network_with_junctions)
     if(edges.empty()) continue;
     const Network network(points, edges);
     const internal::Curve_strands strands(network);
-    const Reading obj = read_obj(internal::to_obj(strands), Junctions::allowed);
+    const Reading obj = read_obj(internal::to_obj(strands), Junctions::ALLOWED);
     ASSERT_TRUE(obj.is_accepted);
     expect_same(network, obj.network);
-    const Reading txt = read_txt(internal::to_polylines_txt(strands), Junctions::allowed);
+    const Reading txt = read_txt(internal::to_polylines_txt(strands), Junctions::ALLOWED);
     ASSERT_TRUE(txt.is_accepted);
     EXPECT_EQ(txt.network.number_of_nodes(), network.number_of_nodes());
     EXPECT_EQ(txt.network.number_of_edges(), network.number_of_edges());
@@ -355,13 +355,15 @@ TEST(Round_trip, keeps_a_network_with_junctions)
 
 TEST(Writing, does_not_depend_on_the_locale)
 {
-  const char* const former = std::setlocale(LC_ALL, nullptr);
-  const std::string locale = former ? former : "C";
-  if(!std::setlocale(LC_ALL, "de_DE.UTF-8") && !std::setlocale(LC_ALL, "fr_FR.UTF-8"))
-    GTEST_SKIP() << "no locale with a decimal comma is installed";
+  struct Decimal_comma : std::numpunct<char>
+  {
+    char do_decimal_point() const override { return ','; }
+  };
+  const std::locale former =
+      std::locale::global(std::locale(std::locale::classic(), new Decimal_comma));
   const Reading reading = read_obj("v 0.5 0 0\nv 1 0 0.25\nl 1 2");
   const std::string text = internal::to_obj(internal::Curve_strands(reading.network));
-  std::setlocale(LC_ALL, locale.c_str());
+  std::locale::global(former);
   EXPECT_EQ(text, "v 0.5 0 0\nv 1 0 0.25\nl 1 2\n");
 }
 
@@ -443,18 +445,18 @@ TEST(Reading, of_a_missing_file_or_an_unknown_format_is_an_error)
   std::vector<Curve_defect> defects;
   EXPECT_FALSE(CGAL::IO::read_curve_network(folder.file("a.obj"), network, defects));
   ASSERT_EQ(defects.size(), 1u);
-  EXPECT_EQ(defects[0].kind, Curve_defect_kind::unreadable_file);
+  EXPECT_EQ(defects[0].kind, Curve_defect_kind::UNREADABLE_FILE);
   EXPECT_FALSE(CGAL::IO::read_curve_network(folder.file("a.stl"), network, defects));
   ASSERT_EQ(defects.size(), 1u);
-  EXPECT_EQ(defects[0].kind, Curve_defect_kind::unknown_format);
+  EXPECT_EQ(defects[0].kind, Curve_defect_kind::UNKNOWN_FORMAT);
 }
 
 TEST(Reading, that_fails_leaves_the_network)
 {
   Network network = read_obj(square + "l 1 2 3 4 1").network;
   std::vector<Curve_defect> defects;
-  internal::Curve_file file = internal::read_obj("v 0 0", Junctions::forbidden);
-  EXPECT_FALSE(internal::make_network(file, network, defects, Junctions::forbidden));
+  internal::Curve_file file = internal::read_obj("v 0 0", Junctions::FORBIDDEN);
+  EXPECT_FALSE(internal::make_network(file, network, defects, Junctions::FORBIDDEN));
   EXPECT_EQ(network.number_of_nodes(), 4u);
 }
 
@@ -483,7 +485,7 @@ TEST(Polylines, have_a_point_map_and_any_kernel)
   Curve_network_3<Curve_flow_traits_3<Exact_kernel>> network;
   std::vector<Curve_defect> defects;
   const auto np = CGAL::parameters::point_map(CGAL::Second_of_pair_property_map<Item>());
-  ASSERT_TRUE(polylines_to_curve_network(polylines, network, defects, Junctions::forbidden, np));
+  ASSERT_TRUE(polylines_to_curve_network(polylines, network, defects, Junctions::FORBIDDEN, np));
   EXPECT_EQ(network.number_of_nodes(), 3u);
   EXPECT_EQ(network.point(2), Exact_point(1, 1, 2));
 }
@@ -496,7 +498,7 @@ TEST(Polylines, that_meet_are_refused_with_the_numbers_of_their_points)
   std::vector<Curve_defect> defects;
   EXPECT_FALSE(polylines_to_curve_network(polylines, network, defects));
   ASSERT_EQ(defects.size(), 1u);
-  EXPECT_EQ(defects[0].kind, Curve_defect_kind::self_contact);
+  EXPECT_EQ(defects[0].kind, Curve_defect_kind::SELF_CONTACT);
   EXPECT_EQ(defects[0].nodes, (std::vector<std::size_t>{1, 2, 3, 4}));
 }
 

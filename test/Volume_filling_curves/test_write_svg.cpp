@@ -31,7 +31,7 @@ using Point = Curve::Point_3;
 std::string svg(const Curve& curve)
 {
   std::ostringstream out;
-  EXPECT_TRUE(vfc::write_svg(out, curve));
+  EXPECT_TRUE(CGAL::IO::write_svg(out, curve));
   return out.str();
 }
 

@@ -21,9 +21,12 @@
 #include <CGAL/Volume_filling_curves/internal/preconditioner.h>
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -87,11 +90,19 @@ public:
    * the lengths that the parameters ask for, by certified operations.
    *
    * Nodes that are pinned stay where they are.
+   *
+   * \pre the network has no garbage
+   *
+   * \throws std::invalid_argument if a parameter is not positive and finite; `thickness`, `coupling`
+   * and `time_step` may be 0
    */
   explicit Curve_flow_3(Curve_network& curve,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
       : m_guard(curve), m_parameters(parameters), m_step_size(0)
   {
+    CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
+    if(!are_valid(m_parameters))
+      throw std::invalid_argument("the parameters of a flow must be positive and finite");
     if(!(m_parameters.thickness > 0)) {
       internal::Medial_thickness<Curve_network, ConcurrencyTag> measure(
           curve, m_parameters.number_of_directions);
@@ -170,6 +181,16 @@ private:
   static constexpr double clearance_over_thickness = 0.1;
   static constexpr double least_fraction = 1. / 64; // of a step that is shortened
 
+  static bool are_valid(const Curve_flow_parameters& p)
+  {
+    const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
+    const auto is_positive_or_zero = [&](double x) { return x == 0 || is_positive(x); };
+    return p.number_of_directions > 0 && is_positive(p.max_radius) && is_positive(p.spacing) &&
+           is_positive(p.screening) && is_positive(p.max_displacement) &&
+           is_positive_or_zero(p.thickness) && is_positive_or_zero(p.coupling) &&
+           is_positive_or_zero(p.time_step);
+  }
+
   double spacing() const { return m_parameters.spacing * thickness(); }
 
   void update()
@@ -198,7 +219,7 @@ private:
     gradient.add_length(internal::component_tensions(curve(), m_weights, thickness()));
     gradient.add_medial_spheres(m_spheres, thickness());
     m_gradient = gradient.result();
-    m_gradient_norm = thickness() * m_gradient.rowwise().norm().sum() / m_length;
+    m_gradient_norm = m_length > 0 ? thickness() * m_gradient.rowwise().norm().sum() / m_length : 0;
     const double lambda = m_parameters.screening / (thickness() * thickness());
     m_direction = m_solver(internal::preconditioner(m_parameters.preconditioner, curve(),
                                                     m_positions, m_weights, m_spheres, lambda,
@@ -210,7 +231,7 @@ private:
   double move()
   {
     const Stage stage(m_statistics.seconds_motion);
-    if(!(m_direction.cwiseAbs().maxCoeff() > 0)) return 0;
+    if(m_direction.isZero(0)) return 0;
     const double scale =
         m_parameters.time_step > 0 ? m_parameters.time_step : m_step_size.next(m_direction);
     const double fraction = m_guard.template move_nodes<ConcurrencyTag>(

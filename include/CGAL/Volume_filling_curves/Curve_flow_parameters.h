@@ -61,7 +61,8 @@ struct Curve_flow_parameters
   /// The largest displacement of a node in a step, in units of r.
   double max_displacement = 0.5;
 
-  /// The time step tau of the paper instead of the adaptive step; 0 (default) for the latter.
+  /// The time step tau of the paper, dimensionless, instead of the adaptive step, which is taken if
+  /// this is 0 (default).
   double time_step = 0;
 };
 

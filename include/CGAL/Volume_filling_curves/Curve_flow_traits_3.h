@@ -12,6 +12,8 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Volume_filling_curves {
 
@@ -25,7 +27,8 @@ namespace Volume_filling_curves {
  * `CGAL::Exact_predicates_inexact_constructions_kernel` (default),
  * `CGAL::Exact_predicates_exact_constructions_kernel` or
  * `CGAL::Simple_cartesian<CGAL::Exact_rational>`. A kernel whose predicates are not exact, such as
- * `CGAL::Simple_cartesian<double>`, is refused at compile time.
+ * `CGAL::Simple_cartesian<double>`, is refused at compile time, and so is one whose number type does not
+ * hold every `double`.
  *
  * \cgalModels{CurveFlowTraits_3}
  */
@@ -35,6 +38,13 @@ class Curve_flow_traits_3
   static_assert(Kernel::Has_filtered_predicates ||
                     Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value,
                 "The certificates need a kernel with exact predicates");
+  static_assert(
+      std::is_same<typename Kernel::FT, double>::value ||
+          (Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value &&
+           std::is_convertible<
+               typename Algebraic_structure_traits<typename Kernel::FT>::Algebraic_category,
+               Field_tag>::value),
+      "The certificates need points whose coordinates can be any double, unrounded");
 
 public:
   /// \name Types

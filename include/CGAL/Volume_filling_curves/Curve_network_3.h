@@ -33,7 +33,9 @@ class Isotopy_guard_3;
  * nodes can be pinned. Nodes are numbered from 0 along the curve, component after component.
  *
  * The network can be read by everybody, but once constructed its coordinates and its edges change
- * only through `Isotopy_guard_3`, which certifies every change with exact predicates.
+ * only through `Isotopy_guard_3`, which certifies every change with exact predicates. (Assigning
+ * replaces the network by another one.) Functions that read a network, but for its own and those of
+ * the guard, expect that it has no garbage.
  *
  * Constructing, copying and renumbering take time linear in the number of nodes. Concurrent reading
  * is safe.

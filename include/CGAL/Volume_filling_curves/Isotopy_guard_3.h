@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/Certified_motion.h>
 #include <CGAL/Volume_filling_curves/internal/Grid_broad_phase.h>
 #include <CGAL/Volume_filling_curves/internal/Local_change_certifier.h>
+#include <CGAL/Volume_filling_curves/internal/Vector.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,8 +41,9 @@ namespace Volume_filling_curves {
  * an end.
  *
  * On request the guard also keeps a clearance: it refuses changes that bring edges without a common
- * node closer than a given distance and closer than half the distance that they had, for curves
- * that land on contact can hardly move again.
+ * node closer than a given distance and closer than half the distance that they had, or close the
+ * angle between edges with a common node below 20 degrees and to less than about half of what it
+ * was. Curves that land on contact can hardly move again. The clearance is no part of the certificate.
  *
  * Inserting and removing nodes leaves gaps in the numbering, which `collect_garbage()` closes.
  *
@@ -87,15 +90,23 @@ public:
   const Curve_network& curve() const { return m_curve; }
 
   /// sets the distance that edges without a common node keep, in the input's unit; 0 (default)
-  /// stands for none. Edges that are closer already may halve their distance.
-  void set_clearance(double distance) { m_clearance = internal::Clearance_rule(distance); }
+  /// stands for no clearance at all. Edges that are closer already may halve their distance.
+  void set_clearance(double distance)
+  {
+    m_clearance = internal::Clearance_rule(distance);
+    m_locator.set_query_margin(distance);
+  }
 
   /// \name Certified Operations
   /// @{
 
-  /// moves node `v` to `target` if that is certified, and returns whether it did.
+  /// moves node `v` to `target` if that is certified, and returns whether it did. Pinned nodes move,
+  /// too: pins are for the flow.
+  ///
+  /// \pre the node has not been removed
   bool move_node(size_type v, const Point_3& target)
   {
+    CGAL_precondition_msg(!m_curve.is_removed_node(v), "the node has not been removed");
     return count(is_finite(target) && move_node_if_safe(v, rounded(target)));
   }
 
@@ -182,9 +193,9 @@ public:
   /// the former index of each node.
   std::vector<std::uint32_t> collect_garbage()
   {
-    const std::vector<std::uint32_t> former = m_curve.m_topology.compact();
     std::vector<Point_3> points;
-    points.reserve(former.size());
+    points.reserve(m_curve.number_of_nodes());
+    std::vector<std::uint32_t> former = m_curve.m_topology.compact();
     for(std::uint32_t v : former) points.push_back(m_curve.m_points[v]);
     replace_points(std::move(points));
     return former;

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -208,11 +209,15 @@ template <typename Traits>
  * close.
  *
  * \pre no two components intersect.
+ *
+ * \throws std::invalid_argument if they do and no linking number can be found
  */
 template <typename Traits>
 [[nodiscard]] std::vector<std::vector<int>> linking_matrix(const Curve_network_3<Traits>& curve)
 {
-  return internal::Linking_numbers<Curve_network_3<Traits>>(curve)();
+  const auto matrix = internal::Linking_numbers<Curve_network_3<Traits>>(curve)();
+  if(!matrix) throw std::invalid_argument("components with linking numbers must not intersect");
+  return *matrix;
 }
 
 /*!

@@ -52,7 +52,6 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   CGAL_VFC_PARAMETER(number_of_iterations, number_of_iterations_t)
   CGAL_VFC_PARAMETER(point_map, point_t)
   CGAL_VFC_PARAMETER(visitor, visitor_t)
-  CGAL_VFC_PARAMETER(geom_traits, geom_traits_t)
 #undef CGAL_VFC_PARAMETER
 };
 /// \endcond
@@ -79,7 +78,6 @@ namespace parameters {
 CGAL_VFC_PARAMETER(number_of_iterations, number_of_iterations_t)
 CGAL_VFC_PARAMETER(point_map, point_t)
 CGAL_VFC_PARAMETER(visitor, visitor_t)
-CGAL_VFC_PARAMETER(geom_traits, geom_traits_t)
 #undef CGAL_VFC_PARAMETER
 /// \endcond
 

@@ -20,6 +20,7 @@
 #include <CGAL/Volume_filling_curves/parameters.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ namespace Volume_filling_curves {
  *       input. The thickness that is returned is scaled likewise.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
- *     \cgalParamPrecondition{no node is pinned}
+ *     \cgalParamPrecondition{no node is pinned, hence no polyline is open}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_directions}
  *     \cgalParamDescription{the number of medial spheres per node}
@@ -121,7 +122,7 @@ namespace Volume_filling_curves {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{time_step}
  *     \cgalParamDescription{the fixed time step tau of the paper instead of an adaptive step}
- *     \cgalParamType{`double`, in units of the thickness}
+ *     \cgalParamType{`double`, dimensionless}
  *     \cgalParamDefault{`0`, for an adaptive step}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
@@ -134,7 +135,10 @@ namespace Volume_filling_curves {
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
- * \throws std::invalid_argument if the curves are not embedded; the message names the nodes
+ * \pre the network has no garbage
+ *
+ * \throws std::invalid_argument if the curves are not embedded, with the nodes in the message, if a
+ * coordinate is beyond 1e150 or the size below 1e-150, or if a parameter is not positive and finite
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
@@ -149,13 +153,15 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
   Visitor_reference visitor = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
 
+  const bool keeps_length = internal::parameter_or(np, internal_np::keep_length, false);
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  CGAL_precondition_msg(!keeps_length || !internal::has_pinned_node(curves), "no node is pinned");
   internal::check_embedded(curves);
   const double length = internal::length(curves);
   internal::Untangler<Flow, std::remove_reference_t<Visitor_reference>> run(
       curves, internal::get_flow_parameters(np), internal::get_stop_rules(np), visitor);
   Untangling_result result = run();
-  if(internal::parameter_or(np, internal_np::keep_length, false))
-    result.thickness *= internal::rescale_to_length(curves, length);
+  if(keeps_length) result.thickness *= internal::rescale_to_length(curves, length);
   return result;
 }
 
@@ -187,7 +193,7 @@ Untangling_result untangle(std::vector<std::vector<Point_3>>& polylines,
   using Traits = Curve_flow_traits_3<typename Kernel_traits<Point_3>::Kernel>;
   Curve_network_3<Traits> curves;
   std::vector<Curve_defect> defects;
-  if(!polylines_to_curve_network(polylines, curves, defects, Junctions::forbidden, np))
+  if(!polylines_to_curve_network(polylines, curves, defects, Junctions::FORBIDDEN, np))
     throw std::invalid_argument(
         to_string(*std::find_if(defects.begin(), defects.end(),
                                 [](const Curve_defect& d) { return is_error(d.kind); }),

@@ -24,8 +24,8 @@ namespace Volume_filling_curves {
  */
 enum class Junctions
 {
-  forbidden, ///< every component is a closed curve or an arc; a junction is an error
-  allowed    ///< any graph is welcome; equal end points of polylines are one node
+  FORBIDDEN, ///< every component is a closed curve or an arc; a junction is an error
+  ALLOWED    ///< any graph is welcome; equal end points of polylines are one node
 };
 
 /*!
@@ -35,28 +35,28 @@ enum class Junctions
  */
 enum class Curve_defect_kind
 {
-  unreadable_file,         ///< the file cannot be opened or read
-  unknown_format,          ///< the extension of the file's name is not that of a curve file
-  binary_data,             ///< bytes that do not belong in a text file
-  unknown_record,          ///< a record that the format does not have (warning, ignored)
-  unparsable_number,       ///< a number was expected and something else was found
-  missing_coordinates,     ///< a vertex with fewer than three coordinates
-  wrong_point_count,       ///< a polyline that does not have as many points as it announces
-  non_finite_coordinate,   ///< a coordinate that is infinite or not a number
-  coordinate_too_large,    ///< a coordinate beyond 1e150, whose products would overflow
-  size_too_small,          ///< a curve smaller than 1e-150, whose products would underflow
-  bad_index,               ///< an index that is zero, out of range or no integer
-  short_line,              ///< a line record with fewer than two indices
-  no_geometry,             ///< there are no vertices or no edges
-  faces_only,              ///< the file holds a surface, not a curve
-  no_lines,                ///< no line records: one closed curve through all vertices (warning)
-  isolated_vertex,         ///< vertices without an edge (warning, ignored)
-  duplicate_edge,          ///< an edge that occurs twice (warning, dropped)
-  coincident_nodes,        ///< an edge of length zero (warning, its nodes are merged)
-  nearly_coincident_nodes, ///< an edge shorter than 1e-12 of the size of all curves (warning)
-  degenerate_loop,         ///< a closed curve with fewer than three distinct nodes
-  junction,                ///< a node with more than two edges where junctions are forbidden
-  self_contact             ///< two edges that meet elsewhere than in a common node
+  UNREADABLE_FILE,         ///< the file cannot be opened or read
+  UNKNOWN_FORMAT,          ///< the extension of the file's name is not that of a curve file
+  BINARY_DATA,             ///< bytes that do not belong in a text file
+  UNKNOWN_RECORD,          ///< a record that the format does not have (warning, ignored)
+  UNPARSABLE_NUMBER,       ///< a number was expected and something else was found
+  MISSING_COORDINATES,     ///< a vertex with fewer than three coordinates
+  WRONG_POINT_COUNT,       ///< a polyline that does not have as many points as it announces
+  NON_FINITE_COORDINATE,   ///< a coordinate that is infinite or not a number
+  COORDINATE_TOO_LARGE,    ///< a coordinate beyond 1e150, whose products would overflow
+  SIZE_TOO_SMALL,          ///< a curve smaller than 1e-150, whose products would underflow
+  BAD_INDEX,               ///< an index that is zero, out of range or no integer
+  SHORT_LINE,              ///< a line record with fewer than two indices
+  NO_GEOMETRY,             ///< there are no vertices or no edges
+  FACES_ONLY,              ///< the file holds a surface, not a curve
+  NO_LINES,                ///< no line records: one closed curve through all vertices (warning)
+  ISOLATED_VERTEX,         ///< vertices without an edge (warning, ignored)
+  DUPLICATE_EDGE,          ///< an edge that occurs twice (warning, dropped)
+  COINCIDENT_NODES,        ///< an edge of length zero (warning, its nodes are merged)
+  NEARLY_COINCIDENT_NODES, ///< an edge shorter than 1e-12 of the size of all curves (warning)
+  DEGENERATE_LOOP,         ///< a closed curve with fewer than three distinct nodes
+  JUNCTION,                ///< a node with more than two edges where junctions are forbidden
+  SELF_CONTACT             ///< two edges that meet elsewhere than in a common node
 };
 
 /*!
@@ -92,12 +92,12 @@ struct Curve_defect
 inline bool is_error(Curve_defect_kind kind)
 {
   switch(kind) {
-  case Curve_defect_kind::unknown_record:
-  case Curve_defect_kind::no_lines:
-  case Curve_defect_kind::isolated_vertex:
-  case Curve_defect_kind::duplicate_edge:
-  case Curve_defect_kind::coincident_nodes:
-  case Curve_defect_kind::nearly_coincident_nodes:
+  case Curve_defect_kind::UNKNOWN_RECORD:
+  case Curve_defect_kind::NO_LINES:
+  case Curve_defect_kind::ISOLATED_VERTEX:
+  case Curve_defect_kind::DUPLICATE_EDGE:
+  case Curve_defect_kind::COINCIDENT_NODES:
+  case Curve_defect_kind::NEARLY_COINCIDENT_NODES:
     return false;
   default:
     return true;
@@ -112,49 +112,49 @@ inline bool is_error(Curve_defect_kind kind)
 inline const char* to_string(Curve_defect_kind kind)
 {
   switch(kind) {
-  case Curve_defect_kind::unreadable_file:
+  case Curve_defect_kind::UNREADABLE_FILE:
     return "unreadable file";
-  case Curve_defect_kind::unknown_format:
+  case Curve_defect_kind::UNKNOWN_FORMAT:
     return "unknown format";
-  case Curve_defect_kind::binary_data:
+  case Curve_defect_kind::BINARY_DATA:
     return "binary data";
-  case Curve_defect_kind::unknown_record:
+  case Curve_defect_kind::UNKNOWN_RECORD:
     return "unknown record";
-  case Curve_defect_kind::unparsable_number:
+  case Curve_defect_kind::UNPARSABLE_NUMBER:
     return "unparsable number";
-  case Curve_defect_kind::missing_coordinates:
+  case Curve_defect_kind::MISSING_COORDINATES:
     return "missing coordinates";
-  case Curve_defect_kind::wrong_point_count:
+  case Curve_defect_kind::WRONG_POINT_COUNT:
     return "wrong point count";
-  case Curve_defect_kind::non_finite_coordinate:
+  case Curve_defect_kind::NON_FINITE_COORDINATE:
     return "non-finite coordinate";
-  case Curve_defect_kind::coordinate_too_large:
+  case Curve_defect_kind::COORDINATE_TOO_LARGE:
     return "coordinate too large";
-  case Curve_defect_kind::size_too_small:
+  case Curve_defect_kind::SIZE_TOO_SMALL:
     return "size too small";
-  case Curve_defect_kind::bad_index:
+  case Curve_defect_kind::BAD_INDEX:
     return "bad index";
-  case Curve_defect_kind::short_line:
+  case Curve_defect_kind::SHORT_LINE:
     return "short line";
-  case Curve_defect_kind::no_geometry:
+  case Curve_defect_kind::NO_GEOMETRY:
     return "no geometry";
-  case Curve_defect_kind::faces_only:
+  case Curve_defect_kind::FACES_ONLY:
     return "faces only";
-  case Curve_defect_kind::no_lines:
+  case Curve_defect_kind::NO_LINES:
     return "no lines";
-  case Curve_defect_kind::isolated_vertex:
+  case Curve_defect_kind::ISOLATED_VERTEX:
     return "isolated vertex";
-  case Curve_defect_kind::duplicate_edge:
+  case Curve_defect_kind::DUPLICATE_EDGE:
     return "duplicate edge";
-  case Curve_defect_kind::coincident_nodes:
+  case Curve_defect_kind::COINCIDENT_NODES:
     return "coincident nodes";
-  case Curve_defect_kind::nearly_coincident_nodes:
+  case Curve_defect_kind::NEARLY_COINCIDENT_NODES:
     return "nearly coincident nodes";
-  case Curve_defect_kind::degenerate_loop:
+  case Curve_defect_kind::DEGENERATE_LOOP:
     return "degenerate loop";
-  case Curve_defect_kind::junction:
+  case Curve_defect_kind::JUNCTION:
     return "junction";
-  case Curve_defect_kind::self_contact:
+  case Curve_defect_kind::SELF_CONTACT:
     return "self-contact";
   }
   return "";

@@ -73,7 +73,7 @@ template <typename PolylineRange,
 bool polylines_to_curve_network(const PolylineRange& polylines,
                                 Curve_network_3<Traits>& network,
                                 std::vector<Curve_defect>& defects,
-                                Junctions junctions = Junctions::forbidden,
+                                Junctions junctions = Junctions::FORBIDDEN,
                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Polyline = typename boost::range_value<PolylineRange>::type;
@@ -168,7 +168,7 @@ bool read_curve_network(
     const std::string& filename,
     Volume_filling_curves::Curve_network_3<Traits>& network,
     std::vector<Volume_filling_curves::Curve_defect>& defects,
-    Volume_filling_curves::Junctions junctions = Volume_filling_curves::Junctions::forbidden)
+    Volume_filling_curves::Junctions junctions = Volume_filling_curves::Junctions::FORBIDDEN)
 {
   using Volume_filling_curves::Curve_defect_kind;
   namespace internal = Volume_filling_curves::internal;
@@ -177,9 +177,9 @@ bool read_curve_network(
   const auto* const format = internal::Curve_format::of(filename);
   if(format == nullptr)
     defects.push_back(
-        {Curve_defect_kind::unknown_format, "curves are .obj or .polylines.txt files"});
+        {Curve_defect_kind::UNKNOWN_FORMAT, "curves are .obj or .polylines.txt files"});
   else if(const std::error_code error = internal::read_whole_file(filename, text))
-    defects.push_back({Curve_defect_kind::unreadable_file, error.message()});
+    defects.push_back({Curve_defect_kind::UNREADABLE_FILE, error.message()});
   if(!defects.empty()) return false;
   internal::Curve_file file = format->read(text, junctions);
   return internal::make_network(file, network, defects, junctions);
@@ -204,7 +204,7 @@ template <typename Traits>
 bool read_curve_network(
     const std::string& filename,
     Volume_filling_curves::Curve_network_3<Traits>& network,
-    Volume_filling_curves::Junctions junctions = Volume_filling_curves::Junctions::forbidden)
+    Volume_filling_curves::Junctions junctions = Volume_filling_curves::Junctions::FORBIDDEN)
 {
   std::vector<Volume_filling_curves::Curve_defect> defects;
   return read_curve_network(filename, network, defects, junctions);

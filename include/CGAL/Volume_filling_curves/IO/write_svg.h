@@ -17,7 +17,7 @@
 #include <ostream>
 
 namespace CGAL {
-namespace Volume_filling_curves {
+namespace IO {
 
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
@@ -35,15 +35,16 @@ namespace Volume_filling_curves {
  * \return whether writing succeeded
  */
 template <typename Traits>
-bool write_svg(std::ostream& out, const Curve_network_3<Traits>& curve)
+bool write_svg(std::ostream& out, const Volume_filling_curves::Curve_network_3<Traits>& curve)
 {
+  namespace internal = Volume_filling_curves::internal;
   const internal::Curve_view view(curve);
   const internal::Stroke_layers layers(curve, view);
   internal::Svg_painter(layers, view.width(), out)(curve, view);
   return out.good();
 }
 
-} // namespace Volume_filling_curves
+} // namespace IO
 } // namespace CGAL
 
 #endif // CGAL_VOLUME_FILLING_CURVES_IO_WRITE_SVG_H

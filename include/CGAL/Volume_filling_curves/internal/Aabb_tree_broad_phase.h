@@ -10,10 +10,10 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/Grid_broad_phase.h>
+#include <CGAL/Volume_filling_curves/internal/cgal_compatibility.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Volume_filling_curves/internal/cgal_compatibility.h>
 
 #include <cstddef>
 #include <vector>

@@ -13,11 +13,13 @@
 #include <CGAL/Volume_filling_curves/internal/Swept_pair_test.h>
 #include <CGAL/Volume_filling_curves/internal/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/for_each_block.h>
+#include <CGAL/Volume_filling_curves/internal/strands.h>
 
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -80,13 +82,6 @@ private:
 
   static constexpr std::size_t block = 512; // edges or pairs per task
 
-  bool have_common_node(std::size_t e, std::size_t f) const
-  {
-    const std::size_t a = m_curve.source(e), b = m_curve.target(e);
-    return a == m_curve.source(f) || a == m_curve.target(f) || b == m_curve.source(f) ||
-           b == m_curve.target(f);
-  }
-
   void find_candidate_pairs()
   {
     const BroadPhase broad_phase(m_curve, m_start, m_target, m_clearance.distance());
@@ -96,7 +91,7 @@ private:
       auto& pairs = found[begin / block];
       for(std::size_t e = begin; e < end; ++e)
         broad_phase.for_each_candidate_below(e, [&](std::size_t f) {
-          if(!have_common_node(e, f))
+          if(!share_a_node(m_curve, e, f))
             pairs.push_back({static_cast<std::uint32_t>(e), static_cast<std::uint32_t>(f)});
         });
     });
@@ -162,14 +157,14 @@ private:
   }
 
   // The positions after the part `fraction`, as they will be stored; inside the swept boxes whatever
-  // the rounding.
+  // the rounding, and the very start and target at 0 and 1 even where b - a overflows.
   std::vector<Point_3> positions(double fraction) const
   {
     std::vector<Point_3> points;
     points.reserve(m_curve.number_of_nodes());
     for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v) {
       const Vector a = row(m_start, v), b = row(m_target, v);
-      const Vector x = fraction == 1 ? b : Vector(a + fraction * (b - a));
+      const Vector x = fraction == 0 ? a : fraction == 1 ? b : Vector(a + fraction * (b - a));
       points.push_back(
           to_point(x.cwiseMax(a.cwiseMin(b)).cwiseMin(a.cwiseMax(b)), m_curve.traits()));
     }

@@ -45,7 +45,7 @@ public:
   void run()
   {
     if(m_file.edges.empty()) return;
-    if(m_junctions == Junctions::forbidden) check_degrees();
+    if(m_junctions == Junctions::FORBIDDEN) check_degrees();
     check_size();
     check_contacts();
   }
@@ -75,7 +75,7 @@ private:
       }
     }
     for(std::size_t i = 0; i < junctions.size(); ++i)
-      add_defect(Curve_defect_kind::junction,
+      add_defect(Curve_defect_kind::JUNCTION,
                  "a node has " + std::to_string(degrees[junctions[i]]) + " edges", lines[i],
                  {junctions[i]});
   }
@@ -84,11 +84,11 @@ private:
   {
     const double size = longest_side();
     if(size < min_size)
-      return add_defect(Curve_defect_kind::size_too_small, "the size of the curve is below 1e-150",
+      return add_defect(Curve_defect_kind::SIZE_TOO_SMALL, "the size of the curve is below 1e-150",
                         m_file.point_lines[m_file.edges.front()[0]], {});
     for(const Edge& edge : m_file.edges)
       if(length(edge) < short_edge * size)
-        add_defect(Curve_defect_kind::nearly_coincident_nodes,
+        add_defect(Curve_defect_kind::NEARLY_COINCIDENT_NODES,
                    "an edge is shorter than 1e-12 of the curve's size", m_file.point_lines[edge[1]],
                    {edge[0], edge[1]});
   }
@@ -126,10 +126,10 @@ private:
     for(const auto& [e, f] : contacts.kept()) {
       const auto [message, nodes] = contacts.describe(e, f);
       if(reported.insert(nodes).second)
-        add_defect(Curve_defect_kind::self_contact, message, m_file.point_lines[nodes[0]], nodes);
+        add_defect(Curve_defect_kind::SELF_CONTACT, message, m_file.point_lines[nodes[0]], nodes);
     }
     if(contacts.count() > contacts.kept().size())
-      m_file.defects.add_note({Curve_defect_kind::self_contact,
+      m_file.defects.add_note({Curve_defect_kind::SELF_CONTACT,
                                (contacts.has_all() ? "" : "at least ") +
                                    std::to_string(contacts.count()) +
                                    " pairs of edges meet in total, the first " +

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/Box_grid.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -27,6 +28,13 @@ class Edge_locator
 {
 public:
   explicit Edge_locator(const Network& curve) : m_curve(curve) {}
+
+  // says that boxes asked for are larger than edges by up to this distance
+  void set_query_margin(double margin)
+  {
+    m_margin = margin;
+    reset();
+  }
 
   // forgets everything: the curve has changed altogether
   void reset() { m_is_built = false; }
@@ -52,7 +60,7 @@ public:
   }
 
 private:
-  static constexpr double cell_per_edge = 1.5;
+  static constexpr double cell_per_edge = 1.5; // and at least the margin: a query visits few cells
 
   Box box_of(std::size_t e) const
   {
@@ -68,7 +76,8 @@ private:
       sum += box_of(e).longest_side();
       ++n;
     });
-    const double cell_size = sum > 0 ? cell_per_edge * sum / static_cast<double>(n) : 1;
+    const double mean = sum > 0 ? sum / static_cast<double>(n) : 1;
+    const double cell_size = (std::max)(cell_per_edge * mean, m_margin);
     const Vector origin = n > 0 ? to_vector(m_curve.point(0)) : Vector(Vector::Zero());
     m_grid = Box_grid(origin, cell_size, n);
     for_each_edge([&](std::size_t e) { m_grid.insert(e, box_of(e)); });
@@ -85,6 +94,7 @@ private:
 
   const Network& m_curve;
   Box_grid m_grid;
+  double m_margin = 0;
   std::size_t m_number_of_updates = 0; // since the grid was built
   bool m_is_built = false;
 };

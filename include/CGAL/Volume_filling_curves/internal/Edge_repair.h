@@ -78,11 +78,11 @@ private:
     const std::size_t count = isolated.size();
     if(count > Defect_list::max_listed) isolated.resize(Defect_list::max_listed);
     const std::size_t line = m_file.point_lines[isolated.front()];
-    add_defect(Curve_defect_kind::isolated_vertex,
+    add_defect(Curve_defect_kind::ISOLATED_VERTEX,
                count == 1 ? "a vertex is in no line and is ignored"
                           : std::to_string(count) + " vertices are in no line and are ignored",
                line, isolated);
-    if(m_edges.empty()) add_defect(Curve_defect_kind::no_geometry, "there are no edges", line, {});
+    if(m_edges.empty()) add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no edges", line, {});
   }
 
   // Of an edge that is given several times the first one stays. An edge that follows its own
@@ -95,7 +95,7 @@ private:
       if(std::binary_search(turns.begin(), turns.end(), e))
         m_turns.push_back(edge);
       else
-        add_defect(Curve_defect_kind::duplicate_edge, "an edge is given again and is dropped",
+        add_defect(Curve_defect_kind::DUPLICATE_EDGE, "an edge is given again and is dropped",
                    edge.line, {edge.source, edge.target});
     }
     remove_edges(duplicates);
@@ -155,10 +155,10 @@ private:
   {
     const auto [first, second] = std::minmax(edge.source, edge.target);
     if(first == second)
-      add_defect(Curve_defect_kind::coincident_nodes, "a node follows itself and is taken once",
+      add_defect(Curve_defect_kind::COINCIDENT_NODES, "a node follows itself and is taken once",
                  edge.line, {first});
     else
-      add_defect(Curve_defect_kind::coincident_nodes, "coincident nodes are merged",
+      add_defect(Curve_defect_kind::COINCIDENT_NODES, "coincident nodes are merged",
                  m_file.point_lines[second], {first, second});
     m_representatives.unite(first, second);
   }
@@ -181,7 +181,7 @@ private:
     m_merged.erase(std::unique(m_merged.begin(), m_merged.end()), m_merged.end());
     for(const std::size_t v : m_merged)
       if(degrees[v] == 0)
-        add_defect(Curve_defect_kind::degenerate_loop, "all nodes of a curve coincide",
+        add_defect(Curve_defect_kind::DEGENERATE_LOOP, "all nodes of a curve coincide",
                    m_file.point_lines[v], {v});
     for(const Edge& edge : m_turns) check_turn(edge, degrees);
   }
@@ -192,7 +192,7 @@ private:
     const std::size_t w = m_representatives.find(edge.target);
     if(v == w) return; // contracted
     if(degrees[v] == 1 && degrees[w] == 1) return add_degenerate_loop(edge);
-    add_defect(Curve_defect_kind::self_contact, "a line runs straight back over its last edge",
+    add_defect(Curve_defect_kind::SELF_CONTACT, "a line runs straight back over its last edge",
                edge.line, {edge.source, edge.target});
   }
 
@@ -220,7 +220,7 @@ private:
 
   void add_degenerate_loop(const Edge& edge)
   {
-    add_defect(Curve_defect_kind::degenerate_loop, "a closed curve needs three distinct nodes",
+    add_defect(Curve_defect_kind::DEGENERATE_LOOP, "a closed curve needs three distinct nodes",
                edge.line, {edge.source, edge.target});
   }
 

@@ -59,7 +59,9 @@ public:
 private:
   bool has_linking_number() const
   {
-    for(const auto& numbers : Linking_numbers<Network>(m_curve)())
+    const auto matrix = Linking_numbers<Network>(m_curve)();
+    if(!matrix) return false;
+    for(const auto& numbers : *matrix)
       if(std::any_of(numbers.begin(), numbers.end(), [](int number) { return number != 0; }))
         return true;
     return false;

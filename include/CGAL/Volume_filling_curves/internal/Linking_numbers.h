@@ -17,8 +17,8 @@
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -40,10 +40,13 @@ public:
   using Matrix = std::vector<std::vector<int>>;
 
   explicit Linking_numbers(const Network& curve)
-      : m_curve(curve), m_orientation(curve.traits().orientation_3_object())
+      : m_curve(curve),
+        m_orientation(curve.traits().orientation_3_object()),
+        m_viewpoint(to_point(Vector(0, 0, 0), curve.traits()))
   {}
 
-  Matrix operator()()
+  // Returns nothing if every viewpoint is degenerate, which components that meet can bring about.
+  std::optional<Matrix> operator()()
   {
     const std::size_t n = m_curve.number_of_components();
     Matrix matrix(n, std::vector<int>(n, 0));
@@ -51,11 +54,12 @@ public:
     for(int attempt = 0; attempt < max_viewpoints; ++attempt) {
       for(auto& numbers : matrix) numbers.assign(n, 0);
       look_from(attempt);
-      if(count_crossings(matrix)) break;
+      if(!count_crossings(matrix)) continue;
+      for(auto& numbers : matrix)
+        for(int& number : numbers) number /= 2;
+      return matrix;
     }
-    for(auto& numbers : matrix)
-      for(int& number : numbers) number /= 2;
-    return matrix;
+    return std::nullopt;
   }
 
 private:
@@ -70,7 +74,7 @@ private:
     Box box = Box::of(to_vector(m_curve.point(0)));
     for(std::size_t v = 1; v < m_curve.number_of_nodes(); ++v) box += to_vector(m_curve.point(v));
     const Vector direction = m_frame.row(2).transpose();
-    const double distance = view_distance * (box.max - box.min).norm();
+    const double distance = view_distance * (box.max - box.min).stableNorm();
     m_eye = (box.min + box.max) / 2 + distance * direction;
     m_viewpoint = to_point(m_eye, m_curve.traits());
   }

@@ -56,10 +56,10 @@ public:
   {
     const std::size_t a = m_curve.source(e), c = m_curve.target(e), none = m_curve.null_node();
     const auto is_e = [&](std::size_t f) { return f == e; };
-    return is_corner_move_safe(a, b, c, is_e) &&
-           m_test.keeps_clearance({{a, c, m_curve.point(a), m_curve.point(c)}},
-                                  {{a, none, m_curve.point(a), b}, {c, none, m_curve.point(c), b}},
-                                  clearance, is_e);
+    if(!is_corner_move_safe(a, b, c, is_e)) return false;
+    const Edge old_edge = {a, c, m_curve.point(a), m_curve.point(c)};
+    const Edge ab = {a, none, m_curve.point(a), b}, cb = {c, none, m_curve.point(c), b};
+    return m_test.keeps_clearance({old_edge}, {ab, cb}, clearance, is_e);
   }
 
   bool is_removal_safe(std::size_t v, const Clearance_rule& clearance) const
@@ -68,9 +68,10 @@ public:
     const std::size_t a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
     const Point_3& b = m_curve.point(v);
     const auto is_at_v = [&](std::size_t e) { return is_incident(e, v); };
-    return !are_adjacent(a, c) && is_corner_move_safe(a, b, c, is_at_v) &&
-           m_test.keeps_clearance({{a, v, m_curve.point(a), b}, {c, v, m_curve.point(c), b}},
-                                  {{a, c, m_curve.point(a), m_curve.point(c)}}, clearance, is_at_v);
+    if(are_adjacent(a, c) || !is_corner_move_safe(a, b, c, is_at_v)) return false;
+    const Edge ab = {a, v, m_curve.point(a), b}, cb = {c, v, m_curve.point(c), b};
+    const Edge new_edge = {a, c, m_curve.point(a), m_curve.point(c)};
+    return m_test.keeps_clearance({ab, cb}, {new_edge}, clearance, is_at_v);
   }
 
 private:

@@ -10,8 +10,11 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/Node_neighborhoods.h>
+#include <CGAL/Volume_filling_curves/internal/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/for_each_block.h>
 #include <CGAL/Volume_filling_curves/internal/node_circles.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,12 +55,11 @@ public:
         m_radius(m_circles.size() * number_of_directions),
         m_touching(m_circles.size() * number_of_directions)
   {
-    constexpr double pi = 3.14159265358979323846;
     for(std::size_t l = 0; l < number_of_directions; ++l) {
-      const double angle =
-          2 * pi * static_cast<double>(l) / static_cast<double>(number_of_directions);
-      m_cosine.push_back(std::cos(angle));
-      m_sine.push_back(std::sin(angle));
+      const auto [cosine, sine] =
+          cos_sin(static_cast<double>(l) / static_cast<double>(number_of_directions));
+      m_cosine.push_back(cosine);
+      m_sine.push_back(sine);
     }
     const Node_neighborhoods neighborhoods(x);
     constexpr std::size_t block = 256;

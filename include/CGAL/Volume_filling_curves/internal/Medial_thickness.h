@@ -26,6 +26,7 @@ namespace internal {
 // (node, direction) pairs, those that touch nothing counting as infinite. Scale-free, and measured
 // on the curve sampled at a fifth of the result, so that it does not depend on how the input is
 // divided into edges. (The median jams Freedman-He-Wang's unknot, the 35th percentile some trefoils.)
+// Strands that nearly coincide do not make it arbitrarily small: the number of samples is limited.
 // Near-linear: the cap of the radii grows from the samples' spacing until a quarter touches.
 template <typename Network, typename ConcurrencyTag>
 class Medial_thickness
@@ -42,7 +43,8 @@ public:
     double thickness = first_guess * diagonal;
     for(int k = 0; k < max_refinements && thickness > 0; ++k) {
       sample(samples_per_thickness * thickness);
-      const double refined = (std::min)(percentile(diagonal), thickness);
+      const double least = (std::min)(least_thickness(), thickness);
+      const double refined = std::clamp(percentile(diagonal), least, thickness);
       const bool is_settled = refined > settled * thickness;
       thickness = refined;
       if(is_settled) break;
@@ -56,6 +58,7 @@ private:
   static constexpr double samples_per_thickness = 0.2; // spacing over thickness
   static constexpr double settled = 0.98;
   static constexpr int max_refinements = 8;
+  static constexpr double most_samples = 1e5, most_samples_per_node = 10; // together
 
   double box_diagonal() const
   {
@@ -99,11 +102,19 @@ private:
   }
 
   // four times the mean distance of samples along the curve
-  double start_cap() const
+  double start_cap() const { return 4 * length() / static_cast<double>(m_samples.rows()); }
+
+  double least_thickness() const
   {
-    double length = 0;
-    for(double weight : node_weights(m_curve, m_x)) length += weight;
-    return 4 * length / static_cast<double>(m_samples.rows());
+    const double samples = most_samples + most_samples_per_node * static_cast<double>(m_x.rows());
+    return length() / (samples_per_thickness * samples);
+  }
+
+  double length() const
+  {
+    double sum = 0;
+    for(double weight : node_weights(m_curve, m_x)) sum += weight;
+    return sum;
   }
 
   const Network& m_curve;

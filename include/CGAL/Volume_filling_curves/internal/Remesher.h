@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/internal/strands.h>
 
 #include <cstddef>
 #include <utility>
@@ -53,10 +54,7 @@ public:
 private:
   Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
 
-  double length(std::size_t e) const
-  {
-    return (position(m_curve.target(e)) - position(m_curve.source(e))).norm();
-  }
+  double length(std::size_t e) const { return edge_vector(m_curve, e).norm(); }
 
   bool can_remove(std::size_t v) const { return m_curve.degree(v) == 2 && !m_curve.is_pinned(v); }
 

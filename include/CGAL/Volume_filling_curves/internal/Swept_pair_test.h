@@ -11,8 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/exact_predicates.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 

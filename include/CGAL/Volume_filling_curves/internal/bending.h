@@ -19,11 +19,22 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+// The vector times the power of two that makes its largest coordinate about 1, which is exact.
+inline Vector in_own_units(const Vector& v)
+{
+  const double largest = v.cwiseAbs().maxCoeff();
+  if(!(largest > 0) || !std::isfinite(largest)) return v;
+  const int exponent = -std::ilogb(largest);
+  return v.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+}
+
 // The angle between two consecutive edges, in [0, pi]. atan2 is accurate for straight and for folded
-// corners alike, where acos loses half of the digits.
+// corners alike, where acos loses half of the digits. The edges are scaled, lest products underflow
+// and overflow: a knot of size 1e-100 would look straight.
 inline double turning_angle(const Vector& in, const Vector& out)
 {
-  return std::atan2(in.cross(out).norm(), in.dot(out));
+  const Vector u = in_own_units(in), v = in_own_units(out);
+  return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 // The radius of the arc that is tangent to both edges at a corner and touches the shorter one in its

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/Self_contacts.h>
+#include <CGAL/Volume_filling_curves/internal/Vector.h>
 
 #include <array>
 #include <cstddef>
@@ -21,12 +22,26 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+// Squares of lengths must not overflow or underflow.
+template <typename Network>
+void check_size(const Network& curve)
+{
+  constexpr double largest_coordinate = 1e150, least_size = 1e-150;
+  if(curve.number_of_nodes() == 0) return;
+  const Vector_field x = coordinates(curve);
+  if(!(x.cwiseAbs().maxCoeff() <= largest_coordinate))
+    throw std::invalid_argument("a coordinate is beyond 1e150");
+  if(!((x.colwise().maxCoeff() - x.colwise().minCoeff()).maxCoeff() >= least_size))
+    throw std::invalid_argument("the size of the curve is below 1e-150");
+}
+
 // Throws std::invalid_argument if two edges meet elsewhere than in a common node, or an edge has
 // length zero: nothing can be certified of such a curve. Exact.
 template <typename Network>
 void check_embedded(const Network& curve)
 {
   using Traits = typename Network::Traits;
+  check_size(curve);
   std::vector<typename Traits::Point_3> points;
   std::vector<std::array<std::size_t, 2>> edges;
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) points.push_back(curve.point(v));

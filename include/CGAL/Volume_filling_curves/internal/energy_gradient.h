@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/Medial_spheres.h>
+#include <CGAL/Volume_filling_curves/internal/near_junctions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -87,8 +88,10 @@ public:
     constexpr double contact_radius = 0.5;
     const double contact = contact_radius * thickness, alpha = alpha_of_thickness(thickness);
     const auto n = static_cast<double>(spheres.number_of_directions());
+    const std::vector<bool> is_left_out = near_junctions(m_curve, m_x, thickness);
     for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
       const Node_circle& circle = spheres.circles()[c];
+      if(is_left_out[circle.node]) continue;
       Vector sum = Vector::Zero(); // of m_il - x_i over the directions
       for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
         const double radius = spheres.radius(c, l), push = (std::max)(0., contact - radius);

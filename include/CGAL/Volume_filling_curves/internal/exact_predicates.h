@@ -12,7 +12,6 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace CGAL {

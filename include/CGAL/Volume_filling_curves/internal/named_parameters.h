@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/Untangler.h>
+#include <CGAL/Volume_filling_curves/internal/Stop_rules.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
 
 namespace CGAL {

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/internal/strands.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,21 +25,29 @@ template <typename Network>
 double length(const Network& curve)
 {
   double sum = 0;
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
-    sum +=
-        (to_vector(curve.point(curve.target(e))) - to_vector(curve.point(curve.source(e)))).norm();
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) sum += edge_vector(curve, e).norm();
   return sum;
+}
+
+template <typename Network>
+bool has_pinned_node(const Network& curve)
+{
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.is_pinned(v)) return true;
+  return false;
 }
 
 // Scales a curve to the given length and returns the factor: by a power of two, which is exact, and
 // from there in small certified steps, since rounding moves nodes apart. Stops early, with the
 // factor reached, if a step is refused, or gets no closer because coordinates are rounded coarsely.
+// A network without edges stays as it is.
 template <typename Traits>
 double rescale_to_length(Curve_network_3<Traits>& curve, double wanted)
 {
   constexpr double largest_step = 1.02; // smaller than what strands keep clear in units of the size
   constexpr double precision = 1e-12;
   const double start = length(curve);
+  if(!(start > 0)) return 1;
   Isotopy_guard_3<Traits> guard(curve);
   guard.scale_by_power_of_two(std::ilogb(wanted / start));
   double error = std::numeric_limits<double>::infinity();

@@ -13,6 +13,8 @@
 #include <CGAL/Volume_filling_curves/internal/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/bending.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -42,7 +44,7 @@ Unknot_proof unknot_proof(const Network& curve, std::size_t c)
 {
   constexpr std::size_t edges_of_unknots = 5;
   // 4 pi is the infimum for the trefoil; the margin is far above the rounding of a sum of angles
-  constexpr double unknotted_curvature = 4 * 3.14159265358979323846 - 1e-6;
+  constexpr double unknotted_curvature = 4 * CGAL_PI - 1e-6;
   if(!curve.is_closed(c)) return Unknot_proof::NONE;
   if(curve.first_node(c + 1) - curve.first_node(c) <= edges_of_unknots) return Unknot_proof::EDGES;
   return total_curvature(curve, c) < unknotted_curvature ? Unknot_proof::TOTAL_CURVATURE

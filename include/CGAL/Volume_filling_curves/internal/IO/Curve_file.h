@@ -83,8 +83,8 @@ struct Curve_file
       if(std::abs(x) <= max_coordinate) continue;
       const bool is_finite = std::isfinite(x);
       return add_unreadable_point(
-          {is_finite ? Curve_defect_kind::coordinate_too_large
-                     : Curve_defect_kind::non_finite_coordinate,
+          {is_finite ? Curve_defect_kind::COORDINATE_TOO_LARGE
+                     : Curve_defect_kind::NON_FINITE_COORDINATE,
            is_finite ? "a coordinate is beyond 1e150" : "a coordinate is not finite",
            line,
            {number(points.size())}});

@@ -38,7 +38,7 @@ public:
   {
     for(; !m_scanner.is_at_end(); m_scanner.next_record()) read_record();
     if(!m_readable.is_complete()) {
-      add_defect(Curve_defect_kind::binary_data, m_readable.complaint());
+      add_defect(Curve_defect_kind::BINARY_DATA, m_readable.complaint());
       m_file.is_complete = false;
     }
     for(const Index_list& list : m_lists) connect(list);
@@ -79,12 +79,12 @@ private:
     for(double& x : point) {
       const std::string_view word = m_scanner.next_word();
       if(word.empty())
-        return m_file.add_unreadable_point({Curve_defect_kind::missing_coordinates,
+        return m_file.add_unreadable_point({Curve_defect_kind::MISSING_COORDINATES,
                                             "a vertex needs three coordinates",
                                             line,
                                             {number}});
       if(!parse_number(word, x))
-        return m_file.add_unreadable_point({Curve_defect_kind::unparsable_number,
+        return m_file.add_unreadable_point({Curve_defect_kind::UNPARSABLE_NUMBER,
                                             quoted(word) + " is not a number",
                                             line,
                                             {number}});
@@ -99,7 +99,7 @@ private:
       m_indices.push_back(read_index(word));
     m_lists.push_back({line, first, m_indices.size(), is_line});
     if(is_line && m_indices.size() - first < 2)
-      m_file.defects.add({Curve_defect_kind::short_line, "a line needs two indices", line});
+      m_file.defects.add({Curve_defect_kind::SHORT_LINE, "a line needs two indices", line});
   }
 
   // Returns the vertex of `i`, `i/t` or, counted from the last vertex, `-i`, which may be out of
@@ -109,14 +109,14 @@ private:
     const std::size_t slash = (std::min)(word.find('/'), word.size());
     long long index = 0;
     if(!parse_integer(word.substr(0, slash), index) || !is_texture(word.substr(slash))) {
-      add_defect(Curve_defect_kind::bad_index, quoted(word) + " is not an index");
+      add_defect(Curve_defect_kind::BAD_INDEX, quoted(word) + " is not an index");
       return no_vertex;
     }
     const auto number_of_points = static_cast<long long>(m_file.points.size());
     if(index > 0) return static_cast<std::size_t>(index - 1);
     if(index < 0 && index >= -number_of_points)
       return static_cast<std::size_t>(number_of_points + index);
-    add_defect(Curve_defect_kind::bad_index,
+    add_defect(Curve_defect_kind::BAD_INDEX,
                index == 0 ? "the index 0 means nothing, vertices count from 1"
                           : "the index " + std::to_string(index) + " is before the first vertex");
     return no_vertex;
@@ -132,7 +132,7 @@ private:
     for(std::size_t i = list.first; i < list.last; ++i) {
       std::size_t& v = m_indices[i];
       if(v != no_vertex && v >= m_file.points.size()) {
-        m_file.defects.add({Curve_defect_kind::bad_index,
+        m_file.defects.add({Curve_defect_kind::BAD_INDEX,
                             "the index " + std::to_string(Curve_file::number(v)) +
                                 " is out of range, there are " +
                                 std::to_string(m_file.points.size()) + " vertices",
@@ -154,10 +154,10 @@ private:
     if(has_lines) return;
     if(m_first_face_line > 0)
       return m_file.defects.add(
-          {Curve_defect_kind::faces_only, "there are faces but no lines", m_first_face_line});
+          {Curve_defect_kind::FACES_ONLY, "there are faces but no lines", m_first_face_line});
     if(m_file.points.empty())
-      return add_defect(Curve_defect_kind::no_geometry, "there are no vertices");
-    add_defect(Curve_defect_kind::no_lines,
+      return add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no vertices");
+    add_defect(Curve_defect_kind::NO_LINES,
                "there are no lines; all vertices are taken for one closed curve");
     for(std::size_t v = 0; v < m_file.points.size(); ++v)
       m_file.add_edge(v, (v + 1) % m_file.points.size(), m_file.point_lines[0]);
@@ -169,12 +169,12 @@ private:
     const auto is_ascii = [](char c) { return c > 0; };
     if(!std::all_of(keyword.begin(), keyword.end(), is_ascii)) {
       m_file.is_complete = false;
-      return add_defect(Curve_defect_kind::binary_data,
+      return add_defect(Curve_defect_kind::BINARY_DATA,
                         quoted(keyword) + " does not belong in a text file");
     }
     if(is_obj_keyword(keyword) || m_has_unknown_record) return;
     m_has_unknown_record = true;
-    add_defect(Curve_defect_kind::unknown_record,
+    add_defect(Curve_defect_kind::UNKNOWN_RECORD,
                quoted(keyword) + " is no record of an OBJ file and is ignored");
   }
 

@@ -33,7 +33,7 @@ class Polylines_to_curve_file
 {
 public:
   explicit Polylines_to_curve_file(Junctions junctions)
-      : m_has_common_ends(junctions == Junctions::allowed)
+      : m_has_common_ends(junctions == Junctions::ALLOWED)
   {}
 
   struct Point
@@ -68,7 +68,7 @@ private:
     if(point.unparsable_word.empty()) {
       m_file.add_point(point.point, point.line);
     } else {
-      m_file.add_unreadable_point({Curve_defect_kind::unparsable_number,
+      m_file.add_unreadable_point({Curve_defect_kind::UNPARSABLE_NUMBER,
                                    quoted(point.unparsable_word) + " is not a number",
                                    point.line,
                                    {Curve_file::number(v)}});

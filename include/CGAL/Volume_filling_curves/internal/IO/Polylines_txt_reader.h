@@ -43,9 +43,9 @@ public:
     Curve_file& file = m_polylines.file();
     file.is_complete = m_readable.is_complete();
     if(!file.is_complete)
-      add_defect(Curve_defect_kind::binary_data, m_readable.complaint());
+      add_defect(Curve_defect_kind::BINARY_DATA, m_readable.complaint());
     else if(file.points.empty() && !file.defects.has_error())
-      add_defect(Curve_defect_kind::no_geometry, "there are no points");
+      add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no points");
     return std::move(file);
   }
 
@@ -55,18 +55,18 @@ private:
     const std::size_t line = m_scanner.line();
     std::size_t count = 0;
     if(!parse_integer(count_word, count))
-      return add_defect(Curve_defect_kind::unparsable_number,
+      return add_defect(Curve_defect_kind::UNPARSABLE_NUMBER,
                         quoted(count_word) + " is not a number of points");
     m_points.clear();
     while(m_points.size() < count && read_point()) {
     }
     if(m_points.size() < count)
-      add_defect(Curve_defect_kind::wrong_point_count,
+      add_defect(Curve_defect_kind::WRONG_POINT_COUNT,
                  "the polyline of line " + std::to_string(line) + " announces " +
                      std::to_string(count) + " points, the file ends after " +
                      std::to_string(m_points.size()));
     else if(!m_scanner.next_word().empty())
-      add_defect(Curve_defect_kind::wrong_point_count,
+      add_defect(Curve_defect_kind::WRONG_POINT_COUNT,
                  "the polyline of line " + std::to_string(line) + " has more than the " +
                      std::to_string(count) + " points that it announces");
     m_polylines.add(m_points, line);

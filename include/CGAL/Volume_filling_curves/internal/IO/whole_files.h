@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -57,7 +58,7 @@ inline std::error_code write_and_close(std::FILE* file, std::string_view content
   return is_written && !is_closed ? last_system_error() : error;
 }
 
-// Writes to a new file beside the target and returns its name.
+// Writes to a new file beside the target and returns its name, which is empty if there is none.
 inline std::error_code write_beside(const std::filesystem::path& target,
                                     std::string_view content,
                                     std::filesystem::path& written)
@@ -71,6 +72,7 @@ inline std::error_code write_beside(const std::filesystem::path& target,
     file = std::fopen(written.string().c_str(), "wbx"); // x: fails if the file exists
     if(file == nullptr && errno != EEXIST) break;
   }
+  if(file == nullptr) written.clear(); // not ours
   return write_and_close(file, content);
 }
 

@@ -191,16 +191,16 @@ private:
       m_out << "<path stroke=\"#fff\" stroke-width=\""
             << number((1 + 2 * Stroke_layers::gap_share) * m_width) << "\" d=\"" << gaps
             << "\"/>\n";
-    stroke(first, last, m_width, Tint::dark);
-    stroke(first, last, 0.78 * m_width, Tint::plain);
-    stroke(first, last, 0.26 * m_width, Tint::light);
+    stroke(first, last, m_width, Tint::DARK);
+    stroke(first, last, 0.78 * m_width, Tint::PLAIN);
+    stroke(first, last, 0.26 * m_width, Tint::LIGHT);
   }
 
   enum class Tint
   {
-    dark,
-    plain,
-    light
+    DARK,
+    PLAIN,
+    LIGHT
   };
 
   // Draws all runs of a layer with one width.
@@ -208,7 +208,7 @@ private:
   {
     m_out << "<g stroke-width=\"" << number(width) << "\">";
     for(std::size_t i = first; i < last; ++i)
-      m_out << "<use href=\"#" << (tint == Tint::dark ? 'p' : 'q') << i << "\" stroke=\""
+      m_out << "<use href=\"#" << (tint == Tint::DARK ? 'p' : 'q') << i << "\" stroke=\""
             << color(m_runs[i].key, tint) << '"'
             << (m_runs[i].key[3] == 1 ? " stroke-linecap=\"round\"" : "") << "/>";
     m_out << "</g>\n";
@@ -234,8 +234,8 @@ private:
     const double share = static_cast<double>(key[2]) / (shades - 1);
     const Color fog{206, 214, 224};
     Color result = mix(fog, palette[key[1] % palette.size()], 0.4 + 0.6 * share);
-    if(tint == Tint::dark) result = mix(result, {20, 20, 40}, 0.45);
-    if(tint == Tint::light) result = mix(result, {255, 255, 255}, 0.3 + 0.15 * share);
+    if(tint == Tint::DARK) result = mix(result, {20, 20, 40}, 0.45);
+    if(tint == Tint::LIGHT) result = mix(result, {255, 255, 255}, 0.3 + 0.15 * share);
     static const char* const digits = "0123456789abcdef";
     std::string text = "#";
     for(double channel : result) {
