@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// The medial spheres of all nodes, tree included, with the number of nodes and of directions, and
+// what follows from them: the touching pairs, the gradient, the matrix.
+
+#include "Flow_sample.h"
+
+#include <CGAL/Volume_filling_curves/internal/touching_pairs.h>
+
+namespace {
+
+using namespace vfc_benchmark;
+
+void medial_spheres(benchmark::State& state)
+{
+  const Flow_sample& sample = tangled_unknot(state.range(0));
+  const auto number_of_directions = static_cast<std::size_t>(state.range(1));
+  const double cap = vfc::Curve_flow_parameters().max_radius * sample.thickness;
+  for(auto _ : state) {
+    const vfc::internal::Medial_spheres spheres(
+        CGAL::Sequential_tag(), sample.positions,
+        vfc::internal::node_circles(sample.curve, sample.positions), number_of_directions, cap);
+    benchmark::DoNotOptimize(spheres.radius(0, 0));
+  }
+  count_nodes(state, sample);
+}
+BENCHMARK(medial_spheres)
+    ->Args({32, 16})
+    ->Args({1000, 16})
+    ->Args({10000, 16})
+    ->Args({100000, 16})
+    ->Args({10000, 8})
+    ->Args({10000, 32});
+
+void touching_pairs(benchmark::State& state)
+{
+  const Flow_sample& sample = tangled_unknot(state.range(0));
+  for(auto _ : state)
+    benchmark::DoNotOptimize(
+        vfc::internal::touching_pairs(sample.spheres, sample.curve.number_of_nodes()).size());
+  count_nodes(state, sample);
+}
+BENCHMARK(touching_pairs)->Arg(1000)->Arg(10000);
+
+void energy_gradient(benchmark::State& state)
+{
+  const Flow_sample& sample = tangled_unknot(state.range(0));
+  for(auto _ : state) {
+    vfc::internal::Energy_gradient<Curve> gradient(sample.curve, sample.positions, sample.weights);
+    gradient.add_length(
+        vfc::internal::component_tensions(sample.curve, sample.weights, sample.thickness));
+    gradient.add_medial_spheres(sample.spheres, sample.thickness);
+    benchmark::DoNotOptimize(gradient.result().data());
+  }
+  count_nodes(state, sample);
+}
+BENCHMARK(energy_gradient)->Arg(1000)->Arg(10000);
+
+void assembly(benchmark::State& state)
+{
+  const Flow_sample& sample = tangled_unknot(state.range(0));
+  for(auto _ : state) benchmark::DoNotOptimize(sample.preconditioner().nonZeros());
+  count_nodes(state, sample);
+}
+BENCHMARK(assembly)->Arg(1000)->Arg(10000);
+
+} // namespace
