@@ -57,7 +57,7 @@ void add_curve_options(CLI::App& command, Untangle_options& options)
   command.add_flag("--keep-length", options.keeps_length,
                    "scale the result to the length of the input");
   command.add_flag("--finish", options.finishes,
-                   "after a proof that nothing is knotted flow on until converged, hence round");
+                   "after a proof that nothing is knotted flow on until converged, a small loop");
 }
 
 void add_stop_options(CLI::App& command, Untangle_options& options)

@@ -142,8 +142,8 @@ public:
   /// returns the gradient of the energy at each node; zero at pinned nodes.
   const Vector_field& gradient() const { return m_gradient; }
 
-  /// returns r times the sum of the norms of the nodes' gradients, over the length: dimensionless,
-  /// and independent of the spacing.
+  /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes' shares
+  /// of the length, pinned nodes left out: dimensionless, and independent of the spacing.
   double gradient_norm() const { return m_gradient_norm; }
 
   /// returns the direction in which the next step goes.
@@ -219,12 +219,21 @@ private:
     gradient.add_length(internal::component_tensions(curve(), m_weights, thickness()));
     gradient.add_medial_spheres(m_spheres, thickness());
     m_gradient = gradient.result();
-    m_gradient_norm = m_length > 0 ? thickness() * m_gradient.rowwise().norm().sum() / m_length : 0;
+    const double weight = weight_of_free_nodes();
+    m_gradient_norm = weight > 0 ? thickness() * m_gradient.rowwise().norm().sum() / weight : 0;
     const double lambda = m_parameters.screening / (thickness() * thickness());
     m_direction = m_solver(internal::preconditioner(m_parameters.preconditioner, curve(),
                                                     m_positions, m_weights, m_spheres, lambda,
                                                     m_parameters.coupling, alpha),
                            -m_gradient);
+  }
+
+  double weight_of_free_nodes() const
+  {
+    double sum = 0;
+    for(size_type v = 0; v < m_weights.size(); ++v)
+      if(!curve().is_pinned(v)) sum += m_weights[v];
+    return sum;
   }
 
   // Returns the fraction of the step that was certified.

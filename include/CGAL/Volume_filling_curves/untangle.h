@@ -44,8 +44,8 @@ namespace Volume_filling_curves {
  * `Curve_network_3::origin()` tells which node of the input a node was. Components keep their order
  * and orientation; pinned nodes stay where they are.
  *
- * The result does not depend on the number of threads. An iteration takes near-linear time; knots
- * of a thousand nodes take about a hundred iterations and a tenth of a second.
+ * The result does not depend on the number of threads. An iteration takes near-linear time; tangled
+ * knots of a thousand nodes take about a hundred iterations and 0.15 seconds (236 knots, 2026-11-21).
  *
  * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
@@ -79,7 +79,7 @@ namespace Volume_filling_curves {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{stop_at_proof}
  *     \cgalParamDescription{whether to stop once the curves are proved to be unknots and unlinked.
- *       Otherwise they flow on until they are tight, hence round.}
+ *       Otherwise they flow on until they are tight, as small loops.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
