@@ -232,7 +232,7 @@ TEST_F(Command_line, map_names_the_nodes_of_the_input)
   std::vector<std::size_t> map;
   for(std::size_t number; numbers >> number;) map.push_back(number);
   ASSERT_EQ(map.size(), after.size());
-  for(const std::size_t pinned : {20, 150}) {
+  for(const std::size_t pinned : {20u, 150u}) {
     const auto found = std::find(map.begin(), map.end(), pinned);
     ASSERT_NE(found, map.end());
     EXPECT_EQ(after[static_cast<std::size_t>(found - map.begin())], before[pinned - 1]);

@@ -103,7 +103,7 @@ TEST_F(Shared_curves, trefoil_of_the_paper_becomes_tight)
 TEST_F(Shared_curves, noise_does_not_matter)
 {
   for(const std::string& name : unknots)
-    for(unsigned seed : {1, 2}) {
+    for(unsigned seed : {1u, 2u}) {
       Network curve = jittered(read_of_paper(name), seed);
       EXPECT_EQ(untangle(curve).status, Untangling_status::UNKNOTTED) << name << ' ' << seed;
     }
