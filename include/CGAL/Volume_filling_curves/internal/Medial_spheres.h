@@ -120,7 +120,7 @@ private:
                           std::size_t end,
                           Workspace& workspace)
   {
-    constexpr std::size_t longest_run = 16; // 8 and 32 are as fast
+    constexpr std::size_t longest_run = 16; // 8 is as fast
     const Vector first = row(x, m_circles[begin].node);
     Vector low = first, high = first;
     std::size_t run_end = begin + 1;

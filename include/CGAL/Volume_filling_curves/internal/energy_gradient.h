@@ -79,12 +79,12 @@ public:
   }
 
   // Beyond the paper: small spheres push harder. Two arcs that hook each other touch in one place
-  // only, where a force that is linear in the radius hardly grows as they come closer: without the
-  // extra push all closed braids of the figure-eight knot pull through the barrier and jam.
+  // only, where a force that is linear in the radius hardly grows as they come closer: without enough
+  // of the extra push trefoils and figure-eight knots pull through the barrier and jam.
   void add_medial_spheres(const Medial_spheres& spheres, double thickness)
   {
-    // In units of r; the strands of tight knots are 1.1 r apart. 0.4 is too little for the figure
-    // eight, 0.6 takes 20 % more iterations on the paper's unknots.
+    // In units of r; the strands of tight knots are 1.1 r apart. With 0.4 all of 8 closed braids of
+    // the figure-eight jam, 0.6 takes 38 % more iterations on the paper's curves (2026-11-21).
     constexpr double contact_radius = 0.5;
     const double contact = contact_radius * thickness, alpha = alpha_of_thickness(thickness);
     const auto n = static_cast<double>(spheres.number_of_directions());
