@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ namespace {
 using namespace flow_test;
 using Guard = CGAL::Volume_filling_curves::Isotopy_guard_3<>;
 using Flow = CGAL::Volume_filling_curves::Curve_flow_3<>;
-using Remesher = internal::Remesher<CGAL::Volume_filling_curves::Curve_flow_traits_3<>>;
+using Remesher = internal::Remesher<Guard>;
 using CGAL::Volume_filling_curves::Curve_flow_parameters;
 
 std::pair<double, double> extreme_lengths(const Network& curve)
@@ -47,7 +48,7 @@ std::size_t remesh(Network& curve, double spacing)
   Guard guard(curve);
   std::size_t number_of_refusals = 0;
   for(int k = 0; k < 20; ++k) {
-    Remesher remesher(guard, spacing);
+    Remesher remesher(guard, std::vector<double>(curve.number_of_nodes(), spacing));
     remesher.collapse_short_edges();
     remesher.split_long_edges();
     number_of_refusals = remesher.number_of_refusals();
@@ -127,6 +128,17 @@ TEST(Curve_flow_3, starts_with_even_edges)
     EXPECT_GE(least, 0.04) << n;
     EXPECT_LE(most, 0.08) << n;
   }
+}
+
+TEST(Curve_flow_3, refuses_a_thickness_that_is_not_positive_everywhere)
+{
+  Network ring = internal::make_network({circle(20)});
+  Flow flow(ring);
+  for(const double bad : {0., -0.1, std::nan(""), HUGE_VAL})
+    EXPECT_THROW(
+        flow.set_parameters(Curve_flow_parameters(),
+                            [&](const Network::Point_3& p) { return p.x() > 0 ? 0.1 : bad; }),
+        std::invalid_argument);
 }
 
 TEST(Curve_flow_3, keeps_edges_even)

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesConcepts
+ * \cgalConcept
+ *
+ * The concept `VolumeFillingDomain_3` describes the set that a curve fills and never leaves.
+ *
+ * Two members decide: `is_inside()` about where a curve may start, `is_triangle_inside()` about every
+ * elementary move. A curve that starts inside and whose every move sweeps triangles that lie inside
+ * stays inside. That is as certain as the two answers are: a model says for which data they are
+ * exact, and answers `false` rather than `true` where it does not know. The two members with
+ * distances only steer and need no exactness.
+ *
+ * Calling the members concurrently is safe.
+ *
+ * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Volume_filling_curves::Triangle_mesh_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Implicit_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Ball_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Box_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Unbounded_domain_3}
+ * \cgalHasModelsEnd
+ *
+ * \sa `CurveFlowTraits_3`
+ */
+class VolumeFillingDomain_3
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// The point type of the curve, that is, `CurveFlowTraits_3::Point_3` of its traits.
+  typedef unspecified_type Point_3;
+
+  /// @}
+
+  /// \name Containment
+  /// @{
+
+  /// returns a box that holds the domain, with infinite bounds where it is unbounded.
+  CGAL::Bbox_3 bbox() const;
+
+  /// returns whether `p` lies strictly inside, that is, not on the boundary.
+  bool is_inside(const Point_3& p) const;
+
+  /*!
+   * returns whether the closed triangle `pqr` lies strictly inside. The triangle may be a segment or
+   * a point.
+   *
+   * \pre `is_inside(p)`
+   */
+  bool is_triangle_inside(const Point_3& p, const Point_3& q, const Point_3& r) const;
+
+  /// @}
+
+  /// \name Distances
+  /// @{
+
+  /// returns a lower bound of the distance of `p` to the boundary, in the input's unit. If `p` is not
+  /// inside, the bound may be 0.
+  double distance(const Point_3& p) const;
+
+  /// returns how far one can go from `p` along the unit vector `(ux, uy, uz)` before the boundary is
+  /// met, or `limit` if that is less.
+  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const;
+
+  /// @}
+};

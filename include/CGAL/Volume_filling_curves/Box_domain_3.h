@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_BOX_DOMAIN_3_H
+#define CGAL_VOLUME_FILLING_CURVES_BOX_DOMAIN_3_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
+#include <CGAL/Volume_filling_curves/internal/Box.h>
+#include <CGAL/Volume_filling_curves/internal/Vector.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesDomains
+ *
+ * \brief The class `Box_domain_3` is an open box whose sides are parallel to the axes.
+ *
+ * `is_inside()` and `is_triangle_inside()` are exact, distances are computed in double arithmetic.
+ * All operations take constant time and may be called concurrently.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \cgalModels{VolumeFillingDomain_3}
+ */
+template <typename Traits = Curve_flow_traits_3<>>
+class Box_domain_3
+{
+  using Vector = internal::Vector;
+
+public:
+  /// the point type of the traits
+  using Point_3 = typename Traits::Point_3;
+
+  /*!
+   * constructs the box with two opposite corners, whose coordinates are rounded to `double`.
+   *
+   * \throws std::invalid_argument if a coordinate is not finite or the box is flat
+   */
+  Box_domain_3(const Point_3& p, const Point_3& q)
+      : m_box(internal::Box::of(internal::to_vector(p)))
+  {
+    m_box += internal::to_vector(q);
+    if(!m_box.min.allFinite() || !m_box.max.allFinite())
+      throw std::invalid_argument("a coordinate is not finite");
+    if((m_box.min.array() >= m_box.max.array()).any())
+      throw std::invalid_argument("the box is flat");
+  }
+
+  /// returns the box.
+  CGAL::Bbox_3 bbox() const
+  {
+    return {m_box.min.x(), m_box.min.y(), m_box.min.z(),
+            m_box.max.x(), m_box.max.y(), m_box.max.z()};
+  }
+
+  /// returns whether `p` lies strictly inside.
+  bool is_inside(const Point_3& p) const { return is_strictly_inside(internal::to_vector(p)); }
+
+  /*!
+   * returns whether the closed triangle `pqr`, which may be degenerate, lies strictly inside.
+   * \pre `is_inside(p)`
+   */
+  bool is_triangle_inside(const Point_3&, const Point_3& q, const Point_3& r) const
+  {
+    return is_inside(q) && is_inside(r); // the box is convex
+  }
+
+  /// returns the distance of `p` to the nearest side, or 0 if `p` is not inside.
+  double distance(const Point_3& p) const
+  {
+    const Vector x = internal::to_vector(p);
+    return (std::max)((x - m_box.min).cwiseMin(m_box.max - x).minCoeff(), 0.);
+  }
+
+  /// returns how far it is from `p` along the unit vector `(ux, uy, uz)` to the first side, or
+  /// `limit` if that is less, and 0 if `p` is not inside.
+  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const
+  {
+    const Vector x = internal::to_vector(p), u(ux, uy, uz);
+    if(!is_strictly_inside(x)) return 0;
+    double t = limit;
+    for(int i = 0; i < 3; ++i) {
+      if(u[i] != 0) t = (std::min)(t, ((u[i] > 0 ? m_box.max[i] : m_box.min[i]) - x[i]) / u[i]);
+    }
+    return t;
+  }
+
+private:
+  bool is_strictly_inside(const Vector& x) const
+  {
+    return (x.array() > m_box.min.array()).all() && (x.array() < m_box.max.array()).all();
+  }
+
+  internal::Box m_box;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_BOX_DOMAIN_3_H

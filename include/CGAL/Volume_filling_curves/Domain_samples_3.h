@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_DOMAIN_SAMPLES_3_H
+#define CGAL_VOLUME_FILLING_CURVES_DOMAIN_SAMPLES_3_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
+#include <CGAL/Volume_filling_curves/internal/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief The class `Domain_samples_3` holds random points, uniform in a bounded domain.
+ *
+ * The same domain, number and seed give the same points, on every platform. Taking them needs the time
+ * of `is_inside()` for as many points of the domain's box as it takes, on average the number of
+ * samples times the volume of the box over that of the domain.
+ *
+ * \tparam Traits_ a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
+ */
+template <typename Traits_, typename Domain>
+class Domain_samples_3
+{
+public:
+  /// the type of points
+  using Point_3 = typename Traits_::Point_3;
+
+  /// the number of samples that the statistics of a report rest on
+  static constexpr std::size_t default_number = 20000;
+
+  /*!
+   * takes the samples.
+   *
+   * \param domain the domain, which must outlive the samples
+   * \param number the number of samples
+   * \param seed the seed of the random numbers
+   * \param traits the traits object
+   *
+   * \throws std::invalid_argument if the domain is unbounded, or so thin in its box that among 10,000
+   * times as many points too few were inside
+   */
+  explicit Domain_samples_3(const Domain& domain,
+                            std::size_t number = default_number,
+                            std::uint64_t seed = 0,
+                            const Traits_& traits = Traits_())
+      : m_domain(domain), m_traits(traits)
+  {
+    const CGAL::Bbox_3 box = domain.bbox();
+    const double box_volume = box.x_span() * box.y_span() * box.z_span();
+    if(!std::isfinite(box_volume)) throw std::invalid_argument("the domain is unbounded");
+    const double max_attempts_per_sample = 10000;
+    internal::Random_source random(seed);
+    std::size_t attempts = 0;
+    m_points.reserve(number);
+    for(; m_points.size() < number; ++attempts) {
+      if(static_cast<double>(attempts) >= max_attempts_per_sample * static_cast<double>(number))
+        throw std::invalid_argument("hardly any point of the domain's box is inside");
+      const double x = random.real(), y = random.real(), z = random.real();
+      const internal::Vector p(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
+                               box.zmin() + z * box.z_span());
+      const Point_3 point = internal::to_point(p, m_traits);
+      if(domain.is_inside(point)) m_points.push_back(point);
+    }
+    if(attempts > 0)
+      m_volume = box_volume * static_cast<double>(number) / static_cast<double>(attempts);
+  }
+
+  /// returns the samples.
+  const std::vector<Point_3>& points() const { return m_points; }
+
+  /// returns the domain.
+  const Domain& domain() const { return m_domain; }
+
+  /// returns the traits object.
+  const Traits_& traits() const { return m_traits; }
+
+  /// returns an estimate of the volume of the domain, from the share of the points that were inside.
+  double volume() const { return m_volume; }
+
+private:
+  const Domain& m_domain;
+  Traits_ m_traits;
+  std::vector<Point_3> m_points;
+  double m_volume = 0;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_DOMAIN_SAMPLES_3_H

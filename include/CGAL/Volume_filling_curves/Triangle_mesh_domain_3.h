@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_TRIANGLE_MESH_DOMAIN_3_H
+#define CGAL_VOLUME_FILLING_CURVES_TRIANGLE_MESH_DOMAIN_3_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/Face_tree.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesDomains
+ *
+ * \brief The class `Triangle_mesh_domain_3` is the inside of a closed triangle mesh.
+ *
+ * The mesh may have several shells. A point is inside if a path from it to infinity crosses the
+ * surface an odd number of times, whatever the orientation of the faces: a shell within another one
+ * bounds a cavity.
+ *
+ * `is_inside()` and `is_triangle_inside()` are exact. Distances are computed in double arithmetic,
+ * with a relative error of a few units in the last place of the coordinates; for a face so thin that
+ * the direction of its normal is lost, a distance may come out too small.
+ *
+ * The mesh is copied, so that it may change or vanish. Constructing takes
+ * \cgalBigO{n \log n} time for `n` faces. A query takes \cgalBigO{\log n} time for most points, and
+ * up to linear time for points that are equally far from many faces. The member functions may be
+ * called concurrently.
+ *
+ * \tparam Kernel a model of \cgal's `Kernel` with exact predicates, as for `Curve_flow_traits_3`
+ *
+ * \cgalModels{VolumeFillingDomain_3}
+ */
+template <typename Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
+class Triangle_mesh_domain_3
+{
+  using Faces = internal::Face_tree<Kernel>;
+  using Mesh = typename Faces::Mesh;
+  using Side = CGAL::Side_of_triangle_mesh<Mesh, Kernel, CGAL::Default, typename Faces::Tree>;
+
+public:
+  /// the kernel's point type
+  using Point_3 = typename Kernel::Point_3;
+
+  /*!
+   * constructs the domain from a mesh.
+   *
+   * \tparam TriangleMesh a model of `FaceListGraph`
+   * \tparam NamedParameters a sequence of Named Parameters
+   *
+   * \param mesh the mesh
+   * \param np optional named parameters
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{vertex_point_map}
+   *     \cgalParamDescription{a property map that gives the points of the vertices}
+   *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is the mesh's vertex
+   *                    descriptor and whose value type is `Point_3`}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if a face is not a triangle or is degenerate, if the mesh is not
+   * closed or has no faces, or if a coordinate is not finite
+   *
+   * \pre no two faces meet elsewhere than in a common vertex or a common edge
+   */
+  template <typename TriangleMesh,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Triangle_mesh_domain_3(const TriangleMesh& mesh,
+                                  const NamedParameters& np = CGAL::parameters::default_values())
+      : m_faces(std::make_unique<Faces>(checked_copy(mesh, np))),
+        m_side(std::make_unique<Side>(m_faces->tree()))
+  {}
+
+  /// returns a box that holds the domain.
+  CGAL::Bbox_3 bbox() const { return m_faces->tree().bbox(); }
+
+  /// returns whether `p` lies strictly inside.
+  bool is_inside(const Point_3& p) const { return (*m_side)(p) == CGAL::ON_BOUNDED_SIDE; }
+
+  /*!
+   * returns whether the closed triangle `pqr`, which may be degenerate, lies strictly inside.
+   * \pre `is_inside(p)`
+   */
+  bool is_triangle_inside(const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    return !m_faces->does_meet({p, q, r});
+  }
+
+  /// returns the distance of `p` to the surface, whether `p` is inside or not.
+  double distance(const Point_3& p) const
+  {
+    return std::sqrt(m_faces->nearest(internal::to_vector(p)).squared_distance);
+  }
+
+  /// returns how far it is from `p` along the unit vector `(ux, uy, uz)` to the surface, or `limit`
+  /// if that is less.
+  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const
+  {
+    return m_faces->distance_along(internal::to_vector(p), {ux, uy, uz}, limit);
+  }
+
+private:
+  template <typename TriangleMesh, typename NamedParameters>
+  static Mesh checked_copy(const TriangleMesh& mesh, const NamedParameters& np)
+  {
+    if(faces(mesh).begin() == faces(mesh).end())
+      throw std::invalid_argument("the mesh has no faces");
+    if(!CGAL::is_triangle_mesh(mesh)) throw std::invalid_argument("a face is not a triangle");
+    if(!CGAL::is_closed(mesh)) throw std::invalid_argument("the mesh is not closed");
+    const auto points = CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+        CGAL::get_const_property_map(CGAL::vertex_point, mesh));
+    Mesh copy;
+    CGAL::copy_face_graph(mesh, copy, CGAL::parameters::vertex_point_map(points));
+    check_faces(copy);
+    return copy;
+  }
+
+  static void check_faces(const Mesh& mesh)
+  {
+    for(const auto v : vertices(mesh))
+      if(!internal::to_vector(mesh.point(v)).allFinite())
+        throw std::invalid_argument("a coordinate is not finite");
+    for(const auto f : faces(mesh))
+      if(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh))
+        throw std::invalid_argument("a face is degenerate");
+  }
+
+  // Behind pointers, so that a domain can be moved: the one refers to the other.
+  std::unique_ptr<const Faces> m_faces;
+  std::unique_ptr<const Side> m_side;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_TRIANGLE_MESH_DOMAIN_3_H

@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_COVERAGE_H
+#define CGAL_VOLUME_FILLING_CURVES_COVERAGE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/internal/Empty_region_search.h>
+#include <CGAL/Volume_filling_curves/internal/Segment_tree.h>
+#include <CGAL/Volume_filling_curves/internal/for_each_block.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief The struct `Coverage` tells how evenly a curve fills a domain: statistics of the distances of
+ * uniform samples of the domain to the curve, divided by the thickness.
+ */
+struct Coverage
+{
+  /// the number of samples
+  std::size_t samples = 0;
+
+  /// the mean distance
+  double mean = 0;
+
+  /// the median
+  double p50 = 0;
+
+  /// the distance that 95 % of the samples do not exceed
+  double p95 = 0;
+
+  /// the distance that 99 % of the samples do not exceed
+  double p99 = 0;
+
+  /// the largest distance
+  double max = 0;
+
+  /// the share of the samples that are at most the thickness away
+  double fraction_within_r = 0;
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief The struct `Empty_region_3` is a connected part of a domain that a curve did not get to.
+ *
+ * \tparam Point_3 the type of points
+ */
+template <typename Point_3>
+struct Empty_region_3
+{
+  /// the center of a ball that lies in the region
+  Point_3 point;
+
+  /// the radius of this ball
+  double radius;
+
+  /// the volume of the region, estimated by the share of the samples in it
+  double volume;
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief The struct `Containment` counts what of a curve is not strictly inside a domain.
+ */
+struct Containment
+{
+  /// the number of nodes on or beyond the boundary
+  std::size_t outside_nodes = 0;
+
+  /// the number of edges with any point on or beyond the boundary
+  std::size_t outside_segments = 0;
+};
+
+namespace internal {
+
+// A thickness is a number or a function of the point.
+template <typename Thickness>
+auto thickness_function(const Thickness& thickness)
+{
+  if constexpr(std::is_arithmetic<Thickness>::value)
+    return [r = static_cast<double>(thickness)](const auto&) { return r; };
+  else
+    return [&thickness](const auto& p) { return static_cast<double>(thickness(p)); };
+}
+
+// returns the value that a share of the values does not exceed. \pre sorted, not empty
+inline double quantile(const std::vector<double>& sorted, double share)
+{
+  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
+  return sorted[(std::max)(static_cast<std::size_t>(rank), std::size_t(1)) - 1];
+}
+
+} // namespace internal
+
+/// \addtogroup PkgVolumeFillingCurvesMeasures
+/// @{
+
+/*!
+ * returns the distance of every sample to the nearest point of the curve; infinity if the curve has no
+ * edges. \cgalBigO{(n + m) \log n} time for `n` edges and `m` samples for most curves.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3`
+ */
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits, typename Domain>
+[[nodiscard]] std::vector<double> sample_distances(const Curve_network_3<Traits>& curve,
+                                                   const Domain_samples_3<Traits, Domain>& samples)
+{
+  const std::size_t block = 256;
+  const internal::Segment_tree tree(curve);
+  std::vector<double> distances(samples.points().size());
+  internal::for_each_block<ConcurrencyTag>(
+      distances.size(), block, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t i = begin; i < end; ++i)
+          distances[i] = tree.distance(internal::to_vector(samples.points()[i]));
+      });
+  return distances;
+}
+
+/*!
+ * returns the statistics of distances that `sample_distances()` has computed.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3`
+ * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
+ *
+ * \param samples the samples
+ * \param distances the distances of the samples to the curve
+ * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ */
+template <typename Traits, typename Domain, typename Thickness>
+[[nodiscard]] Coverage coverage(const Domain_samples_3<Traits, Domain>& samples,
+                                const std::vector<double>& distances,
+                                const Thickness& thickness)
+{
+  Coverage result;
+  result.samples = distances.size();
+  if(distances.empty()) return result;
+  const auto thickness_at = internal::thickness_function(thickness);
+  std::vector<double> sorted(distances.size());
+  double sum = 0;
+  for(std::size_t i = 0; i < sorted.size(); ++i)
+    sum += sorted[i] = distances[i] / thickness_at(samples.points()[i]);
+  std::sort(sorted.begin(), sorted.end());
+  const auto within = std::upper_bound(sorted.begin(), sorted.end(), 1.) - sorted.begin();
+  result.mean = sum / static_cast<double>(sorted.size());
+  result.p50 = internal::quantile(sorted, .5);
+  result.p95 = internal::quantile(sorted, .95);
+  result.p99 = internal::quantile(sorted, .99);
+  result.max = sorted.back();
+  result.fraction_within_r = static_cast<double>(within) / static_cast<double>(sorted.size());
+  return result;
+}
+
+/*!
+ * returns the regions of the domain that the curve did not get to, the largest first.
+ *
+ * A region is a set of samples that are farther than 2 r from the curve, connected by straight ways
+ * inside the domain between samples that are close together, and holds a ball of radius r / 2 whose
+ * points are all inside and farther than 2 r from the curve.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3`
+ * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
+ *
+ * \param curve the curve
+ * \param samples the samples
+ * \param distances the distances of the samples to the curve, from `sample_distances()`
+ * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ */
+template <typename Traits, typename Domain, typename Thickness>
+[[nodiscard]] std::vector<Empty_region_3<typename Traits::Point_3>> empty_regions(
+    const Curve_network_3<Traits>& curve,
+    const Domain_samples_3<Traits, Domain>& samples,
+    const std::vector<double>& distances,
+    const Thickness& thickness)
+{
+  const auto thickness_at = internal::thickness_function(thickness);
+  const double sample_volume = samples.volume() / static_cast<double>(samples.points().size());
+  const internal::Segment_tree tree(curve);
+  internal::Empty_region_search<Traits, Domain, decltype(thickness_at)> search(
+      tree, samples.domain(), thickness_at, samples.points(), distances, std::cbrt(sample_volume),
+      samples.traits());
+  std::vector<Empty_region_3<typename Traits::Point_3>> regions;
+  for(const auto& region : search.run())
+    regions.push_back({internal::to_point(region.center, samples.traits()), region.radius,
+                       sample_volume * static_cast<double>(region.number_of_samples)});
+  return regions;
+}
+
+/*!
+ * counts the nodes and the edges of the curve that are not strictly inside the domain; as exact as the
+ * domain is. The time of one triangle test and two point tests of the domain per edge.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3`
+ */
+template <typename Traits, typename Domain>
+[[nodiscard]] Containment containment(const Curve_network_3<Traits>& curve, const Domain& domain)
+{
+  Containment result;
+  std::vector<bool> is_inside(curve.number_of_nodes());
+  for(std::size_t v = 0; v < is_inside.size(); ++v) {
+    is_inside[v] = domain.is_inside(curve.point(v));
+    result.outside_nodes += !is_inside[v];
+  }
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
+    const auto p = curve.source(e), q = curve.target(e);
+    result.outside_segments +=
+        !is_inside[p] || !is_inside[q] ||
+        !domain.is_triangle_inside(curve.point(p), curve.point(q), curve.point(q));
+  }
+  return result;
+}
+
+/// @}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_COVERAGE_H
