@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_CERTIFICATE_READER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_CERTIFICATE_READER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/certificate/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Decodes a certificate from its first byte to its last. Whatever the bytes are, it returns what
+// they stand for or throws a Certificate_format_error; every certificate has exactly one encoding.
+// Whether nodes exist and moves are safe is not decided here. Constant time per operation.
+class Certificate_reader
+{
+  using Kind = Certificate_operation::Kind;
+
+public:
+  explicit Certificate_reader(std::string_view bytes) : m_bytes(bytes) {}
+
+  Certificate_header header()
+  {
+    if(m_bytes.substr(0, certificate_magic.size()) != certificate_magic)
+      throw Certificate_format_error("this is no certificate");
+    m_next = certificate_magic.size();
+    const std::uint64_t version = integer(4);
+    if(version != certificate_version)
+      throw Certificate_format_error("version " + std::to_string(version) +
+                                     " of the format is not known");
+    Certificate_header header;
+    header.nodes = integer(8);
+    header.edges = integer(8);
+    header.components = integer(8);
+    header.curve = digest();
+    return header;
+  }
+
+  Certificate_operation operation()
+  {
+    const std::uint64_t word = varint(), code = word & 3, rest = word >> 2;
+    Certificate_operation operation;
+    if(code == 3) {
+      if(rest > 1) throw Certificate_format_error("an operation of an unknown kind");
+      operation.kind = rest == 0 ? Kind::END : Kind::SCALE;
+      if(rest == 1) operation.exponent = from_zigzag(varint());
+      return operation;
+    }
+    operation.kind = static_cast<Kind>(code);
+    operation.node = m_last_node = m_last_node + static_cast<std::uint64_t>(from_zigzag(rest));
+    if(operation.kind == Kind::INSERT)
+      operation.other = operation.node + static_cast<std::uint64_t>(from_zigzag(varint()));
+    if(operation.kind != Kind::REMOVE) operation.position = position();
+    return operation;
+  }
+
+  // \pre the last operation was the end
+  Certificate_trailer trailer()
+  {
+    Certificate_trailer trailer;
+    trailer.operations = integer(8);
+    trailer.nodes = integer(8);
+    trailer.edges = integer(8);
+    trailer.curve = digest();
+    m_record_length = m_next;
+    trailer.record = digest();
+    if(m_next != m_bytes.size())
+      throw Certificate_format_error("there are bytes behind the end of the record");
+    return trailer;
+  }
+
+  // the bytes that the hash in the trailer belongs to
+  std::string_view record() const { return m_bytes.substr(0, m_record_length); }
+
+private:
+  std::uint8_t byte()
+  {
+    if(m_next >= m_bytes.size()) throw Certificate_format_error("the record ends too early");
+    return static_cast<std::uint8_t>(m_bytes[m_next++]);
+  }
+
+  std::uint64_t integer(int size)
+  {
+    std::uint64_t x = 0;
+    for(int k = 0; k < size; ++k) x |= static_cast<std::uint64_t>(byte()) << 8 * k;
+    return x;
+  }
+
+  std::uint64_t varint()
+  {
+    std::uint64_t x = 0;
+    for(int shift = 0; shift < 64; shift += 7) {
+      const std::uint8_t next = byte();
+      const std::uint64_t bits = next & 0x7f;
+      if(bits << shift >> shift != bits || (next == 0 && shift > 0)) break;
+      x |= bits << shift;
+      if(next < 0x80) return x;
+    }
+    throw Certificate_format_error("a number that is not encoded as it must be");
+  }
+
+  Sha256::Digest digest()
+  {
+    Sha256::Digest digest{};
+    for(std::uint8_t& next : digest) next = byte();
+    return digest;
+  }
+
+  Position position()
+  {
+    Position position{};
+    for(double& x : position) {
+      const std::uint64_t bits = integer(8);
+      std::memcpy(&x, &bits, sizeof x);
+      if(!std::isfinite(x)) throw Certificate_format_error("a coordinate that is not finite");
+    }
+    return position;
+  }
+
+  std::string_view m_bytes;
+  std::size_t m_next = 0, m_record_length = 0;
+  std::uint64_t m_last_node = 0;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_CERTIFICATE_READER_H

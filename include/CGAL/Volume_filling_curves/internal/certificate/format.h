@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_FORMAT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_FORMAT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/Sha256.h>
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string_view>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What a certificate consists of. The page "Format of Certificates" of the manual describes how this
+// is encoded, for those who want to write a reader of their own.
+
+constexpr std::string_view certificate_magic = "VFC-CERT";
+constexpr std::uint32_t certificate_version = 1;
+
+using Position = std::array<double, 3>;
+
+template <typename Point_3>
+Position to_position(const Point_3& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+inline const Position& to_position(const Position& p)
+{
+  return p;
+}
+
+// The curve that the motion starts from. Its nodes have the numbers 0, 1, ... in the lexicographic
+// order of their coordinates.
+struct Certificate_header
+{
+  std::uint64_t nodes = 0, edges = 0, components = 0;
+  Sha256::Digest curve{};
+};
+
+// One change of the curve. Nodes that are inserted are numbered on; no number is used again.
+struct Certificate_operation
+{
+  enum class Kind : std::uint8_t
+  {
+    MOVE = 0,   // `node` goes to `position` along a straight line
+    INSERT = 1, // a new node at `position` splits the edge between `node` and `other`
+    REMOVE = 2, // `node` goes, and its two neighbors are joined by an edge
+    SCALE = 3,  // all coordinates are multiplied by two to the power of `exponent`
+    END = 4     // nothing more happens
+  };
+
+  Kind kind = Kind::END;
+  std::uint64_t node = 0, other = 0;
+  Position position{};
+  std::int64_t exponent = 0;
+};
+
+// The curve at the end. The record is the SHA-256 of all bytes that stand before it.
+struct Certificate_trailer
+{
+  std::uint64_t operations = 0, nodes = 0, edges = 0;
+  Sha256::Digest curve{}, record{};
+};
+
+// Says why bytes are not a certificate.
+struct Certificate_format_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// Numbers of either sign as numbers without, those next to zero first: 0, -1, 1, -2, 2, ...
+inline std::uint64_t zigzag(std::int64_t x)
+{
+  const auto bits = static_cast<std::uint64_t>(x);
+  return x < 0 ? ~(bits << 1) : bits << 1;
+}
+
+inline std::int64_t from_zigzag(std::uint64_t x)
+{
+  return static_cast<std::int64_t>(x & 1 ? ~(x >> 1) : x >> 1);
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_FORMAT_H
