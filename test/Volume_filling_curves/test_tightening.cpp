@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "guard_test_support.h"
+#include "knot_invariants.h"
+
+#include <CGAL/Volume_filling_curves/internal/Tightener.h>
+#include <CGAL/Volume_filling_curves/internal/generators/braid_closure.h>
+#include <CGAL/Volume_filling_curves/internal/generators/hard_unknot.h>
+#include <CGAL/Volume_filling_curves/internal/generators/lattice_polygon.h>
+#include <CGAL/Volume_filling_curves/internal/generators/torus_knot.h>
+#include <CGAL/Volume_filling_curves/untangle.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace internal = CGAL::Volume_filling_curves::internal;
+namespace parameters = CGAL::Volume_filling_curves::parameters;
+using CGAL::Volume_filling_curves::Default_curve_flow_visitor;
+using CGAL::Volume_filling_curves::Isotopy_guard_3;
+using CGAL::Volume_filling_curves::Link_status;
+using CGAL::Volume_filling_curves::Tightening_progress;
+using CGAL::Volume_filling_curves::untangle;
+using CGAL::Volume_filling_curves::Untangling_result;
+using CGAL::Volume_filling_curves::Untangling_status;
+using CGAL::Volume_filling_curves::Untangling_strategy;
+using guard_test::contents;
+using internal::Polygons;
+using internal::Vector;
+using Network = CGAL::Volume_filling_curves::Curve_network_3<>;
+using Point_3 = Network::Point_3;
+
+Network closed_network(const Polygons& polygons)
+{
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 2>> edges;
+  for(const auto& polygon : polygons) {
+    const std::size_t first = points.size(), n = polygon.size();
+    for(const auto& p : polygon) points.emplace_back(p.x(), p.y(), p.z());
+    for(std::size_t i = 0; i < n; ++i) edges.push_back({first + i, first + (i + 1) % n});
+  }
+  return Network(points, edges);
+}
+
+Polygons braid(const std::string& word, std::size_t number_of_nodes, std::size_t strands = 1)
+{
+  return internal::braid_closure(internal::parse_braid_word(word), number_of_nodes, 0, strands);
+}
+
+template <typename Function>
+Network mapped(Polygons polygons, const Function& f)
+{
+  for(auto& polygon : polygons)
+    for(auto& p : polygon) p = f(p);
+  return closed_network(polygons);
+}
+
+Network on_lattice(const Polygons& polygons, double scale)
+{
+  return mapped(polygons, [&](const Vector& p) { return Vector((scale * p).array().round()); });
+}
+
+struct Tightened
+{
+  bool has_reached_goal;
+  std::size_t moves, refusals;
+};
+
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Tightened tighten(Network& curve, std::uint64_t seed, std::size_t number_of_chains = 1)
+{
+  Isotopy_guard_3<> guard(curve);
+  internal::Tightener<Isotopy_guard_3<>, ConcurrencyTag> tightener(
+      guard, internal::Tightening_parameters(), number_of_chains, seed);
+  tightener.run([] { return true; });
+  tightener.apply();
+  guard.collect_garbage();
+  return {tightener.has_reached_goal(), tightener.progress().moves,
+          guard.number_of_refused_changes()};
+}
+
+knot_test::Invariants invariants_of(const Network& curve)
+{
+  return knot_test::invariants_of(knot_test::loops_of(curve));
+}
+
+// The guard carries out all that the search did, whose double filters are its own.
+void expect_unknotted(const Network& curve, const std::string& name)
+{
+  ASSERT_NO_THROW(internal::check_embedded(curve)) << name;
+  for(std::uint64_t seed = 0; seed < 3; ++seed) {
+    Network copy = curve;
+    const Tightened result = tighten(copy, seed);
+    EXPECT_TRUE(result.has_reached_goal) << name << ", seed " << seed;
+    EXPECT_EQ(result.refusals, 0u) << name << ", seed " << seed;
+    EXPECT_LE(copy.number_of_nodes(), 5u) << name << ", seed " << seed;
+    EXPECT_NO_THROW(internal::check_embedded(copy));
+  }
+}
+
+void expect_kept(const Network& curve,
+                 const knot_test::Invariants& before,
+                 std::size_t stick_number,
+                 const std::string& name)
+{
+  ASSERT_NO_THROW(internal::check_embedded(curve)) << name;
+  for(std::uint64_t seed = 0; seed < 3; ++seed) {
+    Network copy = curve;
+    const Tightened result = tighten(copy, seed);
+    EXPECT_FALSE(result.has_reached_goal) << name;
+    EXPECT_EQ(result.refusals, 0u) << name;
+    EXPECT_GE(copy.number_of_nodes(), stick_number) << name;
+    EXPECT_LE(copy.number_of_nodes(), stick_number + 1) << name;
+    EXPECT_TRUE(invariants_of(copy) == before) << name;
+    EXPECT_NO_THROW(internal::check_embedded(copy));
+  }
+}
+
+void expect_kept(const Network& curve, std::size_t stick_number, const std::string& name)
+{
+  expect_kept(curve, invariants_of(curve), stick_number, name);
+}
+
+TEST(Tightening, unties_unknots)
+{
+  expect_unknotted(closed_network(internal::hard_unknot(300, 40, 1)), "hard unknot");
+  expect_unknotted(closed_network(braid("1 2 -3 4", 160)), "braid");
+}
+
+TEST(Tightening, unties_lattice_polygons)
+{
+  for(std::uint64_t seed = 0; seed < 3; ++seed)
+    expect_unknotted(closed_network(internal::lattice_polygon(600, seed)), "lattice polygon");
+}
+
+TEST(Tightening, keeps_knots_and_their_stick_numbers)
+{
+  expect_kept(closed_network(braid("1 1 1", 100)), 6, "3_1");
+  expect_kept(closed_network(braid("1 -2 1 -2", 100)), 7, "4_1");
+  expect_kept(closed_network(braid("1 1 1 1 1", 120)), 8, "5_1");
+  expect_kept(closed_network(braid("1 1 1 2 -1 2", 120)), 8, "5_2");
+  expect_kept(closed_network(internal::torus_knot(4, 3, 150)), 8, "8_19");
+}
+
+TEST(Tightening, keeps_knots_on_the_lattice)
+{
+  expect_kept(on_lattice(braid("1 1 1", 60), 12), 6, "3_1");
+  expect_kept(on_lattice(braid("1 -2 1 -2", 80), 16), 7, "4_1");
+}
+
+// All strands within a few units in the last place of a plane.
+TEST(Tightening, keeps_knots_with_contacts_at_rounding_level)
+{
+  const auto flat = [](double height, double shift) {
+    return mapped(braid("1 1 1", 60), [=](const Vector& p) {
+      return Vector(std::round(0x1p20 * p.x()) * 0x1p-20, std::round(0x1p20 * p.y()) * 0x1p-20,
+                    shift + height * std::round(0x1p6 * p.z()));
+    });
+  };
+  const knot_test::Invariants trefoil = invariants_of(flat(1, 0));
+  expect_kept(flat(0x1p-50, 1), trefoil, 6, "strands 4 ulp apart");
+  expect_kept(flat(0x1p-60, 0), trefoil, 6, "strands 1e-18 apart");
+  expect_kept(flat(0x1p-300, 0), trefoil, 6, "strands 1e-90 apart");
+}
+
+TEST(Tightening, manages_collinear_runs_and_planar_curves)
+{
+  Polygons comb(1);
+  for(int tooth = 0; tooth < 10; ++tooth)
+    for(const auto& [x, y] :
+        std::vector<std::array<int, 2>>{{0, 0}, {0, 1}, {0, 5}, {1, 5}, {1, 1}, {1, 0}})
+      comb[0].emplace_back(2 * tooth + x, y, 0);
+  for(int x = 19; x >= 0; --x) comb[0].emplace_back(x, -1, 0);
+  expect_unknotted(closed_network(comb), "comb");
+}
+
+TEST(Tightening, pulls_split_components_apart)
+{
+  // each ring hooks into the other and comes back
+  Network curve = closed_network(braid("1 1 -1 -1 1 -1", 120));
+  ASSERT_EQ(curve.number_of_components(), 2u);
+  const Tightened result = tighten(curve, 0);
+  EXPECT_TRUE(result.has_reached_goal);
+  EXPECT_EQ(result.refusals, 0u);
+  EXPECT_LE(curve.number_of_nodes(), 10u);
+}
+
+TEST(Tightening, keeps_links)
+{
+  for(const std::string word : {"1 1", "1 -2 1 -2 1 -2", "1 1 1 1"}) {
+    Network curve = closed_network(braid(word, 120));
+    const knot_test::Invariants before = invariants_of(curve);
+    EXPECT_FALSE(tighten(curve, 0).has_reached_goal) << word;
+    EXPECT_TRUE(invariants_of(curve) == before) << word;
+  }
+}
+
+// The nodes that must stay, by their origins.
+std::map<std::size_t, Point_3> fixed_nodes(const Network& curve)
+{
+  std::map<std::size_t, Point_3> result;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.degree(v) != 2 || curve.is_pinned(v)) result[curve.origin(v)] = curve.point(v);
+  return result;
+}
+
+TEST(Tightening, leaves_pins_ends_and_junctions_where_they_are)
+{
+  guard_test::Random random(5);
+  for(int k = 0; k < 100; ++k) {
+    Network curve = guard_test::to_network(guard_test::random_curve(5, k % 2 == 0, random));
+    curve.set_pinned(0);
+    const Network start = curve;
+    EXPECT_EQ(tighten(curve, static_cast<std::uint64_t>(k)).refusals, 0u);
+    EXPECT_NO_THROW(internal::check_embedded(curve));
+    EXPECT_EQ(fixed_nodes(curve), fixed_nodes(start));
+  }
+}
+
+TEST(Tightening, depends_on_the_seed_only)
+{
+  const Network start = closed_network(internal::hard_unknot(300, 40, 2));
+  Network first = start, again = start, other = start;
+  tighten(first, 7, 3);
+  tighten(again, 7, 3);
+  tighten(other, 8, 3);
+  EXPECT_EQ(contents(first), contents(again));
+  EXPECT_NE(contents(first), contents(other));
+#ifdef CGAL_LINKED_WITH_TBB
+  for(int k = 0; k < 10; ++k) {
+    Network parallel = start;
+    tighten<CGAL::Parallel_tag>(parallel, 7, 3);
+    EXPECT_EQ(contents(first), contents(parallel));
+  }
+#endif
+}
+
+TEST(Tightening, does_not_depend_on_powers_of_two)
+{
+  const auto moves = [](double scale) {
+    Network curve = mapped(braid("1 1 1", 100), [&](const Vector& p) { return Vector(scale * p); });
+    tighten(curve, 0);
+    std::vector<double> result;
+    for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+      for(int k = 0; k < 3; ++k) result.push_back(curve.point(v)[k] / scale);
+    return result;
+  };
+  EXPECT_EQ(moves(1), moves(0x1p30));
+  EXPECT_EQ(moves(1), moves(0x1p-30));
+}
+
+TEST(Tightening, takes_the_search_with_the_fewest_moves)
+{
+  const Network start = closed_network(internal::hard_unknot(400, 60, 3));
+  Network one = start, four = start;
+  EXPECT_GE(tighten(one, 1, 1).moves, tighten(four, 1, 4).moves);
+}
+
+Untangling_result untangled(Network& curve, Untangling_strategy strategy)
+{
+  return untangle(curve, parameters::strategy(strategy).number_of_chains(1).random_seed(3));
+}
+
+TEST(Untangling_strategy, tightens_to_few_edges)
+{
+  Network unknot = closed_network(internal::hard_unknot(300, 40, 1));
+  const Untangling_result result = untangled(unknot, Untangling_strategy::TIGHTEN);
+  EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
+  EXPECT_LE(unknot.number_of_nodes(), 5u);
+  EXPECT_EQ(result.statistics.iterations, 0u);
+  EXPECT_EQ(result.tightenings, 1u);
+  Network trefoil = closed_network(braid("1 1 1", 100));
+  EXPECT_EQ(untangled(trefoil, Untangling_strategy::TIGHTEN).status, Untangling_status::CONVERGED);
+  EXPECT_EQ(trefoil.number_of_nodes(), 6u);
+}
+
+TEST(Untangling_strategy, auto_ends_like_the_flow)
+{
+  for(const std::string word : {"1 1 1", "1 -2 1 -2", "1 1"}) {
+    Network by_flow = closed_network(braid(word, 150)), by_auto = by_flow;
+    const knot_test::Invariants before = invariants_of(by_flow);
+    const Untangling_result flow = untangled(by_flow, Untangling_strategy::FLOW);
+    const Untangling_result mixed = untangled(by_auto, Untangling_strategy::AUTO);
+    EXPECT_EQ(flow.status, Untangling_status::CONVERGED) << word;
+    EXPECT_EQ(mixed.status, Untangling_status::CONVERGED) << word;
+    EXPECT_EQ(flow.tightenings, 0u);
+    EXPECT_GE(mixed.tightenings, 1u);
+    EXPECT_TRUE(invariants_of(by_auto) == before) << word;
+    EXPECT_EQ(mixed.link, flow.link) << word;
+    const double a = internal::length(by_flow) / flow.thickness;
+    const double b = internal::length(by_auto) / mixed.thickness;
+    EXPECT_NEAR(b / a, 1, 0.1) << word;
+  }
+}
+
+TEST(Untangling_strategy, auto_makes_unknots_smooth_and_of_the_former_length)
+{
+  Network curve = closed_network(internal::hard_unknot(300, 40, 1));
+  const double length = internal::length(curve);
+  const Untangling_result result = untangle(curve, parameters::random_seed(1).keep_length(true));
+  EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
+  EXPECT_LT(internal::largest_turning_angle(curve), 1.01);
+  EXPECT_NEAR(internal::length(curve) / length, 1, 1e-9);
+}
+
+TEST(Untangling_strategy, takes_a_thickness)
+{
+  Network curve = closed_network(braid("1 1 1", 150));
+  const double thickness = 0.005 * internal::length(curve);
+  const Untangling_result result = untangle(curve, parameters::thickness(thickness));
+  EXPECT_EQ(result.status, Untangling_status::CONVERGED);
+  EXPECT_EQ(result.thickness, thickness);
+}
+
+struct Impatient_visitor : Default_curve_flow_visitor
+{
+  bool on_tightening(const Tightening_progress& progress)
+  {
+    edges = progress.edges;
+    return ++calls < 2;
+  }
+
+  std::size_t calls = 0, edges = 0;
+};
+
+TEST(Untangling_strategy, can_be_stopped)
+{
+  const Network start = closed_network(braid("1 -2 3 -2 1 -2 3 -2 1 -2", 300));
+  Network curve = start;
+  Impatient_visitor visitor;
+  Untangling_result result = untangle(
+      curve, parameters::visitor(std::ref(visitor)).strategy(Untangling_strategy::TIGHTEN));
+  EXPECT_EQ(result.status, Untangling_status::INTERRUPTED);
+  EXPECT_EQ(visitor.calls, 2u);
+  EXPECT_EQ(visitor.edges, curve.number_of_nodes());
+  EXPECT_TRUE(invariants_of(curve) == invariants_of(start));
+  curve = start;
+  result = untangle(curve, parameters::time_limit(0));
+  EXPECT_EQ(result.status, Untangling_status::LIMIT);
+}
+
+} // namespace
