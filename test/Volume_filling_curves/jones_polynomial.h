@@ -60,7 +60,7 @@ public:
     m_is_done.assign(m_diagram.crossings.size(), false);
     for(std::size_t k = 0; k < m_diagram.crossings.size(); ++k)
       resolve(next_crossing(), k + 1 == m_diagram.crossings.size());
-    const std::size_t circles = components_without_crossings();
+    const std::size_t circles = m_diagram.number_of_components_without_crossings();
     const bool has_crossings = !m_diagram.crossings.empty();
     return with_loops(m_states.begin()->second, has_crossings ? circles : circles - 1);
   }
@@ -130,14 +130,6 @@ private:
     state[x] = y;
     state[y] = x;
     return 0;
-  }
-
-  std::size_t components_without_crossings() const
-  {
-    std::vector<bool> has_crossing(m_diagram.number_of_components, false);
-    for(const Crossing& crossing : m_diagram.crossings)
-      has_crossing[crossing.over_component] = has_crossing[crossing.under_component] = true;
-    return static_cast<std::size_t>(std::count(has_crossing.begin(), has_crossing.end(), false));
   }
 
   const Diagram& m_diagram;

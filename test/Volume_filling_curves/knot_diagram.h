@@ -73,6 +73,15 @@ struct Diagram
     for(const Crossing& crossing : crossings) sum += crossing.sign;
     return sum;
   }
+
+  // These have no pieces; each is an unknot, split off from everything else.
+  std::size_t number_of_components_without_crossings() const
+  {
+    std::vector<bool> has_crossing(number_of_components, false);
+    for(const Crossing& crossing : crossings)
+      has_crossing[crossing.over_component] = has_crossing[crossing.under_component] = true;
+    return static_cast<std::size_t>(std::count(has_crossing.begin(), has_crossing.end(), false));
+  }
 };
 
 class Projection

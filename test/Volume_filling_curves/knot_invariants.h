@@ -97,16 +97,18 @@ private:
 };
 
 // The Alexander polynomial at t modulo the prime, up to a unit +-t^k that depends on the diagram
-// only: a minor of the matrix of Fox derivatives of the Wirtinger relations.
+// only: a minor of the matrix of Fox derivatives of the Wirtinger relations. It vanishes for split
+// links, of itself but where a component has no crossing and no column.
 inline std::uint64_t alexander_minor(const Diagram& diagram, std::uint64_t t)
 {
+  if(diagram.number_of_components_without_crossings() > 0)
+    return diagram.number_of_components == 1 ? 1 : 0;
   Disjoint_sets arcs(diagram.number_of_pieces);
   for(const Crossing& crossing : diagram.crossings) arcs.join(crossing.over_in, crossing.over_out);
   std::map<std::size_t, std::size_t> column;
   for(std::size_t i = 0; i < diagram.number_of_pieces; ++i)
     column.insert({arcs.find(i), column.size()});
   const std::size_t n = diagram.crossings.size(), m = column.size();
-  if(n == 0) return diagram.number_of_components <= 1 ? 1 : 0;
   if(n + 1 < m) return 0;
   Rows rows(n, std::vector<std::uint64_t>(m, 0));
   const auto add = [&](std::size_t row, std::size_t piece, std::uint64_t value) {

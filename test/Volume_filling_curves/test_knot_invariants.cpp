@@ -157,6 +157,53 @@ TEST(Knot_invariants, of_unlinks)
             (Laurent{{-2, 1}, {0, 2}, {2, 1}}));
 }
 
+std::vector<Loop> moved(std::vector<Loop> curve, double x)
+{
+  for(Loop& loop : curve)
+    for(knot_test::Point& p : loop) p[0] += x;
+  return curve;
+}
+
+std::vector<Loop> together(std::vector<Loop> curves, const std::vector<Loop>& others)
+{
+  curves.insert(curves.end(), others.begin(), others.end());
+  return curves;
+}
+
+TEST(Knot_invariants, of_components_far_apart)
+{
+  const auto circle = braid(""), kinks = moved(braid("1 2 -3"), 1e3), trefoil = braid("1 1 1");
+  ASSERT_EQ(knot_test::Projection(circle, 0).diagram().crossings.size(), 0u);
+  const knot_test::Diagram diagram = knot_test::Projection(together(circle, kinks), 0).diagram();
+  ASSERT_EQ(diagram.number_of_components_without_crossings(), 1u);
+  ASSERT_GT(diagram.crossings.size(), 0u);
+  for(const auto& curve :
+      {together(circle, kinks), together(kinks, circle), together(trefoil, moved(circle, 1e3)),
+       together(trefoil, moved(knot_test::mirrored(trefoil), 1e3)),
+       together(together(circle, kinks), moved(kinks, -1e4))}) {
+    const auto invariants = knot_test::invariants_of(curve);
+    EXPECT_EQ(invariants.determinant, 0u);
+    EXPECT_EQ(invariants.alexander, knot_test::Alexander_values{});
+    const std::size_t n = curve.size();
+    EXPECT_EQ(invariants.linking_numbers, Matrix(n, std::vector<int>(n, 0)));
+  }
+}
+
+// The signature adds up, the Jones polynomial is the product and a circle's bracket.
+TEST(Knot_invariants, of_split_links)
+{
+  const auto trefoil = braid("1 1 1"), circle = moved(braid(""), 1e3);
+  const auto other = moved(braid("1 1 1"), 1e3), mirror = moved(knot_test::mirrored(trefoil), 1e3);
+  EXPECT_EQ(knot_test::invariants_of(together(trefoil, circle)).signature, -2);
+  EXPECT_EQ(knot_test::invariants_of(together(trefoil, other)).signature, -4);
+  EXPECT_EQ(knot_test::invariants_of(together(trefoil, mirror)).signature, 0);
+  const auto jones = [](const std::vector<Loop>& curve) {
+    return knot_test::jones_polynomial(knot_test::diagram_of(curve));
+  };
+  EXPECT_EQ(jones(together(trefoil, circle)), (Laurent{{1, -1}, {3, -1}, {5, -1}, {9, 1}}));
+  EXPECT_EQ(jones(together(circle, trefoil)), jones(together(trefoil, circle)));
+}
+
 TEST(Knot_invariants, of_lattice_polygons_are_those_of_the_unknot)
 {
   for(std::uint64_t seed = 1; seed < 6; ++seed)

@@ -130,49 +130,6 @@ TEST(Untangle, proves_nested_circles_unlinked)
   EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
 }
 
-// Strands that run far outside close the arc the same way before and after.
-Network closed_far_away(const Network& arc)
-{
-  Polygon polygon;
-  for(std::size_t v = 0; v < arc.number_of_nodes(); ++v)
-    polygon.push_back(internal::to_vector(arc.point(v)));
-  polygon.push_back({-100, 0, 0});
-  polygon.push_back({0, 100, 0});
-  polygon.push_back({100, 0, 0});
-  return internal::make_network({polygon});
-}
-
-TEST(Untangle, keeps_pinned_ends_and_the_knot_between_them)
-{
-  const Network trefoil = braid("1 1 1", 60);
-  Polygon points = {{20, 0, 8}};
-  for(std::size_t v = 0; v < 60; ++v) points.push_back(internal::to_vector(trefoil.point(v)));
-  points.push_back({-20, 0.1, 9});
-  Network arc = path(points);
-  arc.pin_ends();
-  ASSERT_NO_THROW(internal::check_embedded(arc));
-  const auto expected = invariants_of(closed_far_away(arc));
-  ASSERT_EQ(expected.determinant, 3u);
-  const Untangling_result result = untangle(arc);
-  EXPECT_EQ(result.status, Untangling_status::CONVERGED);
-  EXPECT_EQ(result.proofs, std::vector<Unknot_proof>{Unknot_proof::NONE});
-  EXPECT_EQ(result.link, Link_status::NOT_A_LINK);
-  EXPECT_EQ(internal::to_vector(arc.point(0)), points.front());
-  EXPECT_EQ(internal::to_vector(arc.point(arc.number_of_nodes() - 1)), points.back());
-  EXPECT_EQ(invariants_of(closed_far_away(arc)), expected);
-}
-
-TEST(Untangle, straightens_an_arc_without_a_knot)
-{
-  std::vector<Vector> points;
-  for(int k = 0; k <= 100; ++k)
-    points.push_back({0.02 * k, 0.3 * std::sin(0.5 * k), 0.3 * std::cos(0.7 * k)});
-  Network arc = path(points);
-  arc.pin_ends();
-  EXPECT_EQ(untangle(arc).status, Untangling_status::CONVERGED);
-  EXPECT_NEAR(internal::length(arc), (points.back() - points.front()).norm(), 1e-2);
-}
-
 TEST(Untangle, flows_junctions_and_keeps_their_graph)
 {
   for(unsigned seed = 1; seed < 6; ++seed) {

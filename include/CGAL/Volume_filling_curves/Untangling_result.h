@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -59,7 +60,10 @@ struct Untangling_result
   Link_status link = Link_status::NOT_A_LINK;          ///< whether the components are linked
   double thickness = 0;                                ///< r, in the input's unit
   double gradient_norm = 0;         ///< at the end, see `Curve_flow_3::gradient_norm()`
-  Curve_flow_statistics statistics; ///< the work
+  Curve_flow_statistics statistics; ///< the work; of all flows if there were several
+  std::size_t tightenings =
+      0;                  ///< how often the curve was tightened; more than once if a flow jammed
+  std::size_t sweeps = 0; ///< the sweeps of all tightenings, see `Tightening_progress`
 };
 
 } // namespace Volume_filling_curves

@@ -12,14 +12,18 @@
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/Untangling_result.h>
-#include <CGAL/Volume_filling_curves/internal/Untangler.h>
+#include <CGAL/Volume_filling_curves/internal/Strategic_untangler.h>
+#include <CGAL/Volume_filling_curves/internal/Tails.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Recording.h>
 #include <CGAL/Volume_filling_curves/internal/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
@@ -38,11 +42,20 @@ namespace Volume_filling_curves {
  * \brief untangles curves: moves them, without ever passing through themselves, to a short and
  * simple shape.
  *
- * The curves flow as `Curve_flow_3` moves them until they are proved to be unknots, are tight, or
- * get nowhere. Every change is certified with exact predicates, hence the result is ambient isotopic
+ * With the strategy `AUTO` (default) a random search brings the curves to polygons with as few
+ * edges as it finds, and then they flow, as `Curve_flow_3` moves them, until they are tight, or are
+ * proved to be unknots and smooth. With `FLOW` they do nothing but flow, until they are proved to be
+ * unknots, are tight, or get nowhere. With `TIGHTEN` they stay the polygons that the search ends
+ * with: of at most 5 edges per component if they are unknots, and else as short of edges as the
+ * search got. Every change is certified with exact predicates, hence the result is ambient isotopic
  * to the input, whatever the status that is returned. Nodes are removed and inserted on the way;
  * `Curve_network_3::origin()` tells which node of the input a node was. Components keep their order
  * and orientation; pinned nodes stay where they are.
+ *
+ * A component with ends keeps its knot if all of its ends are pinned: no strand slips off them. The
+ * type of an open knot is that of its closure by straight lines from the ends away from the mean of
+ * all nodes, and these lines are part of the curve while it flows, as pinned nodes whose `origin()`
+ * is null; a visitor sees them. A component with a free end has no knot to be kept.
  *
  * The result does not depend on the number of threads. An iteration takes near-linear time; tangled
  * knots of a thousand nodes take about a hundred iterations and 0.15 seconds (236 knots, 2026-11-21).
@@ -56,11 +69,29 @@ namespace Volume_filling_curves {
  * \param np an optional sequence of named parameters among the ones listed below
  *
  * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{strategy}
+ *     \cgalParamDescription{how the curves are untangled. Open curves with pinned ends flow, whatever
+ *       the strategy.}
+ *     \cgalParamType{`Untangling_strategy`}
+ *     \cgalParamDefault{`Untangling_strategy::AUTO`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_chains}
+ *     \cgalParamDescription{the number of independent searches, of which the first that succeeds, in
+ *       number of moves, is taken. They run on threads of their own if `ConcurrencyTag` allows.}
+ *     \cgalParamType{an integral type}
+ *     \cgalParamDefault{`2`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{random_seed}
+ *     \cgalParamDescription{the seed of the searches, on which the result depends}
+ *     \cgalParamType{an integral type}
+ *     \cgalParamDefault{`0`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{thickness}
  *     \cgalParamDescription{the distance r that strands keep from the medial surface between them, in
  *       the input's unit. A curve that is too thick jams, a thinner one is slower but gets further.}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{the 25th percentile of the medial radii of the input}
+ *     \cgalParamDefault{the 25th percentile of the medial radii of the input, or with `AUTO` of the
+ *       polygon that the search ends with; a fortieth of its length if that is a proved unknot}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{tolerance}
  *     \cgalParamDescription{the curve is tight if `Curve_flow_3::gradient_norm()` is less}
@@ -78,8 +109,10 @@ namespace Volume_filling_curves {
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{stop_at_proof}
- *     \cgalParamDescription{whether to stop once the curves are proved to be unknots and unlinked.
- *       Otherwise they flow on until they are tight, as small loops.}
+ *     \cgalParamDescription{whether to stop once the curves are proved to be unknots and unlinked and
+ *       are short, 8 thicknesses per component, which is at most 50 iterations later. Otherwise a
+ *       single curve ends as a regular polygon of that length, of 64 nodes or more, and several
+ *       flow on until they are tight, as small loops.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`true`}
  *   \cgalParamNEnd
@@ -89,6 +122,12 @@ namespace Volume_filling_curves {
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *     \cgalParamPrecondition{no node is pinned, hence no polyline is open}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{certificate}
+ *     \cgalParamDescription{receives the record of the whole run, which `verify_certificate()`
+ *       verifies; pass `std::ref()` of it. It takes some 26 bytes per node and iteration.}
+ *     \cgalParamType{`Isotopy_certificate`}
+ *     \cgalParamDefault{nothing is recorded}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_directions}
  *     \cgalParamDescription{the number of medial spheres per node}
@@ -153,15 +192,31 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
   Visitor_reference visitor = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
 
+  Isotopy_certificate no_certificate;
+  Isotopy_certificate& certificate = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter_reference(np, internal_np::certificate), no_certificate);
+
   const bool keeps_length = internal::parameter_or(np, internal_np::keep_length, false);
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   CGAL_precondition_msg(!keeps_length || !internal::has_pinned_node(curves), "no node is pinned");
+  Real_timer timer;
+  timer.start();
   internal::check_embedded(curves);
   const double length = internal::length(curves);
-  internal::Untangler<Flow, std::remove_reference_t<Visitor_reference>> run(
-      curves, internal::get_flow_parameters(np), internal::get_stop_rules(np), visitor);
-  Untangling_result result = run();
+  const bool is_recorded = &certificate != &no_certificate;
+  const internal::Recording<Traits> recording(curves, is_recorded);
+  Curve_flow_parameters flow_parameters = internal::get_flow_parameters(np);
+  Untangling_result result;
+  {
+    internal::Tails<Curve_network_3<Traits>> tails(curves);
+    tails.template grow<ConcurrencyTag>(flow_parameters);
+    internal::Strategic_untangler<Flow, ConcurrencyTag, std::remove_reference_t<Visitor_reference>>
+        run(curves, tails, internal::get_strategy_parameters(np), flow_parameters,
+            internal::get_stop_rules(np), timer, visitor);
+    result = run();
+  }
   if(keeps_length) result.thickness *= internal::rescale_to_length(curves, length);
+  if(is_recorded) certificate = recording.certificate();
   return result;
 }
 

@@ -14,6 +14,9 @@
 #include <CGAL/Volume_filling_curves/internal/Link_triviality.h>
 #include <CGAL/Volume_filling_curves/internal/Stall_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/Stop_rules.h>
+#include <CGAL/Volume_filling_curves/internal/Tails.h>
+#include <CGAL/Volume_filling_curves/internal/make_round.h>
+#include <CGAL/Volume_filling_curves/internal/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/internal/unknot_proof.h>
 
 #include <CGAL/Real_timer.h>
@@ -34,11 +37,19 @@ class Untangler
   using Network = typename Flow::Curve_network;
 
 public:
+  // The timer has been started.
   Untangler(Network& curve,
+            Tails<Network>& tails,
             const Curve_flow_parameters& parameters,
             const Stop_rules& rules,
+            const Real_timer& timer,
             Visitor& visitor)
-      : m_timer(started_timer()), m_flow(curve, parameters), m_rules(rules), m_visitor(visitor)
+      : m_curve(curve),
+        m_timer(timer),
+        m_tails(tails),
+        m_flow(curve, parameters),
+        m_rules(rules),
+        m_visitor(visitor)
   {}
 
   Untangling_result operator()()
@@ -46,12 +57,16 @@ public:
     m_visitor.on_start(m_flow);
     std::optional<Untangling_status> status = status_before_step();
     while(!status) {
+      turn_tails();
       const bool did_move = m_flow.step();
       m_visitor.on_iteration(m_flow);
-      const bool is_stalled = m_stall_monitor(m_flow.length(), m_flow.gradient_norm(), did_move);
+      const double length = m_flow.length() - m_tails.length();
+      const bool is_stalled =
+          m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_tails.hold();
       status = status_before_step();
-      if(!status && is_stalled) status = Untangling_status::STALLED;
+      if(!status && is_stalled) status = unless_proved(Untangling_status::STALLED);
     }
+    if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_curve)) finish();
     return result(*status);
   }
 
@@ -59,15 +74,79 @@ private:
   std::optional<Untangling_status> status_before_step()
   {
     prove();
-    const bool is_converged = m_flow.gradient_norm() < m_rules.tolerance;
-    if(is_unknotted() && (m_rules.stop_at_proof || is_converged))
-      return Untangling_status::UNKNOTTED;
-    if(is_converged) return Untangling_status::CONVERGED;
+    const bool is_tight = is_converged();
+    if(is_unknotted() && (is_tight || can_stop_at_proof())) return Untangling_status::UNKNOTTED;
+    if(is_tight) return Untangling_status::CONVERGED;
     if(m_flow.statistics().iterations >= m_rules.max_iterations ||
        m_timer.time() >= m_rules.time_limit)
-      return Untangling_status::LIMIT;
+      return unless_proved(Untangling_status::LIMIT);
     if(!m_visitor.go_further(m_flow)) return Untangling_status::INTERRUPTED;
     return std::nullopt;
+  }
+
+  bool can_stop_at_proof()
+  {
+    constexpr double largest_turn = 1; // at a node; curves that flow get hardly below 0.7
+    if(!is_settled()) return false;
+    if(!m_rules.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
+    return !m_rules.smooths_after_proof || largest_turning_angle(m_flow.curve()) < largest_turn;
+  }
+
+  bool ends_round() const
+  {
+    return !m_rules.stop_at_proof && m_flow.curve().number_of_components() == 1;
+  }
+
+  // A curve on its way from the proof to where it settles has got there already.
+  Untangling_status unless_proved(Untangling_status status) const
+  {
+    return m_rules.stop_at_proof && is_unknotted() ? Untangling_status::UNKNOTTED : status;
+  }
+
+  // While tails turn, the curve goes on flowing.
+  bool is_converged()
+  {
+    if(m_flow.gradient_norm() >= m_rules.tolerance) return false;
+    if(!m_are_tails_turning) m_are_tails_turning = !m_tails.can_turn_outwards();
+    return !m_are_tails_turning || m_number_of_turns == most_turns;
+  }
+
+  // Where the ends are close together, a knot settles around a tail.
+  void turn_tails()
+  {
+    if(!m_are_tails_turning || m_number_of_turns == most_turns) return;
+    ++m_number_of_turns;
+    if(m_tails.turn_outwards(clearance_of_tails * m_flow.thickness()))
+      m_flow.set_parameters(m_flow.parameters()); // takes note of where the tails are
+    m_are_tails_turning = !m_tails.can_turn_outwards();
+  }
+
+  // Where on its way a curve is proved to be an unknot depends on details, while its length falls
+  // fast. It flows on for a few iterations, to a length that depends on the thickness only. A curve
+  // that is an unknot from the start stays as it is. \pre it is unknotted
+  bool is_settled()
+  {
+    const std::size_t iterations = m_flow.statistics().iterations;
+    if(!m_iterations_to_proof) m_iterations_to_proof = iterations;
+    return *m_iterations_to_proof == 0 || m_flow.length() <= settled_length() ||
+           iterations - *m_iterations_to_proof >= most_iterations_to_settle;
+  }
+
+  double settled_length() const
+  {
+    constexpr double length_over_thickness = 8; // of a component
+    const std::size_t number_of_components = m_flow.curve().number_of_components();
+    return length_over_thickness * m_flow.thickness() * static_cast<double>(number_of_components);
+  }
+
+  // The last step went too far.
+  void finish()
+  {
+    const bool is_input = m_rules.stop_at_proof && m_iterations_to_proof == std::size_t(0);
+    const bool is_settling = m_rules.stop_at_proof || ends_round();
+    if(is_settling && !is_input && m_flow.length() <= settled_length())
+      rescale_to_length(m_curve, settled_length());
+    if(ends_round()) make_round(m_curve);
   }
 
   // A proof holds for good: the flow changes the curve by isotopies only.
@@ -103,18 +182,20 @@ private:
     return result;
   }
 
-  static Real_timer started_timer()
-  {
-    Real_timer timer;
-    timer.start();
-    return timer;
-  }
+  static constexpr std::size_t most_iterations_to_settle = 50;
+  static constexpr std::size_t most_turns = 300;
+  static constexpr double clearance_of_tails = 0.1; // in units of the thickness
 
-  Real_timer m_timer; // starts before the flow is prepared
+  Network& m_curve;
+  const Real_timer& m_timer;
+  Tails<Network>& m_tails;
   Flow m_flow;
   Stop_rules m_rules;
   Visitor& m_visitor;
   Stall_monitor m_stall_monitor;
+  std::optional<std::size_t> m_iterations_to_proof;
+  std::size_t m_number_of_turns = 0;
+  bool m_are_tails_turning = false;
   std::vector<Unknot_proof> m_proofs;
   Link_status m_link = Link_status::UNDECIDED;
 };
