@@ -94,13 +94,16 @@ inline Network junctions_and_ends(std::size_t n, Random& random)
   return network_of(points, edges);
 }
 
+// The cap of the radii is in units of the thickness, which is the same at all nodes.
 inline internal::Medial_spheres spheres_of(const Network& curve,
                                            std::size_t number_of_directions,
-                                           double max_radius)
+                                           double max_radius,
+                                           double thickness = 1)
 {
   const Vector_field x = internal::coordinates(curve);
-  return internal::Medial_spheres(CGAL::Sequential_tag(), x, internal::node_circles(curve, x),
-                                  number_of_directions, max_radius);
+  return internal::Medial_spheres(
+      CGAL::Sequential_tag(), x, internal::node_circles(curve, x), number_of_directions,
+      std::vector<double>(curve.number_of_nodes(), thickness), max_radius);
 }
 
 // The curve after x -> scale * (matrix * x) + shift.

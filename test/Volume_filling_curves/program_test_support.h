@@ -69,10 +69,13 @@ protected:
     std::ofstream(path(name)) << text;
   }
 
-  Finished run(const std::string& arguments) const
+  Finished run(const std::string& arguments) const { return run_after("true", arguments); }
+
+  // The same after a command of the shell.
+  Finished run_after(const std::string& preparation, const std::string& arguments) const
   {
-    const std::string command =
-        "cd '" + m_folder.string() + "' && '" VFC_PROGRAM "' " + arguments + " >out 2>err";
+    const std::string command = "cd '" + m_folder.string() + "' && " + preparation + " && '" +
+                                VFC_PROGRAM + "' " + arguments + " >out 2>err";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("out"), read("err")};
   }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <list>
 #include <stdexcept>
 #include <string>
@@ -230,6 +231,27 @@ TEST(Curve_network, names_the_edge_that_is_wrong)
   EXPECT_EQ(message({{1, 1}}), "edge (1, 1) joins a node with itself");
   EXPECT_EQ(message({{0, 1}, {1, 0}}), "edge (1, 0) occurs twice");
   EXPECT_EQ(message({{0, 1}}), "");
+}
+
+TEST(Curve_network, refuses_coordinates_that_are_not_finite_and_names_the_point)
+{
+  for(const double x :
+      {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    try {
+      const Network network({{0, 0, 0}, {1, 0, 0}, {0, x, 0}}, {{0, 1}, {1, 2}});
+      ADD_FAILURE() << "is accepted";
+    } catch(const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("point 2 "), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Curve_network, refuses_more_points_than_it_can_number)
+{
+  using CGAL::Volume_filling_curves::internal::Curve_topology;
+  const std::size_t count = std::size_t(1) << 32;
+  EXPECT_THROW(Curve_topology(count, {}), std::length_error);
+  EXPECT_THROW(Curve_topology(5 * count, {}), std::length_error);
 }
 
 TEST(Curve_network, may_be_empty)

@@ -136,7 +136,8 @@ TEST(Medial_spheres, pass_over_coincident_nodes)
   x << 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, -0., 0., 0;
   std::vector<Node_circle> circles;
   for(std::size_t v = 0; v < 5; ++v) circles.emplace_back(v, Vector(0, 0, 1), Vector(1, 0, 0), 1.);
-  const Medial_spheres spheres(CGAL::Sequential_tag(), x, circles, 4, 10);
+  const std::vector<double> thickness(5, 1.);
+  const Medial_spheres spheres(CGAL::Sequential_tag(), x, circles, 4, thickness, 10);
   for(std::size_t v : {0u, 1u, 4u}) {
     EXPECT_EQ(spheres.radius(v, 0), 0.5);
     EXPECT_EQ(spheres.touching_node(v, 0), 2u);
@@ -152,9 +153,10 @@ TEST(Medial_spheres, of_a_heap_of_coincident_nodes_take_no_time)
   x.row(n / 2) << 0.3, 0.4, 0.3;
   std::vector<Node_circle> circles;
   for(std::size_t v = 0; v < n; ++v) circles.emplace_back(v, Vector(0, 0, 1), Vector(0, 1, 0), 1.);
+  const std::vector<double> thickness(n, 1.);
   CGAL::Real_timer timer;
   timer.start();
-  const Medial_spheres spheres(CGAL::Sequential_tag(), x, circles, 16, 1);
+  const Medial_spheres spheres(CGAL::Sequential_tag(), x, circles, 16, thickness, 1);
   EXPECT_LT(timer.time(), 2);
   EXPECT_EQ(spheres.touching_node(n - 1, 0), n / 2);
   EXPECT_EQ(spheres.touching_node(n / 2, 8), 0u);
@@ -167,7 +169,9 @@ TEST(Medial_spheres, are_the_same_bits_in_parallel)
   const Network curve = junctions_and_ends(3000, random);
   const Vector_field x = internal::coordinates(curve);
   const Medial_spheres one = spheres_of(curve, 16, 0.3);
-  const Medial_spheres two(CGAL::Parallel_tag(), x, internal::node_circles(curve, x), 16, 0.3);
+  const std::vector<double> thickness(curve.number_of_nodes(), 1.);
+  const Medial_spheres two(CGAL::Parallel_tag(), x, internal::node_circles(curve, x), 16, thickness,
+                           0.3);
   for(std::size_t c = 0; c < one.circles().size(); ++c)
     for(std::size_t l = 0; l < 16; ++l) {
       ASSERT_EQ(one.radius(c, l), two.radius(c, l));
@@ -185,7 +189,7 @@ TEST(Medial_spheres, scale_with_the_curve_by_powers_of_two)
   const Medial_spheres spheres = spheres_of(curve, 16, 0.3);
   for(int exponent : {-300, -3, 1, 200}) {
     const double scale = std::ldexp(1., exponent);
-    const Medial_spheres scaled = spheres_of(transformed(curve, scale), 16, 0.3 * scale);
+    const Medial_spheres scaled = spheres_of(transformed(curve, scale), 16, 0.3, scale);
     for(std::size_t c = 0; c < spheres.circles().size(); ++c)
       for(std::size_t l = 0; l < 16; ++l) {
         ASSERT_EQ(scaled.radius(c, l), scale * spheres.radius(c, l));

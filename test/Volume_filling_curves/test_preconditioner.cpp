@@ -36,9 +36,12 @@ constexpr Preconditioner kinds[] = {Preconditioner::MEDIAL, Preconditioner::H1, 
 Sparse_matrix matrix_of(Preconditioner kind, const Network& curve, double scale = 1)
 {
   const Vector_field x = internal::coordinates(curve);
-  return internal::preconditioner(kind, curve, x, internal::node_weights(curve, x),
-                                  spheres_of(curve, 16, 0.9 * thickness * scale),
-                                  lambda / (scale * scale), beta, alpha / (scale * scale));
+  CGAL::Volume_filling_curves::Curve_flow_parameters parameters;
+  parameters.preconditioner = kind;
+  const double r = thickness * scale;
+  return internal::preconditioner(parameters, curve, x, internal::node_weights(curve, x),
+                                  std::vector<double>(curve.number_of_nodes(), r),
+                                  spheres_of(curve, 16, 0.9, r));
 }
 
 Eigen::MatrixXd dense(const Sparse_matrix& lower)
@@ -80,7 +83,7 @@ Eigen::MatrixXd brute_force_matrix(Preconditioner kind, const Network& curve)
       matrix(static_cast<Eigen::Index>(end), static_cast<Eigen::Index>(end)) += mass * length / 2;
   }
   if(kind == Preconditioner::MEDIAL)
-    for(const auto& [pair, radius] : brute_force_pairs(spheres_of(curve, 16, 0.9 * thickness)))
+    for(const auto& [pair, radius] : brute_force_pairs(spheres_of(curve, 16, 0.9, thickness)))
       couple(pair.first, pair.second, beta / radius);
   for(Eigen::Index v = 0; v < n; ++v)
     if(curve.is_pinned(static_cast<std::size_t>(v))) {
@@ -125,7 +128,7 @@ TEST(Preconditioner, is_positive_definite)
 TEST(Touching_pairs, occur_once_with_the_least_radius)
 {
   for(const Network& curve : some_curves()) {
-    const Medial_spheres spheres = spheres_of(curve, 16, 0.9 * thickness);
+    const Medial_spheres spheres = spheres_of(curve, 16, 0.9, thickness);
     const Pairs expected = brute_force_pairs(spheres);
     const auto pairs = internal::touching_pairs(spheres, curve.number_of_nodes());
     ASSERT_EQ(pairs.size(), expected.size());
@@ -156,8 +159,9 @@ TEST(Touching_pairs, do_not_depend_on_the_order_of_the_nodes)
   std::sort(shuffled.begin(), shuffled.end(),
             [](const auto& a, const auto& b) { return a.node < b.node; });
   const CGAL::Sequential_tag tag;
-  const auto pairs = internal::touching_pairs(Medial_spheres(tag, x, circles, 16, 0.5), 80);
-  const Pairs others = brute_force_pairs(Medial_spheres(tag, y, shuffled, 16, 0.5));
+  const std::vector<double> ones(80, 1.);
+  const auto pairs = internal::touching_pairs(Medial_spheres(tag, x, circles, 16, ones, 0.5), 80);
+  const Pairs others = brute_force_pairs(Medial_spheres(tag, y, shuffled, 16, ones, 0.5));
   ASSERT_EQ(pairs.size(), others.size());
   for(const auto& pair : pairs) {
     const auto found = others.find(std::minmax(place[pair.low], place[pair.high]));

@@ -12,11 +12,14 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/Direction_solver.h>
 #include <CGAL/Volume_filling_curves/internal/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/Medial_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/Remesher.h>
 #include <CGAL/Volume_filling_curves/internal/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/Strand_separator.h>
+#include <CGAL/Volume_filling_curves/internal/Wall_limit.h>
 #include <CGAL/Volume_filling_curves/internal/energy_gradient.h>
 #include <CGAL/Volume_filling_curves/internal/preconditioner.h>
 
@@ -24,9 +27,14 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,15 +64,22 @@ struct Medial_sphere
  *
  * The result is the same for every number of threads. A step takes near-linear time.
  *
- * The flow borrows the network, which must outlive it and not be changed by others meanwhile.
+ * In a domain the curve stays strictly inside, and the boundary limits the medial spheres, too, so
+ * that the curve grows until it fills the domain evenly. There the thickness may vary in space.
+ *
+ * The flow borrows the network, which must outlive it and not be changed by others meanwhile, and
+ * the domain.
  *
  * \pre the network is embedded
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam ConcurrencyTag enables parallel steps: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the point type of `Traits`
  */
-template <typename Traits = Curve_flow_traits_3<>, typename ConcurrencyTag = Sequential_tag>
+template <typename Traits = Curve_flow_traits_3<>,
+          typename ConcurrencyTag = Sequential_tag,
+          typename Domain = Unbounded_domain_3<Traits>>
 class Curve_flow_3
 {
 public:
@@ -79,6 +94,9 @@ public:
 
   /// the type of the indices of nodes
   using size_type = typename Curve_network::size_type;
+
+  /// a thickness that varies in space; must be safe to call concurrently and return positive values
+  using Thickness_field = std::function<double(const Point_3&)>;
 
   /// one vector per node: a matrix with a row for each, `x`, `y`, `z`
   using Vector_field = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -98,20 +116,46 @@ public:
    */
   explicit Curve_flow_3(Curve_network& curve,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
-      : m_guard(curve), m_parameters(parameters), m_step_size(0)
+      : m_guard(curve), m_parameters(parameters), m_step_size(parameters.max_displacement)
   {
-    CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
-    if(!are_valid(m_parameters))
-      throw std::invalid_argument("the parameters of a flow must be positive and finite");
-    if(!(m_parameters.thickness > 0)) {
-      internal::Medial_thickness<Curve_network, ConcurrencyTag> measure(
-          curve, m_parameters.number_of_directions);
-      m_parameters.thickness = measure();
-    }
-    m_step_size = internal::Step_size(m_parameters.max_displacement * thickness());
-    m_guard.set_clearance(clearance_over_thickness * thickness());
-    remesh_until_even();
-    update();
+    start();
+  }
+
+  /// prepares the flow of `curve` inside `domain`, likewise.
+  ///
+  /// \pre the curve lies inside `domain`
+  Curve_flow_3(Curve_network& curve,
+               const Domain& domain,
+               const Curve_flow_parameters& parameters = Curve_flow_parameters())
+      : m_guard(curve, domain), m_parameters(parameters), m_step_size(parameters.max_displacement)
+  {
+    start();
+  }
+
+  /// changes the largest displacement of a node in a step, in units of the thickness.
+  ///
+  /// \pre `max_displacement` is positive
+  void set_max_displacement(double max_displacement)
+  {
+    m_parameters.max_displacement = max_displacement;
+    m_step_size.set_largest_displacement(max_displacement);
+  }
+
+  /// changes the parameters, and brings the edges to the lengths that they ask for.
+  ///
+  /// \throws std::invalid_argument if a parameter is not positive and finite, as above
+  void set_parameters(const Curve_flow_parameters& parameters)
+  {
+    set_parameters(parameters, nullptr);
+  }
+
+  /// likewise, with a thickness that varies in space instead of the one in the parameters.
+  void set_parameters(const Curve_flow_parameters& parameters, Thickness_field thickness)
+  {
+    m_parameters = parameters;
+    m_thickness_field = std::move(thickness);
+    set_max_displacement(parameters.max_displacement);
+    start();
   }
 
   /// moves the curve by one step, remeshes it, and returns whether it moved.
@@ -133,8 +177,11 @@ public:
   /// returns the parameters, with the thickness that was measured if none was given.
   const Curve_flow_parameters& parameters() const { return m_parameters; }
 
-  /// returns the thickness r, in the input's unit.
+  /// returns the thickness r, in the input's unit; the mean of the nodes' if it varies.
   double thickness() const { return m_parameters.thickness; }
+
+  /// returns the thickness at node `v`.
+  double thickness(size_type v) const { return m_thickness[v]; }
 
   /// returns the length of all edges.
   double length() const { return m_length; }
@@ -145,6 +192,23 @@ public:
   /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes' shares
   /// of the length, pinned nodes left out: dimensionless, and independent of the spacing.
   double gradient_norm() const { return m_gradient_norm; }
+
+  /// returns the mean of the medial radii along the curve, each of them capped at `largest`, in the
+  /// input's unit; pinned nodes are left out.
+  double mean_medial_radius(double largest = std::numeric_limits<double>::infinity()) const
+  {
+    double sum = 0, weight = 0;
+    for(std::size_t c = 0; c < m_spheres.circles().size(); ++c) {
+      const auto& circle = m_spheres.circles()[c];
+      if(curve().is_pinned(circle.node)) continue;
+      const double w = m_weights[circle.node] * circle.share;
+      for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l) {
+        sum += w * (std::min)(m_spheres.radius(c, l), largest);
+        weight += w;
+      }
+    }
+    return weight > 0 ? sum / weight : 0;
+  }
 
   /// returns the direction in which the next step goes.
   const Vector_field& direction() const { return m_direction; }
@@ -177,21 +241,37 @@ public:
   /// @}
 
 private:
+  using Guard = Isotopy_guard_3<Traits, Domain>;
+  using Remesher = internal::Remesher<Guard>;
+
   // A step leaves strands a tenth of the thickness apart, so that they can move on.
   static constexpr double clearance_over_thickness = 0.1;
   static constexpr double least_fraction = 1. / 64; // of a step that is shortened
 
+  static bool is_positive(double x) { return x > 0 && std::isfinite(x); }
+
   static bool are_valid(const Curve_flow_parameters& p)
   {
-    const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
-    const auto is_positive_or_zero = [&](double x) { return x == 0 || is_positive(x); };
+    const auto is_positive_or_zero = [](double x) { return x == 0 || is_positive(x); };
     return p.number_of_directions > 0 && is_positive(p.max_radius) && is_positive(p.spacing) &&
            is_positive(p.screening) && is_positive(p.max_displacement) &&
-           is_positive_or_zero(p.thickness) && is_positive_or_zero(p.coupling) &&
-           is_positive_or_zero(p.time_step);
+           is_positive(p.medial_weight) && is_positive_or_zero(p.thickness) &&
+           is_positive_or_zero(p.coupling) && is_positive_or_zero(p.time_step);
   }
 
-  double spacing() const { return m_parameters.spacing * thickness(); }
+  void start()
+  {
+    CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
+    if(!are_valid(m_parameters))
+      throw std::invalid_argument("the parameters of a flow must be positive and finite");
+    if(!(m_parameters.thickness > 0) && !m_thickness_field) {
+      internal::Medial_thickness<Curve_network, ConcurrencyTag> measure(
+          curve(), m_parameters.number_of_directions);
+      m_parameters.thickness = measure();
+    }
+    remesh_until_even();
+    update();
+  }
 
   void update()
   {
@@ -199,8 +279,24 @@ private:
     m_weights = internal::node_weights(curve(), m_positions);
     m_length = 0;
     for(double weight : m_weights) m_length += weight;
+    update_thickness();
     update_spheres();
     update_direction();
+  }
+
+  void update_thickness()
+  {
+    const size_type n = curve().number_of_nodes();
+    m_thickness.assign(n, m_parameters.thickness);
+    if(m_thickness_field && n > 0) {
+      for(size_type v = 0; v < n; ++v) m_thickness[v] = m_thickness_field(curve().point(v));
+      if(!std::all_of(m_thickness.begin(), m_thickness.end(), is_positive))
+        throw std::invalid_argument("the thickness must be positive and finite everywhere");
+      m_parameters.thickness =
+          std::accumulate(m_thickness.begin(), m_thickness.end(), 0.) / static_cast<double>(n);
+    }
+    const auto least = std::min_element(m_thickness.begin(), m_thickness.end());
+    m_guard.set_clearance(n > 0 ? clearance_over_thickness * *least : 0);
   }
 
   void update_spheres()
@@ -208,23 +304,22 @@ private:
     const Stage stage(m_statistics.seconds_medial_spheres);
     m_spheres = internal::Medial_spheres(
         ConcurrencyTag(), m_positions, internal::node_circles(curve(), m_positions),
-        m_parameters.number_of_directions, m_parameters.max_radius * thickness());
+        m_parameters.number_of_directions, m_thickness, m_parameters.max_radius,
+        internal::Wall_limit<Curve_network, typename Guard::Walls>(curve(), m_guard.walls(),
+                                                                   m_parameters.wall));
   }
 
   void update_direction()
   {
     const Stage stage(m_statistics.seconds_direction);
-    const double alpha = internal::alpha_of_thickness(thickness());
     internal::Energy_gradient<Curve_network> gradient(curve(), m_positions, m_weights);
-    gradient.add_length(internal::component_tensions(curve(), m_weights, thickness()));
-    gradient.add_medial_spheres(m_spheres, thickness());
+    gradient.add_length(internal::component_tensions(curve(), m_weights, m_thickness));
+    gradient.add_medial_spheres(m_spheres, m_thickness, m_parameters.medial_weight);
     m_gradient = gradient.result();
     const double weight = weight_of_free_nodes();
     m_gradient_norm = weight > 0 ? thickness() * m_gradient.rowwise().norm().sum() / weight : 0;
-    const double lambda = m_parameters.screening / (thickness() * thickness());
-    m_direction = m_solver(internal::preconditioner(m_parameters.preconditioner, curve(),
-                                                    m_positions, m_weights, m_spheres, lambda,
-                                                    m_parameters.coupling, alpha),
+    m_direction = m_solver(internal::preconditioner(m_parameters, curve(), m_positions, m_weights,
+                                                    m_thickness, m_spheres),
                            -m_gradient);
   }
 
@@ -241,25 +336,46 @@ private:
   {
     const Stage stage(m_statistics.seconds_motion);
     if(m_direction.isZero(0)) return 0;
-    const double scale =
-        m_parameters.time_step > 0 ? m_parameters.time_step : m_step_size.next(m_direction);
+    const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
+                                                    : m_step_size.next(m_direction, m_thickness);
     const double fraction = m_guard.template move_nodes<ConcurrencyTag>(
         m_positions + scale * m_direction, least_fraction);
     if(fraction < 1) {
       ++m_statistics.shortened_steps;
       m_step_size.on_shortened_step();
     }
+    if(fraction == 0) return separate_strands() ? least_fraction : 0;
     return fraction;
+  }
+
+  // Strands that almost touch let no step pass.
+  bool separate_strands()
+  {
+    const auto least = std::min_element(m_thickness.begin(), m_thickness.end());
+    return internal::Strand_separator<Guard>(m_guard, clearance_over_thickness * *least)();
   }
 
   void remesh()
   {
     const Stage stage(m_statistics.seconds_remeshing);
-    internal::Remesher<Traits> remesher(m_guard, spacing());
+    Remesher remesher = make_remesher();
     remesher.collapse_short_edges();
     remesher.split_long_edges();
     m_statistics.refused_remeshing += remesher.number_of_refusals();
     if(curve().has_garbage()) m_step_size.renumber(m_guard.collect_garbage());
+  }
+
+  void collect_garbage()
+  {
+    m_step_size.renumber(m_guard.collect_garbage());
+    update_thickness();
+  }
+
+  Remesher make_remesher()
+  {
+    std::vector<double> spacing;
+    for(double thickness : m_thickness) spacing.push_back(m_parameters.spacing * thickness);
+    return {m_guard, std::move(spacing)};
   }
 
   // Each round joins pairs of edges that are too short; then each halves edges that are too long.
@@ -267,12 +383,12 @@ private:
   {
     const Stage stage(m_statistics.seconds_remeshing);
     do {
-      m_guard.collect_garbage();
-      internal::Remesher<Traits>(m_guard, spacing()).collapse_short_edges();
+      collect_garbage();
+      make_remesher().collapse_short_edges();
     } while(curve().has_garbage());
     do {
-      m_guard.collect_garbage();
-      internal::Remesher<Traits>(m_guard, spacing()).split_long_edges();
+      collect_garbage();
+      make_remesher().split_long_edges();
     } while(curve().has_garbage());
   }
 
@@ -288,15 +404,16 @@ private:
     Real_timer m_timer;
   };
 
-  Isotopy_guard_3<Traits> m_guard;
+  Guard m_guard;
   Curve_flow_parameters m_parameters;
+  Thickness_field m_thickness_field; // none if the thickness is the same everywhere
   Curve_flow_statistics m_statistics;
   internal::Step_size m_step_size;
   internal::Direction_solver m_solver;
 
   // of the curve as it stands
   Vector_field m_positions, m_gradient, m_direction;
-  std::vector<double> m_weights;
+  std::vector<double> m_weights, m_thickness; // per node
   internal::Medial_spheres m_spheres;
   double m_length = 0, m_gradient_norm = 0;
 };

@@ -26,6 +26,15 @@ enum class Preconditioner
   QUASI_NEWTON ///< `L` + alpha `M`, the Hessian with the spheres held fixed
 };
 
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// What the boundary of a domain is to the medial spheres of a curve inside.
+enum class Wall
+{
+  COVER,     ///< their centers lie inside: the curve settles at about r from the boundary
+  KEEP_CLEAR ///< they lie inside: the curve settles at about 2r from the boundary
+};
+
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
@@ -52,11 +61,19 @@ struct Curve_flow_parameters
   /// The weight lambda of `M` in the preconditioner, in units of 1 / r^2: the locality of the flow.
   double screening = 0.3;
 
+  /// The weight alpha of the medial spheres in the energy, in units of 1 / r^2. With 3.36^2, the value
+  /// of the paper (section 3.3), the mean medial radius of a curve that fills a domain gets to r while
+  /// it grows, and settles at 0.93 r.
+  double medial_weight = 3.36 * 3.36;
+
   /// The weight beta of the coupling along medial spheres in the preconditioner.
   double coupling = 0.01;
 
   /// The preconditioner.
   Preconditioner preconditioner = Preconditioner::MEDIAL;
+
+  /// What the boundary of the domain is to the medial spheres, if there is a domain.
+  Wall wall = Wall::COVER;
 
   /// The largest displacement of a node in a step, in units of r.
   double max_displacement = 0.5;

@@ -12,16 +12,25 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/internal/Curve_topology.h>
 #include <CGAL/Volume_filling_curves/internal/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Motion_record.h>
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 
-template <typename Traits>
+template <typename Traits, typename Domain>
 class Isotopy_guard_3;
+
+namespace internal {
+template <typename Network>
+class Tails;
+} // namespace internal
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
@@ -83,7 +92,8 @@ public:
    * \param traits the traits object
    *
    * \throws std::invalid_argument if an edge has an index that is out of range, joins a node with
-   * itself or occurs twice
+   * itself or occurs twice, or if a coordinate is infinite or not a number
+   * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
    */
   Curve_network_3(const std::vector<Point_3>& points,
                   const std::vector<std::array<size_type, 2>>& edges,
@@ -91,8 +101,12 @@ public:
       : m_traits(traits), m_topology(points.size(), edges)
   {
     m_points.reserve(number_of_nodes());
-    for(size_type v = 0; v < number_of_nodes(); ++v)
-      m_points.push_back(internal::to_point(internal::to_vector(points[origin(v)]), m_traits));
+    for(size_type v = 0; v < number_of_nodes(); ++v) {
+      const internal::Vector point = internal::to_vector(points[origin(v)]);
+      if(!point.allFinite())
+        throw std::invalid_argument("point " + std::to_string(origin(v)) + " is not finite");
+      m_points.push_back(internal::to_point(point, m_traits));
+    }
   }
 
   /// @}
@@ -184,12 +198,15 @@ public:
   const Traits& traits() const { return m_traits; }
 
 private:
-  friend class Isotopy_guard_3<Traits>;
+  template <typename, typename>
+  friend class Isotopy_guard_3;
+  friend class internal::Tails<Curve_network_3>;
 
   Traits m_traits;
   Topology m_topology;
   std::vector<Point_3> m_points;
   size_type m_revision = 0; // counts the changes, so that a guard notices those of another one
+  std::optional<internal::Motion_record> m_record; // of the changes, if they are recorded
 };
 
 } // namespace Volume_filling_curves

@@ -10,10 +10,13 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/Certified_motion.h>
 #include <CGAL/Volume_filling_curves/internal/Grid_broad_phase.h>
 #include <CGAL/Volume_filling_curves/internal/Local_change_certifier.h>
 #include <CGAL/Volume_filling_curves/internal/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/Walls.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -55,9 +58,13 @@ namespace Volume_filling_curves {
  *
  * \pre the network is embedded: two of its edges meet at most in a common node
  *
+ * With a domain, everything that the curve sweeps must lie strictly inside it as well: a curve that
+ * starts inside stays inside, as exactly as the domain can tell.
+ *
  * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
  */
-template <typename Traits = Curve_flow_traits_3<>>
+template <typename Traits = Curve_flow_traits_3<>, typename Domain = Unbounded_domain_3<Traits>>
 class Isotopy_guard_3
 {
 public:
@@ -75,12 +82,24 @@ public:
 
   /// @}
 
-  /// constructs a guard of `curve`.
+  /// constructs a guard of `curve` without a domain.
   explicit Isotopy_guard_3(Curve_network& curve)
       : m_curve(curve),
         m_predicates(curve.traits()),
         m_locator(curve),
-        m_certifier(curve, m_predicates, m_locator)
+        m_certifier(curve, m_predicates, m_locator, m_walls)
+  {}
+
+  /// constructs a guard of `curve`, which keeps it inside `domain`. The guard borrows the domain,
+  /// which must outlive it.
+  ///
+  /// \pre the curve lies inside `domain`
+  Isotopy_guard_3(Curve_network& curve, const Domain& domain)
+      : m_curve(curve),
+        m_predicates(curve.traits()),
+        m_walls(domain),
+        m_locator(curve),
+        m_certifier(curve, m_predicates, m_locator, m_walls)
   {}
 
   Isotopy_guard_3(const Isotopy_guard_3&) = delete;
@@ -91,11 +110,7 @@ public:
 
   /// sets the distance that edges without a common node keep, in the input's unit; 0 (default)
   /// stands for no clearance at all. Edges that are closer already may halve their distance.
-  void set_clearance(double distance)
-  {
-    m_clearance = internal::Clearance_rule(distance);
-    m_locator.set_query_margin(distance);
-  }
+  void set_clearance(double distance) { m_clearance = internal::Clearance_rule(distance); }
 
   /// \name Certified Operations
   /// @{
@@ -155,13 +170,14 @@ public:
       m_number_of_rejected += n;
       return 0;
     }
-    const internal::Certified_motion<Curve_network, BroadPhase, ConcurrencyTag> motion(
-        m_curve, targets, m_clearance);
+    const internal::Certified_motion<Curve_network, Walls, BroadPhase, ConcurrencyTag> motion(
+        m_curve, targets, m_clearance, m_walls);
     for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
       if(motion.keeps_clearance(fraction)) {
-        std::vector<Point_3> points = motion.certify(fraction);
-        if(!points.empty() || n == 0) {
-          replace_points(std::move(points));
+        auto rounds = motion.certify(fraction);
+        if(!rounds.positions.empty()) {
+          record_rounds(rounds.positions, rounds.is_reversed);
+          replace_points(std::move(rounds.positions.back()));
           m_number_of_certified += n;
           return fraction;
         }
@@ -172,9 +188,10 @@ public:
   }
 
   /// multiplies all coordinates by two to the power of `exponent` if that is exact, that is, if no
-  /// coordinate over- or underflows, and returns whether it did.
+  /// coordinate over- or underflows, and returns whether it did. Not with a domain.
   bool scale_by_power_of_two(int exponent)
   {
+    static_assert(!Walls::is_bounded, "Scaling does not keep the curve inside a domain");
     std::vector<Point_3> scaled;
     scaled.reserve(m_curve.number_of_nodes());
     const double factor = std::ldexp(1., exponent), inverse = std::ldexp(1., -exponent);
@@ -183,6 +200,7 @@ public:
       if(inverse * y != x) return false;
       scaled.push_back(internal::to_point(y, m_curve.traits()));
     }
+    if(m_curve.m_record) m_curve.m_record->scale_by_power_of_two(exponent);
     replace_points(std::move(scaled));
     return true;
   }
@@ -197,9 +215,42 @@ public:
     points.reserve(m_curve.number_of_nodes());
     std::vector<std::uint32_t> former = m_curve.m_topology.compact();
     for(std::uint32_t v : former) points.push_back(m_curve.m_points[v]);
+    if(m_curve.m_record) m_curve.m_record->renumber(former);
     replace_points(std::move(points));
     return former;
   }
+
+  /// \name Certificate
+  /// The record of all changes belongs to the network: those that other guards make are recorded,
+  /// too, and a copy of the network takes the record along.
+  /// @{
+
+  /// starts to record all changes of the network from here on; a former record is forgotten.
+  ///
+  /// \pre the network has no garbage
+  void start_recording()
+  {
+    CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
+    m_curve.m_record.emplace(m_curve);
+  }
+
+  /// stops to record changes, and forgets the record.
+  void stop_recording() { m_curve.m_record.reset(); }
+
+  /// returns whether changes of the network are recorded.
+  bool is_recording() const { return m_curve.m_record.has_value(); }
+
+  /// returns the certificate of the motion from where the recording has started to the network as
+  /// it stands. The recording goes on. Takes time linear in the length of the record.
+  ///
+  /// \pre changes are recorded
+  Isotopy_certificate certificate() const
+  {
+    CGAL_precondition_msg(is_recording(), "changes are recorded");
+    return Isotopy_certificate(m_curve.m_record->certificate(m_curve));
+  }
+
+  /// @}
 
   /// \name Statistics
   /// @{
@@ -211,6 +262,12 @@ public:
   size_type number_of_refused_changes() const { return m_number_of_rejected; }
 
   /// @}
+
+  /// \cond SKIP_IN_MANUAL
+  using Walls = internal::Walls<Domain>;
+
+  const Walls& walls() const { return m_walls; }
+  /// \endcond
 
 private:
   bool count(bool is_certified)
@@ -254,6 +311,7 @@ private:
     notice_changes();
     if(m_predicates.are_equal(m_curve.point(v), target)) return true;
     if(!m_certifier.is_move_safe(v, target, m_clearance)) return false;
+    if(m_curve.m_record) m_curve.m_record->move_node(v, target);
     m_curve.m_points[v] = target;
     for(size_type k = 0; k < m_curve.degree(v); ++k) update_edge(m_curve.incident_edge(v, k));
     return true;
@@ -263,6 +321,7 @@ private:
   {
     notice_changes();
     if(!m_certifier.is_insertion_safe(e, b, m_clearance)) return false;
+    if(m_curve.m_record) m_curve.m_record->insert_node(m_curve.source(e), m_curve.target(e), b);
     m_curve.m_topology.insert_node(e);
     m_curve.m_points.push_back(b);
     update_edge(e);
@@ -274,14 +333,31 @@ private:
   {
     notice_changes();
     if(m_curve.is_pinned(v) || !m_certifier.is_removal_safe(v, m_clearance)) return false;
+    if(m_curve.m_record) m_curve.m_record->remove_node(v);
     update_edge(m_curve.m_topology.remove_node(v));
     return true;
   }
 
+  // The rounds have been certified node by node, and so they are recorded.
+  void record_rounds(const std::vector<std::vector<Point_3>>& rounds, bool is_reversed)
+  {
+    if(!m_curve.m_record) return;
+    const std::vector<Point_3>* before = &m_curve.m_points;
+    for(const std::vector<Point_3>& after : rounds) {
+      for(size_type k = 0; k < after.size(); ++k) {
+        const size_type v = is_reversed ? after.size() - 1 - k : k;
+        if(!m_predicates.are_equal((*before)[v], after[v]))
+          m_curve.m_record->move_node(v, after[v]);
+      }
+      before = &after;
+    }
+  }
+
   Curve_network& m_curve;
   internal::Exact_predicates<Traits> m_predicates;
+  Walls m_walls;
   internal::Edge_locator<Curve_network> m_locator;
-  internal::Local_change_certifier<Curve_network> m_certifier;
+  internal::Local_change_certifier<Curve_network, Walls> m_certifier;
   internal::Clearance_rule m_clearance;
   size_type m_revision = 0; // of the curve when it was last looked at
   size_type m_number_of_certified = 0;

@@ -51,6 +51,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
   CGAL_VFC_PARAMETER(number_of_iterations, number_of_iterations_t)
   CGAL_VFC_PARAMETER(point_map, point_t)
+  CGAL_VFC_PARAMETER(random_seed, random_seed_t)
   CGAL_VFC_PARAMETER(visitor, visitor_t)
 #undef CGAL_VFC_PARAMETER
 };
@@ -77,6 +78,7 @@ namespace parameters {
   }
 CGAL_VFC_PARAMETER(number_of_iterations, number_of_iterations_t)
 CGAL_VFC_PARAMETER(point_map, point_t)
+CGAL_VFC_PARAMETER(random_seed, random_seed_t)
 CGAL_VFC_PARAMETER(visitor, visitor_t)
 #undef CGAL_VFC_PARAMETER
 /// \endcond

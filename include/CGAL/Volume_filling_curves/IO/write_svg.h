@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/Triangle_soup.h>
 #include <CGAL/Volume_filling_curves/internal/svg/Curve_view.h>
 #include <CGAL/Volume_filling_curves/internal/svg/Stroke_layers.h>
 #include <CGAL/Volume_filling_curves/internal/svg/Svg_painter.h>
@@ -39,6 +40,34 @@ bool write_svg(std::ostream& out, const Volume_filling_curves::Curve_network_3<T
 {
   namespace internal = Volume_filling_curves::internal;
   const internal::Curve_view view(curve);
+  const internal::Stroke_layers layers(curve, view);
+  internal::Svg_painter(layers, view.width(), out)(curve, view);
+  return out.good();
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesIO
+ *
+ * \brief writes a picture of a curve and the silhouette of a surface around it as SVG.
+ *
+ * The two are seen from the front, that is from positive z, and a little from the right and above,
+ * where y is up. The surface is drawn behind the curve: its outline, and the edges of its folds.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ *
+ * \param out the stream
+ * \param curve the curve
+ * \param mesh the surface, closed and in the same coordinates
+ *
+ * \return whether writing succeeded
+ */
+template <typename Traits, typename TriangleMesh>
+bool write_svg(std::ostream& out,
+               const Volume_filling_curves::Curve_network_3<Traits>& curve,
+               const TriangleMesh& mesh)
+{
+  namespace internal = Volume_filling_curves::internal;
+  const internal::Curve_view view(curve, internal::triangle_soup(mesh));
   const internal::Stroke_layers layers(curve, view);
   internal::Svg_painter(layers, view.width(), out)(curve, view);
   return out.good();

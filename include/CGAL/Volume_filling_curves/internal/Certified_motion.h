@@ -29,8 +29,8 @@ namespace internal {
 // A motion of all nodes along straight lines, and the search for a part of it that can be certified
 // (section 4.3 of the paper, made exact). The broad phase runs once: the edges that can meet during
 // a part of the motion, in whatever number of rounds, are among those that can meet during all of
-// it. Linear in the number of edges and candidate pairs; tests run in parallel if asked to.
-template <typename Network, typename BroadPhase, typename ConcurrencyTag>
+// it. With walls, all that the curve sweeps must lie inside them. Linear in the number of edges and candidate pairs; tests run in parallel if asked to.
+template <typename Network, typename Walls, typename BroadPhase, typename ConcurrencyTag>
 class Certified_motion
 {
   using Traits = typename Network::Traits;
@@ -39,8 +39,13 @@ class Certified_motion
 public:
   Certified_motion(const Network& curve,
                    const Vector_field& target,
-                   const Clearance_rule& clearance)
-      : m_curve(curve), m_clearance(clearance), m_start(coordinates(curve)), m_target(target)
+                   const Clearance_rule& clearance,
+                   const Walls& walls)
+      : m_curve(curve),
+        m_clearance(clearance),
+        m_walls(walls),
+        m_start(coordinates(curve)),
+        m_target(target)
   {
     find_candidate_pairs();
   }
@@ -56,22 +61,30 @@ public:
                          [&](std::size_t v) { return is_corner_clear(v, end); });
   }
 
+  // What was certified: in each round the nodes move one after another to their new positions.
+  struct Rounds
+  {
+    std::vector<std::vector<Point_3>> positions; // one vector per round
+    bool is_reversed = false;                    // whether the last node is the first to move
+  };
+
   // Certifies the part `fraction` of the motion as a whole, in reverse order of the nodes, or in 2,
   // 4 and 8 smaller rounds (strands that travel together farther than their distance fail as a
-  // whole). Returns the positions at its end, or nothing if all fail.
-  std::vector<Point_3> certify(double fraction) const
+  // whole). Returns what was certified, no rounds if all fail.
+  Rounds certify(double fraction) const
   {
     const std::vector<Point_3> start = positions(0);
     for(int rounds : {1, 2, 4, 8})
       for(bool is_reversed : {false, true}) {
-        std::vector<Point_3> before = start;
+        Rounds done = {{}, is_reversed};
         bool is_safe = true;
         for(int k = 1; k <= rounds && is_safe; ++k) {
           std::vector<Point_3> after = positions(fraction * k / rounds);
-          is_safe = is_round_safe({m_curve, before, after, is_reversed});
-          before = std::move(after);
+          is_safe =
+              is_round_safe({m_curve, k == 1 ? start : done.positions.back(), after, is_reversed});
+          done.positions.push_back(std::move(after));
         }
-        if(is_safe) return before;
+        if(is_safe) return done;
       }
     return {};
   }
@@ -121,6 +134,8 @@ private:
   bool is_node_safe(const Pair_test& test, std::size_t v) const
   {
     const std::size_t degree = m_curve.degree(v);
+    if constexpr(Walls::is_bounded)
+      if(!test.is_node_inside(v, m_walls)) return false;
     if(degree == 1) return test.is_edge_safe(m_curve.incident_edge(v, 0));
     for(std::size_t i = 0; i < degree; ++i)
       for(std::size_t j = 0; j < i; ++j)
@@ -173,6 +188,7 @@ private:
 
   const Network& m_curve;
   Clearance_rule m_clearance;
+  const Walls& m_walls;
   Vector_field m_start, m_target;
   std::vector<Edge_pair> m_pairs;
 };

@@ -38,8 +38,9 @@ public:
   Curve_topology() : m_first_node(1, 0) {}
 
   Curve_topology(std::size_t number_of_points, const std::vector<std::array<std::size_t, 2>>& edges)
-      : m_nodes(number_of_points)
+      : m_nodes(checked(number_of_points))
   {
+    checked(edges.size());
     for(std::size_t v = 0; v < number_of_points; ++v) m_nodes[v].origin = narrow(v);
     for(const auto& edge : edges) add_edge(edge[0], edge[1]);
     label_components();
@@ -86,8 +87,9 @@ public:
   // Splits edge e = (a, c) into e = (a, b) and a new last edge (b, c); b is the new last node.
   std::size_t insert_node(std::size_t e)
   {
+    const Index b = narrow(checked(m_nodes.size() + 1) - 1);
+    const Index f = narrow(checked(m_edges.size() + 1) - 1);
     m_has_garbage = true;
-    const Index b = narrow(m_nodes.size()), f = narrow(m_edges.size());
     const Index c = m_edges[e][1];
     Node node;
     node.component = m_nodes[c].component;
@@ -111,6 +113,35 @@ public:
     m_edges[f] = {narrow(null), narrow(null)};
     m_nodes[b].edges.clear();
     return e;
+  }
+
+  // Lengthens a strand at its end v by an edge to a new last node, which is returned.
+  std::size_t add_leaf(std::size_t v)
+  {
+    m_has_garbage = true;
+    const Index leaf = narrow(m_nodes.size()), e = narrow(m_edges.size());
+    const bool is_start = source(m_nodes[v].edges[0]) == v;
+    Node node;
+    node.component = m_nodes[v].component;
+    node.edges = {e};
+    m_nodes.push_back(std::move(node));
+    m_nodes[v].edges.push_back(e);
+    if(is_start)
+      m_edges.push_back({leaf, narrow(v)});
+    else
+      m_edges.push_back({narrow(v), leaf});
+    return leaf;
+  }
+
+  // Removes a node with one edge, and this edge. The other end of the edge has another one.
+  void remove_leaf(std::size_t leaf)
+  {
+    m_has_garbage = true;
+    const Index e = m_nodes[leaf].edges[0];
+    auto& others = m_nodes[opposite(leaf, e)].edges;
+    others.erase(std::find(others.begin(), others.end(), e));
+    m_edges[e] = {narrow(null), narrow(null)};
+    m_nodes[leaf].edges.clear();
   }
 
   // Returns the former index of each node.
@@ -199,6 +230,15 @@ private:
   };
 
   static constexpr Index narrow(std::size_t i) { return static_cast<Index>(i); }
+
+  // the largest index is null
+  static std::size_t checked(std::size_t count)
+  {
+    if(count > null)
+      throw std::length_error("a network has fewer than 2^32 nodes and edges, not " +
+                              std::to_string(count));
+    return count;
+  }
 
   void add_edge(std::size_t a, std::size_t b)
   {

@@ -35,10 +35,13 @@ class Doubly_critical_distance
 {
 public:
   explicit Doubly_critical_distance(const Network& curve)
-      : m_curve(curve), m_spans(turning_spans(curve)), m_tangents(curve.number_of_nodes())
+      : m_curve(curve),
+        m_unit(unit_of_size(curve)),
+        m_spans(turning_spans(curve)),
+        m_tangents(curve.number_of_nodes())
   {
     for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
-      const Vector tangent = edge_vector(curve, e).normalized();
+      const Vector tangent = edge(e).normalized();
       m_tangents[curve.source(e)].out = tangent;
       m_tangents[curve.target(e)].in = tangent;
     }
@@ -47,13 +50,14 @@ public:
   // returns the least of `bound` and the doubly critical distance
   double operator()(double bound) const
   {
-    const Segment_hierarchy hierarchy(m_curve, m_spans);
-    return hierarchy.least(bound, least_turning, [&](std::size_t e, std::size_t f) {
+    const Segment_hierarchy hierarchy(m_curve, m_spans, m_unit);
+    const auto distance = [&](std::size_t e, std::size_t f) {
       const Strand_span &a = m_spans.of_edge[e], &b = m_spans.of_edge[f];
       if(share_a_node(m_curve, e, f)) return infinity;
       if(a.is_comparable(b) && m_spans.reach(a, b) < least_turning) return infinity;
       return shortest_critical_chord(e, f);
-    });
+    };
+    return hierarchy.least(m_unit * bound, least_turning, distance) / m_unit;
   }
 
 private:
@@ -69,7 +73,8 @@ private:
     Vector in = Vector::Zero(), out = Vector::Zero(); // zero beyond an end
   };
 
-  Vector point(std::size_t v) const { return to_vector(m_curve.point(v)); }
+  Vector point(std::size_t v) const { return m_unit * to_vector(m_curve.point(v)); }
+  Vector edge(std::size_t e) const { return point(m_curve.target(e)) - point(m_curve.source(e)); }
 
   double shortest_critical_chord(std::size_t e, std::size_t f) const
   {
@@ -88,7 +93,7 @@ private:
   double chord_inside_both(std::size_t e, std::size_t f) const
   {
     const Vector a = point(m_curve.source(e)), c = point(m_curve.source(f));
-    const Vector u = edge_vector(m_curve, e), v = edge_vector(m_curve, f), w = a - c;
+    const Vector u = edge(e), v = edge(f), w = a - c;
     const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
     const double uw = u.dot(w), vw = v.dot(w), denominator = uu * vv - uv * uv;
     const double s = uv * vw - vv * uw, t = uu * vw - uv * uw;
@@ -99,7 +104,7 @@ private:
 
   double chord_from_node(std::size_t v, std::size_t f) const
   {
-    const Vector p = point(v), a = point(m_curve.source(f)), u = edge_vector(m_curve, f);
+    const Vector p = point(v), a = point(m_curve.source(f)), u = edge(f);
     const double t = (p - a).dot(u), uu = u.squaredNorm();
     if(!(t >= 0 && t <= uu)) return infinity;
     const Vector chord = a + (t / uu) * u - p;
@@ -124,6 +129,7 @@ private:
   }
 
   const Network& m_curve;
+  const double m_unit; // scales the curve to a size of about 1
   const Strand_spans m_spans;
   std::vector<Tangents> m_tangents; // per node; junctions are not supported
 };

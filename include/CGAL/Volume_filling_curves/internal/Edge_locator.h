@@ -9,9 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/Box_grid.h>
+#include <CGAL/Volume_filling_curves/internal/Box_blocks.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -19,22 +18,15 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Finds the edges of a curve that come near a box, while the curve changes one node at a time.
-// The grid is built when first asked; an edge that changes is inserted again, and what the grid
-// still knows of its former place is only a candidate too many. It is built anew before these
-// outnumber the edges. Linear to build, amortized constant time per query and change for edges of
-// similar lengths.
+// The boxes of the edges are collected when first asked for, and again now and then, since the curve
+// may have left the place where they were. Linear to build, logarithmic time per change; a query
+// takes near constant time for edges that are short or few, and no edge is found in vain but for
+// rounding.
 template <typename Network>
 class Edge_locator
 {
 public:
   explicit Edge_locator(const Network& curve) : m_curve(curve) {}
-
-  // says that boxes asked for are larger than edges by up to this distance
-  void set_query_margin(double margin)
-  {
-    m_margin = margin;
-    reset();
-  }
 
   // forgets everything: the curve has changed altogether
   void reset() { m_is_built = false; }
@@ -42,25 +34,25 @@ public:
   void update(std::size_t e)
   {
     if(!m_is_built) return;
-    m_grid.insert(e, box_of(e));
-    m_is_built = ++m_number_of_updates <= m_curve.number_of_edges();
+    m_boxes.set(e, box_of(e));
+    m_is_built = ++m_number_of_updates <= updates_per_edge * m_curve.number_of_edges();
   }
 
-  // Calls f(e) for every edge whose box overlaps `box`, possibly more than once, until f returns
-  // false. Returns whether f never did.
+  // Calls f(e) for every edge whose box overlaps `box` until f returns false. Returns whether f never
+  // did.
   template <typename Function>
   bool holds_near(const Box& box, const Function& f)
   {
     if(!m_is_built) build();
-    bool holds = true;
-    m_grid.for_each_near(box, [&](std::size_t e) {
-      if(holds && !m_curve.is_removed_edge(e) && do_overlap(box, box_of(e))) holds = f(e);
+    return m_boxes.for_each_near(box, [&](std::size_t e) {
+      if(!m_curve.is_removed_edge(e)) return !do_overlap(box, box_of(e)) || f(e);
+      m_boxes.clear(e); // removed since it was found last
+      return true;
     });
-    return holds;
   }
 
 private:
-  static constexpr double cell_per_edge = 1.5; // and at least the margin: a query visits few cells
+  static constexpr std::size_t updates_per_edge = 8; // before all is collected again
 
   Box box_of(std::size_t e) const
   {
@@ -70,17 +62,16 @@ private:
 
   void build()
   {
-    double sum = 0;
-    std::size_t n = 0;
+    Box frame = Box::of(Vector::Zero());
+    bool is_empty = true;
     for_each_edge([&](std::size_t e) {
-      sum += box_of(e).longest_side();
-      ++n;
+      const Box box = box_of(e);
+      if(is_empty) frame = box;
+      (frame += box.min) += box.max;
+      is_empty = false;
     });
-    const double mean = sum > 0 ? sum / static_cast<double>(n) : 1;
-    const double cell_size = (std::max)(cell_per_edge * mean, m_margin);
-    const Vector origin = n > 0 ? to_vector(m_curve.point(0)) : Vector(Vector::Zero());
-    m_grid = Box_grid(origin, cell_size, n);
-    for_each_edge([&](std::size_t e) { m_grid.insert(e, box_of(e)); });
+    m_boxes = Box_blocks(frame);
+    for_each_edge([&](std::size_t e) { m_boxes.set(e, box_of(e)); });
     m_number_of_updates = 0;
     m_is_built = true;
   }
@@ -93,9 +84,8 @@ private:
   }
 
   const Network& m_curve;
-  Box_grid m_grid;
-  double m_margin = 0;
-  std::size_t m_number_of_updates = 0; // since the grid was built
+  Box_blocks m_boxes;
+  std::size_t m_number_of_updates = 0; // since the boxes were collected
   bool m_is_built = false;
 };
 

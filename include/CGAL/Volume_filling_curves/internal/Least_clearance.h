@@ -38,6 +38,7 @@ public:
   Least_clearance(const Network& curve, double neighborhood)
       : m_curve(curve),
         m_neighborhood(neighborhood),
+        m_unit(unit_of_size(curve)),
         m_spans(arc_length_spans(curve)),
         m_neighbors(curve.number_of_edges())
   {
@@ -48,11 +49,12 @@ public:
 
   double operator()() const
   {
-    const Segment_hierarchy hierarchy(m_curve, m_spans);
-    return hierarchy.least(
+    const Segment_hierarchy hierarchy(m_curve, m_spans, m_unit);
+    const double least = hierarchy.least(
         std::numeric_limits<double>::infinity(), m_neighborhood, [&](std::size_t e, std::size_t f) {
           return are_neighbors(e, f) ? std::numeric_limits<double>::infinity() : distance(e, f);
         });
+    return least / m_unit;
   }
 
   bool are_neighbors(std::size_t e, std::size_t f) const
@@ -66,7 +68,7 @@ public:
 private:
   double distance(std::size_t e, std::size_t f) const
   {
-    const auto point = [&](std::size_t v) { return to_vector(m_curve.point(v)); };
+    const auto point = [&](std::size_t v) { return Vector(m_unit * to_vector(m_curve.point(v))); };
     return std::sqrt(squared_segment_distance(point(m_curve.source(e)), point(m_curve.target(e)),
                                               point(m_curve.source(f)), point(m_curve.target(f))));
   }
@@ -96,7 +98,7 @@ private:
   }
 
   const Network& m_curve;
-  const double m_neighborhood;
+  const double m_neighborhood, m_unit;
   const Strand_spans m_spans;
   std::vector<std::vector<std::size_t>> m_neighbors; // at junctions only
 };

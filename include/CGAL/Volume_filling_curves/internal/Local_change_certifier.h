@@ -18,9 +18,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Decides whether a node may move, be inserted or be removed: whether the change is an elementary
-// move of knot theory (Reidemeister 1926) and keeps the clearance. The criteria are those of the
+// move of knot theory (Reidemeister 1926), stays inside the walls and keeps the clearance. The criteria are those of the
 // table in the manual. Constant time for edges of similar lengths.
-template <typename Network>
+template <typename Network, typename Walls>
 class Local_change_certifier
 {
   using Traits = typename Network::Traits;
@@ -31,8 +31,9 @@ class Local_change_certifier
 public:
   Local_change_certifier(const Network& curve,
                          const Exact_predicates<Traits>& predicates,
-                         Edge_locator<Network>& locator)
-      : m_curve(curve), m_predicates(predicates), m_test(curve, predicates, locator)
+                         Edge_locator<Network>& locator,
+                         const Walls& walls)
+      : m_curve(curve), m_predicates(predicates), m_test(curve, predicates, locator), m_walls(walls)
   {}
 
   // \pre target differs from the position of v
@@ -44,7 +45,9 @@ public:
     typename Change_test::Edges old_edges, new_edges;
     for(std::size_t k = 0; k < m_curve.degree(v); ++k) {
       const std::size_t a = m_curve.neighbor(v, k);
-      if(!m_test.is_triangle_free(a, m_curve.null_node(), m_curve.point(a), start, target, is_at_v))
+      if(!m_test.is_triangle_free(a, m_curve.null_node(), m_curve.point(a), start, target,
+                                  is_at_v) ||
+         !is_inside(start, target, m_curve.point(a)))
         return false;
       old_edges.push_back({a, v, m_curve.point(a), start});
       new_edges.push_back({a, v, m_curve.point(a), target});
@@ -111,12 +114,19 @@ private:
   {
     const Point_3 &a = m_curve.point(node_a), &c = m_curve.point(node_c);
     if(m_predicates.are_collinear(a, b, c)) return m_predicates.is_strictly_between(a, b, c);
-    return m_test.is_triangle_free(node_a, node_c, a, b, c, is_taken_out);
+    return m_test.is_triangle_free(node_a, node_c, a, b, c, is_taken_out) && is_inside(a, b, c);
+  }
+
+  bool is_inside(const Point_3& a, const Point_3& b, const Point_3& c) const
+  {
+    if constexpr(Walls::is_bounded) return m_walls.is_triangle_inside(a, b, c);
+    return true;
   }
 
   const Network& m_curve;
   const Exact_predicates<Traits>& m_predicates;
   Change_test m_test;
+  const Walls& m_walls;
 };
 
 } // namespace internal

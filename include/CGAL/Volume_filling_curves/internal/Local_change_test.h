@@ -12,12 +12,14 @@
 #include <CGAL/Volume_filling_curves/internal/Box.h>
 #include <CGAL/Volume_filling_curves/internal/Clearance_rule.h>
 #include <CGAL/Volume_filling_curves/internal/Edge_locator.h>
+#include <CGAL/Volume_filling_curves/internal/Triangle_test.h>
 #include <CGAL/Volume_filling_curves/internal/exact_predicates.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -40,7 +42,7 @@ public:
     Point_3 at_node, at_other;
   };
 
-  using Edges = std::vector<Edge>;
+  using Edges = boost::container::small_vector<Edge, 2>;
 
   Local_change_test(const Network& curve,
                     const Exact_predicates<Traits>& predicates,
@@ -62,6 +64,7 @@ public:
     Box box = Box::of(to_vector(a));
     box += to_vector(b);
     box += to_vector(c);
+    const Triangle_test triangle(to_vector(a), to_vector(b), to_vector(c));
     return m_locator.holds_near(box, [&](std::size_t e) {
       if(is_taken_out(e)) return true;
       const std::size_t s = m_curve.source(e), t = m_curve.target(e);
@@ -69,7 +72,8 @@ public:
       if(is_at_a && is_at_c) return false;
       if(is_at_a) return !meets_beyond_corner(e, node_a, b, c);
       if(is_at_c) return !meets_beyond_corner(e, node_c, a, b);
-      return !m_predicates.does_segment_meet_triangle(m_curve.point(s), m_curve.point(t), a, b, c);
+      return triangle.is_missed(to_vector(m_curve.point(s)), to_vector(m_curve.point(t))) ||
+             !m_predicates.does_segment_meet_triangle(m_curve.point(s), m_curve.point(t), a, b, c);
     });
   }
 

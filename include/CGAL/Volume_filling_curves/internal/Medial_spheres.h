@@ -20,12 +20,19 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// What else than other nodes limits medial spheres: nothing.
+struct No_wall_limit
+{
+  static constexpr bool is_active = false;
+};
 
 // The medial spheres of a curve (section 3.2 of the paper): for each node and each of N directions
 // orthogonal to the curve the largest sphere, up to a cap, that touches the node with its centre in
@@ -34,7 +41,9 @@ namespace internal {
 // Inverting the other nodes at the node i turns the search into a support function,
 //   1 / R(i, l) = max(1 / r_max, max over j of 2 x_l . d_j / |d_j|^2),  d_j = node_j - node_i,
 // so that one query for the nodes within 2 r_max serves all directions. Runs of consecutive nodes,
-// which lie close together, share a query.
+// which lie close together, share a query. Where r_max is much larger than the thickness, as while a
+// curve fills a volume, most spheres are not: they are sought with a small cap first, which is doubled
+// for the nodes with a sphere that reaches it.
 class Medial_spheres
 {
 public:
@@ -43,17 +52,20 @@ public:
 
   Medial_spheres() = default;
 
-  // Takes the circles of all nodes, in the order of the nodes. \pre number_of_directions > 0
-  template <typename ConcurrencyTag>
+  // Takes the circles of all nodes, in the order of the nodes, the nodes' thicknesses, the cap of the
+  // radii in units of the thickness, and what the walls leave of the radii.
+  // \pre number_of_directions > 0
+  template <typename ConcurrencyTag, typename WallLimit = No_wall_limit>
   Medial_spheres(ConcurrencyTag,
                  const Vector_field& x,
                  std::vector<Node_circle> circles,
                  std::size_t number_of_directions,
-                 double max_radius)
+                 const std::vector<double>& thickness,
+                 double max_radius,
+                 const WallLimit& wall_limit = WallLimit())
       : m_circles(std::move(circles)),
-        m_max_radius(max_radius),
         m_radius(m_circles.size() * number_of_directions),
-        m_touching(m_circles.size() * number_of_directions)
+        m_touching(m_circles.size() * number_of_directions, open_sphere)
   {
     for(std::size_t l = 0; l < number_of_directions; ++l) {
       const auto [cosine, sine] =
@@ -62,13 +74,17 @@ public:
       m_sine.push_back(sine);
     }
     const Node_neighborhoods neighborhoods(x);
-    constexpr std::size_t block = 256;
-    for_each_block<ConcurrencyTag>(m_circles.size(), block,
-                                   [&](std::size_t begin, std::size_t end) {
-                                     Workspace workspace;
-                                     while(begin < end)
-                                       begin = measure_run(x, neighborhoods, begin, end, workspace);
-                                   });
+    std::vector<std::size_t> open(m_circles.size()); // circles with a sphere that has no radius yet
+    std::iota(open.begin(), open.end(), 0);
+    for(double last_cap = 0; last_cap < max_radius && !open.empty();) {
+      const double cap = (std::min)((std::max)(first_cap, cap_growth * last_cap), max_radius);
+      measure<ConcurrencyTag>(x, neighborhoods, open, thickness, cap);
+      limit_by_walls<ConcurrencyTag>(open, wall_limit, thickness, last_cap);
+      last_cap = cap;
+      const auto is_done = [&](std::size_t c) { return !has_open_sphere(c); };
+      open.erase(std::remove_if(open.begin(), open.end(), is_done), open.end());
+    }
+    std::replace(m_touching.begin(), m_touching.end(), open_sphere, no_node);
   }
 
   std::size_t number_of_directions() const { return m_cosine.size(); }
@@ -101,8 +117,13 @@ public:
   }
 
 private:
+  // In units of the thickness:
+  static constexpr double first_cap = 2, cap_growth = 2;
+  static constexpr Index open_sphere = no_node - 1; // touches nothing up to the cap tried last
+  static constexpr std::size_t block = 256;
+
   // Nodes near a run, their images under inversion at a node, projected to the plane of its circle in
-  // units of 1 / r_max, and the support function of these. An array for each coordinate, so that
+  // units of 1 / cap, and the support function of these. An array for each coordinate, so that
   // loops take several at a time.
   struct Workspace
   {
@@ -113,30 +134,97 @@ private:
     std::vector<std::int64_t> supporting; // per direction, place of the node in `nodes`
   };
 
-  // Measures the spheres of a run of circles from `begin` on, and returns where it ends.
-  std::size_t measure_run(const Vector_field& x,
-                          const Node_neighborhoods& neighborhoods,
-                          std::size_t begin,
-                          std::size_t end,
-                          Workspace& workspace)
+  // Measures the spheres of some circles, up to a cap in units of the thickness.
+  template <typename ConcurrencyTag>
+  void measure(const Vector_field& x,
+               const Node_neighborhoods& neighborhoods,
+               const std::vector<std::size_t>& circles,
+               const std::vector<double>& thickness,
+               double cap)
+  {
+    const auto cap_of = [&](std::size_t k) { return cap * thickness[m_circles[circles[k]].node]; };
+    for_each_block<ConcurrencyTag>(circles.size(), block, [&](std::size_t begin, std::size_t end) {
+      Workspace workspace;
+      while(begin < end) {
+        const std::size_t run_end =
+            find_run(x, neighborhoods, circles, begin, end, cap_of, workspace);
+        load(x, workspace);
+        for(; begin < run_end; ++begin)
+          measure_circle(row(x, m_circles[circles[begin]].node), circles[begin], cap_of(begin),
+                         workspace);
+      }
+    });
+  }
+
+  // Finds the nodes near a run of circles from `begin` on, and returns where the run ends.
+  template <typename CapOf>
+  std::size_t find_run(const Vector_field& x,
+                       const Node_neighborhoods& neighborhoods,
+                       const std::vector<std::size_t>& circles,
+                       std::size_t begin,
+                       std::size_t end,
+                       const CapOf& cap_of,
+                       Workspace& workspace) const
   {
     constexpr std::size_t longest_run = 16; // 8 is as fast
-    const Vector first = row(x, m_circles[begin].node);
+    const Vector first = row(x, m_circles[circles[begin]].node);
     Vector low = first, high = first;
+    double cap = cap_of(begin);
     std::size_t run_end = begin + 1;
     for(; run_end < end && run_end < begin + longest_run; ++run_end) {
-      const Vector p = row(x, m_circles[run_end].node);
-      if((p - first).squaredNorm() > m_max_radius * m_max_radius) break;
+      const Vector p = row(x, m_circles[circles[run_end]].node);
+      if((p - first).squaredNorm() > cap * cap) break;
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
+      cap = (std::max)(cap, cap_of(run_end));
     }
     const double slack = 1 + 1e-12; // rounding of the centre
-    neighborhoods.find((low + high) / 2, slack * ((high - low).norm() / 2 + 2 * m_max_radius),
+    neighborhoods.find((low + high) / 2, slack * ((high - low).norm() / 2 + 2 * cap),
                        workspace.nodes);
-    load(x, workspace);
-    for(std::size_t c = begin; c < run_end; ++c)
-      measure_circle(row(x, m_circles[c].node), c, workspace);
     return run_end;
+  }
+
+  bool is_open(std::size_t c, std::size_t l) const { return touching_node(c, l) == open_sphere; }
+
+  bool has_open_sphere(std::size_t c) const
+  {
+    for(std::size_t l = 0; l < number_of_directions(); ++l)
+      if(is_open(c, l)) return true;
+    return false;
+  }
+
+  template <typename ConcurrencyTag, typename WallLimit>
+  void limit_by_walls(const std::vector<std::size_t>& circles,
+                      const WallLimit& wall_limit,
+                      const std::vector<double>& thickness,
+                      double last_cap)
+  {
+    if constexpr(WallLimit::is_active)
+      for_each_block<ConcurrencyTag>(
+          circles.size(), block, [&](std::size_t begin, std::size_t end) {
+            for(; begin < end; ++begin) {
+              const std::size_t c = circles[begin];
+              limit_by_walls(c, wall_limit, last_cap * thickness[m_circles[c].node]);
+            }
+          });
+  }
+
+  // Radii below the cap tried last have been limited already.
+  template <typename WallLimit>
+  void limit_by_walls(std::size_t c, const WallLimit& wall_limit, double last_cap)
+  {
+    const std::size_t n = number_of_directions(), node = m_circles[c].node;
+    double largest = 0;
+    for(std::size_t l = 0; l < n; ++l) largest = (std::max)(largest, radius(c, l));
+    constexpr double slack = 1 - 1e-9; // rounding of radii
+    const double least = (std::max)(wall_limit.free_radius(node, largest), slack * last_cap);
+    for(std::size_t l = 0; l < n; ++l) {
+      if(radius(c, l) < least) continue;
+      const double limited = wall_limit(node, direction(c, l), radius(c, l));
+      if(!(limited < radius(c, l))) continue;
+      m_radius[c * n + l] = limited;
+      m_touching[c * n + l] = no_node;
+    }
   }
 
   static void load(const Vector_field& x, Workspace& workspace)
@@ -153,9 +241,9 @@ private:
     }
   }
 
-  void measure_circle(const Vector& center, std::size_t c, Workspace& workspace)
+  void measure_circle(const Vector& center, std::size_t c, double cap, Workspace& workspace)
   {
-    invert(center, m_circles[c], workspace);
+    invert(center, m_circles[c], cap, workspace);
     const std::size_t n = number_of_directions();
     workspace.support.assign(n, 1.); // the cap
     workspace.supporting.assign(n, -1);
@@ -164,13 +252,17 @@ private:
       // and coincident ones have no image: their norm is not a number.
       if(workspace.squared_norm[k] > 1) add_image(k, workspace);
     for(std::size_t l = 0; l < n; ++l) {
+      if(!is_open(c, l)) continue;
       const std::int64_t k = workspace.supporting[l];
-      m_radius[c * n + l] = m_max_radius / workspace.support[l];
-      m_touching[c * n + l] = k < 0 ? no_node : workspace.nodes[static_cast<std::size_t>(k)];
+      m_radius[c * n + l] = cap / workspace.support[l];
+      m_touching[c * n + l] = k < 0 ? open_sphere : workspace.nodes[static_cast<std::size_t>(k)];
     }
   }
 
-  void invert(const Vector& center, const Node_circle& circle, Workspace& workspace) const
+  static void invert(const Vector& center,
+                     const Node_circle& circle,
+                     double cap,
+                     Workspace& workspace)
   {
     const double *x = workspace.x.data(), *y = workspace.y.data(), *z = workspace.z.data();
     double *u = workspace.u.data(), *v = workspace.v.data();
@@ -178,7 +270,7 @@ private:
     const Vector a = circle.u, b = circle.v;
     for(std::size_t k = 0, n = workspace.nodes.size(); k < n; ++k) {
       const double dx = x[k] - center.x(), dy = y[k] - center.y(), dz = z[k] - center.z();
-      const double scale = 2 * m_max_radius / (dx * dx + dy * dy + dz * dz);
+      const double scale = 2 * cap / (dx * dx + dy * dy + dz * dz);
       u[k] = scale * (dx * a.x() + dy * a.y() + dz * a.z());
       v[k] = scale * (dx * b.x() + dy * b.y() + dz * b.z());
       squared_norm[k] = u[k] * u[k] + v[k] * v[k];
@@ -200,7 +292,6 @@ private:
   }
 
   std::vector<Node_circle> m_circles;
-  double m_max_radius = 0;
   std::vector<double> m_cosine, m_sine;
   std::vector<double> m_radius;  // circle after circle
   std::vector<Index> m_touching; // likewise

@@ -88,8 +88,9 @@ private:
   double percentile(double largest) const
   {
     for(double cap = start_cap();; cap *= 2) {
-      const Medial_spheres spheres(ConcurrencyTag(), m_samples, m_circles, m_number_of_directions,
-                                   cap);
+      const Medial_spheres spheres(
+          ConcurrencyTag(), m_samples, m_circles, m_number_of_directions,
+          std::vector<double>(static_cast<std::size_t>(m_samples.rows()), cap), 1.);
       std::vector<double> radii;
       for(std::size_t c = 0; c < m_circles.size(); ++c)
         for(std::size_t l = 0; l < m_number_of_directions; ++l)

@@ -14,24 +14,26 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Keeps edge lengths between h and 2h by certified operations (section 4.4 of the paper). An edge
+// Keeps edge lengths between h and 2h, where h may vary from node to node, by certified operations (section 4.4 of the paper). An edge
 // shorter than h loses one of its ends; where that would leave an edge longer than 2h, which would
 // be split again, the end moves to the middle of its neighbours instead. Edges longer than 2h are
 // split in the middle. What the guard refuses stays as it is. Linear.
-template <typename Traits>
+template <typename Guard>
 class Remesher
 {
-  using Guard = Isotopy_guard_3<Traits>;
-  using Network = Curve_network_3<Traits>;
+  using Network = typename Guard::Curve_network;
+  using Traits = typename Network::Traits;
 
 public:
-  Remesher(Guard& guard, double spacing)
-      : m_guard(guard), m_curve(guard.curve()), m_spacing(spacing)
+  // Takes h for each node; an edge has the mean of its ends.
+  Remesher(Guard& guard, std::vector<double> spacing)
+      : m_guard(guard), m_curve(guard.curve()), m_spacing(std::move(spacing))
   {}
 
   // Leaves garbage in the network if it changes anything but positions.
@@ -39,14 +41,14 @@ public:
   {
     const std::size_t n = m_curve.number_of_edges();
     for(std::size_t e = 0; e < n; ++e)
-      if(!m_curve.is_removed_edge(e) && length(e) < m_spacing) collapse(e);
+      if(!m_curve.is_removed_edge(e) && length(e) < spacing(e)) collapse(e);
   }
 
   void split_long_edges()
   {
     const std::size_t n = m_curve.number_of_edges();
     for(std::size_t e = 0; e < n; ++e)
-      if(!m_curve.is_removed_edge(e) && length(e) > 2 * m_spacing) split(e);
+      if(!m_curve.is_removed_edge(e) && length(e) > 2 * spacing(e)) split(e);
   }
 
   std::size_t number_of_refusals() const { return m_number_of_refusals; }
@@ -55,6 +57,11 @@ private:
   Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
 
   double length(std::size_t e) const { return edge_vector(m_curve, e).norm(); }
+
+  double spacing(std::size_t e) const
+  {
+    return (m_spacing[m_curve.source(e)] + m_spacing[m_curve.target(e)]) / 2;
+  }
 
   bool can_remove(std::size_t v) const { return m_curve.degree(v) == 2 && !m_curve.is_pinned(v); }
 
@@ -71,17 +78,20 @@ private:
     if(!can_remove(first)) return;
     if(can_remove(second) && length_without(second) < length_without(first))
       std::swap(first, second);
-    if(length_without(first) > 2 * m_spacing)
+    if(length_without(first) > 2 * m_spacing[first])
       count(m_guard.move_node(first, middle(first)));
     else if(!m_guard.remove_node(first))
-      count(can_remove(second) && length_without(second) <= 2 * m_spacing &&
+      count(can_remove(second) && length_without(second) <= 2 * m_spacing[second] &&
             m_guard.remove_node(second));
   }
 
   void split(std::size_t e)
   {
     const Vector middle = (position(m_curve.source(e)) + position(m_curve.target(e))) / 2;
-    count(m_guard.insert_node(e, to_point(middle, m_curve.traits())));
+    const double h = spacing(e);
+    const bool is_done = m_guard.insert_node(e, to_point(middle, m_curve.traits()));
+    if(is_done) m_spacing.push_back(h);
+    count(is_done);
   }
 
   typename Traits::Point_3 middle(std::size_t v) const
@@ -95,7 +105,7 @@ private:
 
   Guard& m_guard;
   const Network& m_curve;
-  double m_spacing;
+  std::vector<double> m_spacing; // per node
   std::size_t m_number_of_refusals = 0;
 };
 

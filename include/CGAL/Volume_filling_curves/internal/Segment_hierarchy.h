@@ -31,15 +31,16 @@ namespace internal {
 class Segment_hierarchy
 {
 public:
+  // All distances are those of the curve times `unit`.
   template <typename Network>
-  Segment_hierarchy(const Network& curve, const Strand_spans& spans)
+  Segment_hierarchy(const Network& curve, const Strand_spans& spans, double unit)
       : m_spans(spans), m_order(curve.number_of_edges())
   {
     std::iota(m_order.begin(), m_order.end(), std::size_t(0));
     m_boxes.reserve(m_order.size());
     for(std::size_t e = 0; e < m_order.size(); ++e) {
-      m_boxes.push_back(Box::of(to_vector(curve.point(curve.source(e)))));
-      m_boxes.back() += to_vector(curve.point(curve.target(e)));
+      m_boxes.push_back(Box::of(unit * to_vector(curve.point(curve.source(e)))));
+      m_boxes.back() += unit * to_vector(curve.point(curve.target(e)));
     }
     if(!m_order.empty()) build(0, m_order.size());
   }

@@ -30,18 +30,22 @@ namespace internal {
 class Step_size
 {
 public:
-  // The limit is a length.
+  // The limit is in units of the thickness.
   explicit Step_size(double largest_displacement) : m_largest(largest_displacement) {}
 
-  // Returns the factor of the direction.
-  double next(const Vector_field& direction)
+  // Returns the factor of the direction, where each node has its thickness.
+  double next(const Vector_field& direction, const std::vector<double>& thickness)
   {
-    const double longest = direction.rowwise().norm().maxCoeff();
+    double longest = 0; // in units of the thickness
+    for(std::size_t v = 0; v < thickness.size(); ++v)
+      longest = (std::max)(longest, row(direction, v).norm() / thickness[v]);
     if(m_last_direction.rows() == direction.rows()) adapt(direction);
     m_last_direction = direction;
     m_time_step = (std::min)(m_time_step, m_largest / longest);
     return m_time_step;
   }
+
+  void set_largest_displacement(double largest) { m_largest = largest; }
 
   void on_shortened_step() { m_time_step *= after_shortened_step; }
 

@@ -65,6 +65,17 @@ public:
            !does_leave_between(a, b, c);
   }
 
+  // returns whether the triangles that the edges at v sweep while v moves lie inside the walls
+  template <typename Walls>
+  bool is_node_inside(std::size_t v, const Walls& walls) const
+  {
+    if(is_still(v)) return true;
+    for(std::size_t k = 0; k < m_curve.degree(v); ++k)
+      if(!walls.is_triangle_inside(m_before[v], m_after[v], position(m_curve.neighbor(v, k), v)))
+        return false;
+    return true;
+  }
+
 private:
   // the position of w while v moves
   const Point_3& position(std::size_t w, std::size_t v) const

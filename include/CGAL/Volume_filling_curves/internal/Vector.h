@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -46,6 +47,17 @@ Vector_field coordinates(const Network& curve)
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
     x.row(static_cast<Eigen::Index>(v)) = to_vector(curve.point(v)).transpose();
   return x;
+}
+
+// The power of two that scales the curve to a size of about 1, so that products of lengths neither
+// overflow nor underflow. Scaling by it is exact.
+template <typename Network>
+double unit_of_size(const Network& curve)
+{
+  if(curve.number_of_nodes() == 0) return 1;
+  const Vector_field x = coordinates(curve);
+  const double size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).maxCoeff();
+  return size > 0 && std::isfinite(size) ? std::ldexp(1., -std::ilogb(size)) : 1;
 }
 
 inline Vector row(const Vector_field& field, std::size_t v)

@@ -21,14 +21,6 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// In a filled domain the mean medial radius settles at r = 3.36 / sqrt(alpha) (section 3.3 of the
-// paper, for the mean over the directions).
-inline double alpha_of_thickness(double r)
-{
-  constexpr double thickness_constant = 3.36;
-  return (thickness_constant / r) * (thickness_constant / r);
-}
-
 // How strongly the length term pulls at each component: 1, but less for short components, which it
 // would pull to a point, where no medial sphere resists. The tension fades from a length of 5 r, less
 // than a component of a tight link has, and is gone at r. Components that are held at two nodes or
@@ -36,18 +28,18 @@ inline double alpha_of_thickness(double r)
 template <typename Network>
 std::vector<double> component_tensions(const Network& curve,
                                        const std::vector<double>& weights,
-                                       double thickness)
+                                       const std::vector<double>& thickness)
 {
   constexpr double slack_length = 1, tense_length = 5; // in units of r
   std::vector<double> tensions;
   for(std::size_t c = 0; c < curve.number_of_components(); ++c) {
-    double length = 0;
+    double length = 0; // in units of r
     int number_of_pins = 0;
     for(std::size_t v = curve.first_node(c); v < curve.first_node(c + 1); ++v) {
-      length += weights[v];
+      length += weights[v] / thickness[v];
       number_of_pins += curve.is_pinned(v) ? 1 : 0;
     }
-    const double tension = (length / thickness - slack_length) / (tense_length - slack_length);
+    const double tension = (length - slack_length) / (tense_length - slack_length);
     tensions.push_back(number_of_pins > 1 ? 1. : std::clamp(tension, 0., 1.));
   }
   return tensions;
@@ -81,24 +73,28 @@ public:
   // Beyond the paper: small spheres push harder. Two arcs that hook each other touch in one place
   // only, where a force that is linear in the radius hardly grows as they come closer: without enough
   // of the extra push trefoils and figure-eight knots pull through the barrier and jam.
-  void add_medial_spheres(const Medial_spheres& spheres, double thickness)
+  // Takes alpha in units of 1 / r^2.
+  void add_medial_spheres(const Medial_spheres& spheres,
+                          const std::vector<double>& thickness,
+                          double medial_weight)
   {
     // In units of r; the strands of tight knots are 1.1 r apart. With 0.4 all of 8 closed braids of
     // the figure-eight jam, 0.6 takes 38 % more iterations on the paper's curves (2026-11-21).
     constexpr double contact_radius = 0.5;
-    const double contact = contact_radius * thickness, alpha = alpha_of_thickness(thickness);
     const auto n = static_cast<double>(spheres.number_of_directions());
     const std::vector<bool> is_left_out = near_junctions(m_curve, m_x, thickness);
     for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
       const Node_circle& circle = spheres.circles()[c];
       if(is_left_out[circle.node]) continue;
+      const double r = thickness[circle.node];
       Vector sum = Vector::Zero(); // of m_il - x_i over the directions
       for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
-        const double radius = spheres.radius(c, l), push = (std::max)(0., contact - radius);
+        const double radius = spheres.radius(c, l),
+                     push = (std::max)(0., contact_radius * r - radius);
         sum += (radius - push) * spheres.direction(c, l);
       }
       m_gradient.row(static_cast<Eigen::Index>(circle.node)) -=
-          alpha * m_weights[circle.node] * circle.share / n * sum.transpose();
+          medial_weight / (r * r) * m_weights[circle.node] * circle.share / n * sum.transpose();
     }
   }
 

@@ -26,7 +26,9 @@ namespace internal {
 // spheres see the sibling branches, which get arbitrarily close, and would blow them up. Dijkstra's
 // algorithm from all junctions at once; O(n log n), constant time without junctions.
 template <typename Network>
-std::vector<bool> near_junctions(const Network& curve, const Vector_field& x, double reach)
+std::vector<bool> near_junctions(const Network& curve,
+                                 const Vector_field& x,
+                                 const std::vector<double>& thickness)
 {
   using Item = std::pair<double, std::size_t>;
   std::vector<bool> is_near(curve.number_of_nodes(), false);
@@ -42,8 +44,8 @@ std::vector<bool> near_junctions(const Network& curve, const Vector_field& x, do
     is_near[v] = true;
     for(std::size_t k = 0; k < curve.degree(v); ++k) {
       const std::size_t w = curve.neighbor(v, k);
-      const double farther = d + (row(x, w) - row(x, v)).norm();
-      if(farther >= distance[w] || farther >= reach) continue;
+      const double farther = d + 2 * (row(x, w) - row(x, v)).norm() / (thickness[v] + thickness[w]);
+      if(farther >= distance[w] || farther >= 1) continue;
       queue.emplace(distance[w] = farther, w);
     }
   }

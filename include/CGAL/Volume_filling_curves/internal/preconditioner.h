@@ -36,9 +36,10 @@ public:
       : m_curve(curve), m_diagonal(curve.number_of_nodes(), 0.)
   {}
 
-  void add_mass(const std::vector<double>& weights, double factor)
+  // times a factor per node
+  void add_mass(const std::vector<double>& weights, const std::vector<double>& factors)
   {
-    for(std::size_t v = 0; v < m_diagonal.size(); ++v) m_diagonal[v] += factor * weights[v];
+    for(std::size_t v = 0; v < m_diagonal.size(); ++v) m_diagonal[v] += factors[v] * weights[v];
   }
 
   void add_curve_laplacian(const Vector_field& x)
@@ -84,20 +85,24 @@ private:
 };
 
 template <typename Network>
-Sparse_matrix preconditioner(Preconditioner kind,
+Sparse_matrix preconditioner(const Curve_flow_parameters& parameters,
                              const Network& curve,
                              const Vector_field& x,
                              const std::vector<double>& weights,
-                             const Medial_spheres& spheres,
-                             double lambda,
-                             double beta,
-                             double alpha)
+                             const std::vector<double>& thickness,
+                             const Medial_spheres& spheres)
 {
+  const Preconditioner kind = parameters.preconditioner;
+  std::vector<double> mass_factors;
+  const double mass_factor =
+      kind == Preconditioner::QUASI_NEWTON ? parameters.medial_weight : parameters.screening;
+  for(double r : thickness) mass_factors.push_back(mass_factor / (r * r));
   Preconditioner_assembly<Network> assembly(curve);
-  assembly.add_mass(weights, kind == Preconditioner::QUASI_NEWTON ? alpha : lambda);
+  assembly.add_mass(weights, mass_factors);
   if(kind != Preconditioner::L2) assembly.add_curve_laplacian(x);
   if(kind == Preconditioner::MEDIAL)
-    assembly.add_medial_laplacian(touching_pairs(spheres, curve.number_of_nodes()), beta);
+    assembly.add_medial_laplacian(touching_pairs(spheres, curve.number_of_nodes()),
+                                  parameters.coupling);
   return assembly.matrix();
 }
 

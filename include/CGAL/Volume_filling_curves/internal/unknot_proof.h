@@ -12,9 +12,11 @@
 #include <CGAL/Volume_filling_curves/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/internal/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/bending.h>
+#include <CGAL/Volume_filling_curves/internal/strands.h>
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -35,6 +37,19 @@ double total_curvature(const Network& curve, std::size_t c)
     in = out;
   }
   return sum;
+}
+
+// The largest turning angle at a node of a closed component.
+template <typename Network>
+double largest_turning_angle(const Network& curve)
+{
+  double largest = 0;
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
+    if(curve.is_closed(c))
+      for_each_corner(curve, c, [&](const Vector& in, const Vector& out) {
+        largest = (std::max)(largest, turning_angle(in, out));
+      });
+  return largest;
 }
 
 // Why component c is known to be an unknot: a knot has at least 6 edges (Randell 1994) and a total

@@ -58,7 +58,24 @@ inline std::error_code write_and_close(std::FILE* file, std::string_view content
   return is_written && !is_closed ? last_system_error() : error;
 }
 
-// Writes to a new file beside the target and returns its name, which is empty if there is none.
+// Where a file of this name is written: behind all links, also those that lead to no file yet.
+inline std::filesystem::path behind_links(std::filesystem::path path, std::error_code& error)
+{
+  namespace fs = std::filesystem;
+  const int most_links = 40; // as systems allow; more are a circle
+  for(int i = 0; i < most_links; ++i) {
+    const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
+    error.clear(); // a file that is missing is no error
+    if(!is_link) return path;
+    const fs::path link = fs::read_symlink(path, error);
+    if(error) return path;
+    path = link.is_absolute() ? link : path.parent_path() / link;
+  }
+  error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+  return path;
+}
+
+// Writes to a new file beside the target and returns its name; after an error there is no file.
 inline std::error_code write_beside(const std::filesystem::path& target,
                                     std::string_view content,
                                     std::filesystem::path& written)
@@ -72,8 +89,10 @@ inline std::error_code write_beside(const std::filesystem::path& target,
     file = std::fopen(written.string().c_str(), "wbx"); // x: fails if the file exists
     if(file == nullptr && errno != EEXIST) break;
   }
-  if(file == nullptr) written.clear(); // not ours
-  return write_and_close(file, content);
+  const std::error_code error = write_and_close(file, content);
+  std::error_code ignored;
+  if(error && file != nullptr) std::filesystem::remove(written, ignored); // else it is not ours
+  return error;
 }
 
 inline std::error_code write_whole_file(const std::string& filename, std::string_view content)
@@ -85,13 +104,15 @@ inline std::error_code write_whole_file(const std::string& filename, std::string
   // a device or a pipe must not be replaced by a file
   if(!is_new && !fs::is_regular_file(status))
     return write_and_close(std::fopen(filename.c_str(), "wb"), content);
-  const fs::path target = is_new ? fs::path(filename) : fs::canonical(filename, error);
+  const fs::path target = behind_links(filename, error);
+  if(error) return error;
   fs::path written;
   error = write_beside(target, content, written);
-  if(!error && !is_new) fs::permissions(written, status.permissions(), error);
+  if(error) return error;
+  if(!is_new) fs::permissions(written, status.permissions(), error);
   if(!error) fs::rename(written, target, error);
   std::error_code ignored;
-  if(error && !written.empty()) fs::remove(written, ignored);
+  if(error) fs::remove(written, ignored);
   return error;
 }
 

@@ -9,7 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/picture_colors.h>
 #include <CGAL/Volume_filling_curves/internal/svg/Stroke_layers.h>
+#include <CGAL/Volume_filling_curves/internal/svg/silhouette_path.h>
+#include <CGAL/Volume_filling_curves/internal/svg/svg_number.h>
 
 #include <algorithm>
 #include <array>
@@ -47,14 +50,18 @@ public:
   {
     collect_runs();
     collect_ends(curve, view);
-    const std::string size = number(Curve_view::picture_size);
+    const std::string size = svg_number(Curve_view::picture_size);
     m_out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << size << ' ' << size
           << "\" width=\"" << size << "\" height=\"" << size << "\">\n<rect width=\"" << size
           << "\" height=\"" << size << "\" fill=\"#fff\"/>\n<defs>\n";
     for(std::size_t i = 0; i < m_runs.size(); ++i)
       m_out << "<path id=\"p" << i << "\" d=\"" << m_runs[i].path << "\"/><g id=\"q" << i
             << "\"><use href=\"#p" << i << "\"/><path d=\"" << m_runs[i].overlaps << "\"/></g>\n";
-    m_out << "</defs>\n<g fill=\"none\" stroke-linejoin=\"round\">\n";
+    m_out << "</defs>\n";
+    if(!view.surface().triangles.empty())
+      m_out << "<path fill=\"#e9eef4\" stroke=\"#9fb0c4\" stroke-linejoin=\"round\" d=\""
+            << silhouette_path(view.surface()) << "\"/>\n";
+    m_out << "<g fill=\"none\" stroke-linejoin=\"round\">\n";
     for(std::size_t first = 0, last = 0; first < m_runs.size(); first = last) {
       while(last < m_runs.size() && m_runs[last].key[0] == m_runs[first].key[0]) ++last;
       paint_layer(first, last);
@@ -65,7 +72,6 @@ public:
 private:
   static constexpr std::size_t shades = 12;
   static constexpr double min_step = 0.7; // picture units between points of a path
-  using Color = std::array<double, 3>;
   using Key = std::array<std::size_t, 4>; // layer, component, shade, and 1 for ends
 
   struct Run
@@ -73,19 +79,6 @@ private:
     Key key;
     std::string path, overlaps, gaps;
   };
-
-  // returns the number with at most two decimals, whatever the locale
-  static std::string number(double x)
-  {
-    const long hundredths = std::lround(100 * x), rest = std::abs(hundredths) % 100;
-    std::string text = std::to_string(std::abs(hundredths) / 100);
-    if(rest > 0) text += '.';
-    if(rest > 0) text += static_cast<char>('0' + rest / 10);
-    if(rest % 10 > 0) text += static_cast<char>('0' + rest % 10);
-    return hundredths < 0 ? '-' + text : text;
-  }
-
-  static std::string coordinates(const Vector& p) { return number(p.x()) + ' ' + number(p.y()); }
 
   Key key_of(const Stroke_piece& piece) const
   {
@@ -120,9 +113,9 @@ private:
       const auto towards = [&](const Vector& p) {
         const double length = (p - end).head<2>().norm();
         const double share = (std::min)(0.5, Stroke_layers::gap_share * m_width / length);
-        return coordinates(end + extent * share * (p - end));
+        return svg_coordinates(end + extent * share * (p - end));
       };
-      path += 'M' + towards(inside) + 'L' + coordinates(end) + 'L' + towards(outside);
+      path += 'M' + towards(inside) + 'L' + svg_coordinates(end) + 'L' + towards(outside);
     };
     const Stroke_piece &front = m_pieces[first], &back = m_pieces[last - 1];
     if(front.previous != Stroke_piece::none)
@@ -145,11 +138,11 @@ private:
   void append_points(std::size_t first, std::size_t last, std::string& path) const
   {
     Vector pen = m_pieces[first].source;
-    path += coordinates(pen);
+    path += svg_coordinates(pen);
     for(std::size_t i = first; i < last; ++i) {
       if(i + 1 < last && is_straight(pen, m_pieces[i], m_pieces[i + 1])) continue;
       pen = m_pieces[i].target;
-      path += 'L' + coordinates(pen);
+      path += 'L' + svg_coordinates(pen);
     }
   }
 
@@ -177,7 +170,7 @@ private:
       if(found == piece_at.end()) continue;
       Key key = key_of(m_pieces[found->second]);
       key[3] = 1;
-      m_runs.push_back({key, 'M' + coordinates(view.point(v)) + "h0", "", ""});
+      m_runs.push_back({key, 'M' + svg_coordinates(view.point(v)) + "h0", "", ""});
     }
     std::stable_sort(m_runs.begin(), m_runs.end(),
                      [](const Run& a, const Run& b) { return a.key < b.key; });
@@ -189,7 +182,7 @@ private:
     for(std::size_t i = first; i < last; ++i) gaps += m_runs[i].gaps;
     if(!gaps.empty())
       m_out << "<path stroke=\"#fff\" stroke-width=\""
-            << number((1 + 2 * Stroke_layers::gap_share) * m_width) << "\" d=\"" << gaps
+            << svg_number((1 + 2 * Stroke_layers::gap_share) * m_width) << "\" d=\"" << gaps
             << "\"/>\n";
     stroke(first, last, m_width, Tint::DARK);
     stroke(first, last, 0.78 * m_width, Tint::PLAIN);
@@ -206,7 +199,7 @@ private:
   // Draws all runs of a layer with one width.
   void stroke(std::size_t first, std::size_t last, double width, Tint tint)
   {
-    m_out << "<g stroke-width=\"" << number(width) << "\">";
+    m_out << "<g stroke-width=\"" << svg_number(width) << "\">";
     for(std::size_t i = first; i < last; ++i)
       m_out << "<use href=\"#" << (tint == Tint::DARK ? 'p' : 'q') << i << "\" stroke=\""
             << color(m_runs[i].key, tint) << '"'
@@ -214,26 +207,10 @@ private:
     m_out << "</g>\n";
   }
 
-  static Color mix(const Color& a, const Color& b, double share)
-  {
-    Color result;
-    for(std::size_t k = 0; k < 3; ++k) result[k] = a[k] + share * (b[k] - a[k]);
-    return result;
-  }
-
   static std::string color(const Key& key, Tint tint)
   {
-    static constexpr std::array<Color, 8> palette{{{214, 69, 65},
-                                                   {38, 115, 178},
-                                                   {235, 160, 35},
-                                                   {46, 139, 87},
-                                                   {133, 82, 161},
-                                                   {0, 150, 160},
-                                                   {205, 92, 150},
-                                                   {125, 100, 80}}};
     const double share = static_cast<double>(key[2]) / (shades - 1);
-    const Color fog{206, 214, 224};
-    Color result = mix(fog, palette[key[1] % palette.size()], 0.4 + 0.6 * share);
+    Color result = mix(fog_color, component_color(key[1]), 0.4 + 0.6 * share);
     if(tint == Tint::DARK) result = mix(result, {20, 20, 40}, 0.45);
     if(tint == Tint::LIGHT) result = mix(result, {255, 255, 255}, 0.3 + 0.15 * share);
     static const char* const digits = "0123456789abcdef";

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_SVG_SVG_NUMBER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_SVG_SVG_NUMBER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/Vector.h>
+
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// returns the number with at most two decimals, whatever the locale
+inline std::string svg_number(double x)
+{
+  const long hundredths = std::lround(100 * x), rest = std::abs(hundredths) % 100;
+  std::string text = std::to_string(std::abs(hundredths) / 100);
+  if(rest > 0) text += '.';
+  if(rest > 0) text += static_cast<char>('0' + rest / 10);
+  if(rest % 10 > 0) text += static_cast<char>('0' + rest % 10);
+  return hundredths < 0 ? '-' + text : text;
+}
+
+inline std::string svg_coordinates(const Vector& p)
+{
+  return svg_number(p.x()) + ' ' + svg_number(p.y());
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_SVG_SVG_NUMBER_H
