@@ -54,17 +54,29 @@ public:
   }
 };
 
-CLI::Validator number_check(bool may_be_zero)
+std::string name_of(Range range)
+{
+  if(range.most < (std::numeric_limits<double>::max)())
+    return "number from " + to_text(range.least) + " to " + to_text(range.most);
+  return range.least > 0 ? "positive number" : "number of 0 or more";
+}
+
+CLI::Validator number_check(Range range)
 {
   return CLI::Validator(
-      [may_be_zero](std::string& text) {
+      [range](std::string& text) {
         double number = 0;
-        if(parse(text, number) && (number > 0 || (may_be_zero && number == 0)))
+        if(parse(text, number) && number >= range.least && number <= range.most)
           return std::string();
-        return "'" + text + "' is not a " +
-               (may_be_zero ? "number of 0 or more" : "positive number");
+        return "'" + text + "' is not a " + name_of(range);
       },
       "");
+}
+
+CLI::Validator file_check()
+{
+  return CLI::Validator(
+      [](std::string& file) { return file.empty() ? "a name is missing" : std::string(); }, "");
 }
 
 CLI::Validator whole_number_check(std::size_t least, std::size_t most)
@@ -83,10 +95,8 @@ CLI::Validator whole_number_check(std::size_t least, std::size_t most)
 void add_common_options(CLI::App& command, Common_options& options)
 {
   const std::size_t max_threads = 1024;
-  command
-      .add_option("--report", options.report,
-                  "JSON report; - prints it instead of the summary, on standard output")
-      ->type_name("FILE");
+  add_file(command, "--report", options.report,
+           "JSON report; - prints it instead of the summary, on standard output");
   add_whole_number(command, "--threads", options.threads,
                    "number of threads, which does not change the result; default: all", 1,
                    max_threads);
@@ -125,11 +135,27 @@ CLI::App& Command_line::add_command(const std::string& command_name,
   return added;
 }
 
+CLI::Option& add_file(CLI::App& command,
+                      const std::string& name,
+                      std::string& file,
+                      const std::string& description)
+{
+  return *command.add_option(name, file, description)->check(file_check())->type_name("FILE");
+}
+
 CLI::Option& add_curve(CLI::App& command, std::string& file)
 {
-  return *command.add_option("CURVE", file, "the curve, .obj or .polylines.txt")
-              ->required()
-              ->type_name("FILE");
+  return *add_file(command, "CURVE", file, "the curve, .obj or .polylines.txt").required();
+}
+
+CLI::Option& add_mesh(CLI::App& command, std::string& file)
+{
+  return add_file(command, "MESH", file, "a closed triangle mesh, .off, .obj, .ply, .stl or .vtp");
+}
+
+CLI::Option& add_curve_output(CLI::App& command, std::string& file)
+{
+  return add_file(command, "-o,--output", file, "the result, .obj or .polylines.txt");
 }
 
 void add_network_flag(CLI::App& command, bool& is_network)
@@ -142,11 +168,9 @@ CLI::Option& add_number(CLI::App& command,
                         const std::string& name,
                         double& number,
                         const std::string& description,
-                        bool may_be_zero)
+                        Range range)
 {
-  return *command.add_option(name, number, description)
-              ->check(number_check(may_be_zero))
-              ->type_name("X");
+  return *command.add_option(name, number, description)->check(number_check(range))->type_name("X");
 }
 
 CLI::Option& add_whole_number(CLI::App& command,

@@ -34,16 +34,35 @@ struct Command_line
   Common_options options;
 };
 
-// An argument or a flag of a command.
+// Options and arguments with the name of a file, which is not empty.
+CLI::Option& add_file(CLI::App& command,
+                      const std::string& name,
+                      std::string& file,
+                      const std::string& description);
 CLI::Option& add_curve(CLI::App& command, std::string& file);
+CLI::Option& add_mesh(CLI::App& command, std::string& file);
+CLI::Option& add_curve_output(CLI::App& command, std::string& file);
+
 void add_network_flag(CLI::App& command, bool& is_network);
+
+// The numbers that an option takes, both ends included. Ratios far from 1 are slips of the pen, and
+// beyond these ends their products with lengths would overflow or be rounded away.
+struct Range
+{
+  double least, most;
+};
+constexpr Range positive = {(std::numeric_limits<double>::min)(),
+                            (std::numeric_limits<double>::max)()};
+constexpr Range not_negative = {0, (std::numeric_limits<double>::max)()};
+constexpr Range positive_ratio = {1e-9, 1e6};
+constexpr Range ratio = {0, 1e6};
 
 // Options with a number; they refuse everything else, and tell their name.
 CLI::Option& add_number(CLI::App& command,
                         const std::string& name,
                         double& number,
                         const std::string& description,
-                        bool may_be_zero = false);
+                        Range range = positive);
 CLI::Option& add_whole_number(CLI::App& command,
                               const std::string& name,
                               std::size_t& number,

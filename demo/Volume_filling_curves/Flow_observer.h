@@ -14,6 +14,7 @@
 #include "numbers.h"
 
 #include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
+#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
 #include <CGAL/Volume_filling_curves/internal/Stop_rules.h>
 
 #include <algorithm>
@@ -58,6 +59,14 @@ public:
   template <typename Flow>
   bool go_further(const Flow&)
   {
+    return !is_interruption_requested();
+  }
+
+  bool on_tightening(const CGAL::Volume_filling_curves::Tightening_progress& progress)
+  {
+    if(m_progress.is_due())
+      m_progress.show(0, std::to_string(progress.sweeps) + " sweeps, " +
+                             std::to_string(progress.edges) + " edges");
     return !is_interruption_requested();
   }
 

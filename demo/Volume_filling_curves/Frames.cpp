@@ -6,6 +6,8 @@
 
 #include "Frames.h"
 
+#include <CGAL/Volume_filling_curves/internal/Tails.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -19,15 +21,15 @@ namespace fs = std::filesystem;
 constexpr char prefix[] = "frame_";
 constexpr char extension[] = ".obj";
 
-bool is_frame(const fs::path& file)
+} // namespace
+
+bool Frames::is_frame(const fs::path& file)
 {
   const std::string number = file.stem().string();
   const std::size_t start = sizeof prefix - 1;
   return file.extension() == extension && number.compare(0, start, prefix) == 0 &&
          number.find_first_not_of("0123456789", start) == std::string::npos;
 }
-
-} // namespace
 
 void Frames::add(std::size_t iteration, const Curve& curve)
 {
@@ -37,7 +39,8 @@ void Frames::add(std::size_t iteration, const Curve& curve)
   constexpr std::size_t digits = 6;
   std::string number = std::to_string(iteration);
   number.insert(0, digits - (std::min)(digits, number.size()), '0');
-  write_curve((fs::path(m_folder) / (prefix + number + extension)).string(), curve);
+  using Tails = CGAL::Volume_filling_curves::internal::Tails<Curve>;
+  write_curve((fs::path(m_folder) / (prefix + number + extension)).string(), Tails::without(curve));
 }
 
 void Frames::prepare_folder() const

@@ -10,6 +10,7 @@
 #include "curve_files.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,9 @@ public:
   Frames(std::string folder, std::size_t every) : m_folder(std::move(folder)), m_every(every) {}
 
   void add(std::size_t iteration, const Curve& curve);
+
+  // returns whether a file of this name is taken for a frame of an earlier run
+  static bool is_frame(const std::filesystem::path& file);
 
 private:
   void prepare_folder() const;

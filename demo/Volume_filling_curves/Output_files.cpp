@@ -10,7 +10,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/IO/whole_files.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -36,29 +35,55 @@ std::error_code try_to_create(const fs::path& path)
 
 void check_writable(const std::string& option, const fs::path& path)
 {
-  if(const std::error_code error = try_to_create(path))
-    refuse(option, path.string(), "cannot be written: " + error.message());
+  std::error_code error;
+  const fs::path target = files::behind_links(path, error);
+  if(!error) error = try_to_create(target);
+  if(error) refuse(option, path.string(), "cannot be written: " + error.message());
+}
+
+// Also through links, hard links, and for files that do not exist yet.
+bool are_same_file(const fs::path& a, const fs::path& b)
+{
+  std::error_code error;
+  if(fs::equivalent(a, b, error)) return !fs::is_other(fs::status(a, error));
+  const auto place = [](const fs::path& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(files::behind_links(path, ignored)), ignored);
+  };
+  return !fs::exists(fs::status(a, error)) && place(a) == place(b);
 }
 
 } // namespace
 
+void Output_files::add_input(const std::string& path, const std::string& replaced_by)
+{
+  for(const Output& output : m_outputs)
+    if(output.option != replaced_by && are_same_file(output.path, path))
+      refuse(output.option, output.path, "is the input " + path);
+  m_inputs.push_back({path, replaced_by});
+}
+
 void Output_files::add(const std::string& option, const std::string& path)
 {
   if(path.empty()) return;
+  for(const Input& input : m_inputs)
+    if(option != input.replaced_by && are_same_file(path, input.path))
+      refuse(option, path, "is the input " + input.path);
+  for(const Output& output : m_outputs)
+    if(are_same_file(path, output.path))
+      refuse(option, path, "is also the file of " + output.option);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if(fs::is_directory(status)) refuse(option, path, "is a folder");
   if(fs::exists(status) && !fs::is_regular_file(status)) return;
   if(fs::exists(status) && !m_may_overwrite) refuse(option, path, "exists; --force overwrites it");
-  const fs::path target = fs::exists(status) ? fs::canonical(path, error) : fs::path(path);
-  check_writable(option, target);
-  const std::string name = fs::weakly_canonical(fs::absolute(target), error).string();
-  if(std::find(m_paths.begin(), m_paths.end(), name) != m_paths.end())
-    refuse(option, path, "is also the file of another option");
-  m_paths.push_back(name);
+  check_writable(option, path);
+  m_outputs.push_back({option, path});
 }
 
-void Output_files::add_folder(const std::string& option, const std::string& path)
+void Output_files::add_folder(const std::string& option,
+                              const std::string& path,
+                              bool (*is_replaced)(const fs::path& file))
 {
   if(path.empty()) return;
   std::error_code error;
@@ -69,6 +94,13 @@ void Output_files::add_folder(const std::string& option, const std::string& path
     return check_writable(option, has_name ? folder : folder.parent_path());
   }
   if(!fs::is_directory(status)) refuse(option, path, "is no folder");
+  const auto is_there = [&](const std::string& file) {
+    return is_replaced(file) && are_same_file(folder, fs::absolute(file).parent_path());
+  };
+  for(const Input& input : m_inputs)
+    if(is_there(input.path)) refuse(option, path, "holds the input " + input.path);
+  for(const Output& output : m_outputs)
+    if(is_there(output.path)) refuse(option, path, "holds the file of " + output.option);
   if(!fs::is_empty(folder, error) && !m_may_overwrite)
     refuse(option, path, "is not empty; --force overwrites what is there");
   check_writable(option, folder / "frame");

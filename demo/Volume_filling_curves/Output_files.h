@@ -7,31 +7,52 @@
 #ifndef VFC_OUTPUT_FILES_H
 #define VFC_OUTPUT_FILES_H
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace vfc {
 
 // The files that a run is going to write. They are checked before any work starts: none may exist,
-// unless the user says so, and all must be writable.
+// unless the user says so, all must be writable, and no two may be the same file, under whatever
+// names. Nor may one be a file that the run reads, but for a result that takes the place of the
+// input: it is written when the input has long been read.
 class Output_files
 {
 public:
   explicit Output_files(bool may_overwrite) : m_may_overwrite(may_overwrite) {}
 
+  // Tells of a file that is read, and of the option that may replace it, if any.
+  // \throws Usage_error if another option was going to
+  void add_input(const std::string& path, const std::string& replaced_by = "");
+
   // Checks a file, if the path is not empty; devices and pipes are welcome.
   // \throws Usage_error that names the option
   void add(const std::string& option, const std::string& path);
 
-  // Checks a folder that is created when its first file is written. It may exist if it is empty.
-  void add_folder(const std::string& option, const std::string& path);
+  // Checks a folder that is created when its first file is written. It may exist if it is empty, or
+  // if the files there that are replaced, `is_replaced(path)`, are nobody else's.
+  void add_folder(const std::string& option,
+                  const std::string& path,
+                  bool (*is_replaced)(const std::filesystem::path& file));
 
   // Writes a complete file, or leaves what was there as it was. \throws Usage_error
   static void write(const std::string& path, const std::string& content);
 
 private:
+  struct Input
+  {
+    std::string path, replaced_by;
+  };
+
+  struct Output
+  {
+    std::string option, path;
+  };
+
   bool m_may_overwrite;
-  std::vector<std::string> m_paths;
+  std::vector<Input> m_inputs;
+  std::vector<Output> m_outputs;
 };
 
 } // namespace vfc

@@ -35,6 +35,9 @@ constexpr const char* keys[] = {"command",
                                 "moves_rejected",
                                 "shortened_steps",
                                 "refused_remeshing",
+                                "sweeps",
+                                "tightenings",
+                                "removed_nodes",
                                 "min_clearance",
                                 "component_lengths",
                                 "total_curvature",
@@ -75,11 +78,10 @@ void Report::set_error(const std::string& message)
 
 void Report::set_error(const Input_error& error)
 {
-  const auto& defect = error.first_error();
+  const Defect& defect = error.first_error();
   m_json["status"] = "error";
-  m_json["error"] = {{"message", std::string(CGAL::Volume_filling_curves::to_string(defect.kind)) +
-                                     ": " + defect.message},
-                     {"file", error.file()},
+  m_json["error"] = {{"message", defect.kind + ": " + defect.message},
+                     {"file", defect.file},
                      {"line", value_or_null(defect.line, defect.line > 0)},
                      {"nodes", value_or_null(defect.nodes, !defect.nodes.empty())}};
 }

@@ -10,6 +10,7 @@
 #include "versions.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace vfc {
 namespace {
@@ -44,6 +45,14 @@ void Session::start_report()
 {
   if(m_options.report != "-") m_outputs.add("--report", m_options.report);
   m_has_report = !m_options.report.empty();
+}
+
+// An error that the report cannot tell of: it would replace the input.
+void Session::add_input(const std::string& file, const std::string& replaced_by)
+{
+  const bool had_report = std::exchange(m_has_report, false);
+  m_outputs.add_input(file, replaced_by);
+  m_has_report = had_report;
 }
 
 void Session::print_result(const std::string& text) const

@@ -43,6 +43,10 @@ public:
 
   bool has_report() const { return m_has_report; }
 
+  // Tells of a file that is read, and of the option that may replace it, if any; a report never
+  // does. \throws Usage_error
+  void add_input(const std::string& file, const std::string& replaced_by = "");
+
   // Prints what the command found out, unless the report takes its place.
   void print_result(const std::string& text) const;
 

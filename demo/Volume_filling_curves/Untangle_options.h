@@ -7,7 +7,9 @@
 #ifndef VFC_UNTANGLE_OPTIONS_H
 #define VFC_UNTANGLE_OPTIONS_H
 
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include "shared_options.h"
+
+#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
 #include <CGAL/Volume_filling_curves/internal/Stop_rules.h>
 
 #include <cstddef>
@@ -22,14 +24,15 @@ namespace vfc {
 // The options of vfc untangle; defaults are those of the package.
 struct Untangle_options
 {
-  std::string file, output, map, frames, pin;
-  std::string strategy = "flow", name_of_preconditioner = "medial";
-  std::size_t every = 1, seed = 0;
-  bool is_network = false, has_free_ends = false, keeps_length = false, finishes = false;
-  CGAL::Volume_filling_curves::Curve_flow_parameters flow; // but for the preconditioner
-  CGAL::Volume_filling_curves::internal::Stop_rules stop;  // but for the proof
+  std::string file, output, certificate, name_of_strategy = "auto";
+  std::size_t seed = 0, number_of_chains = 2;
+  bool keeps_length = false, finishes = false;
+  Film_options film;
+  Curve_options curve;
+  Flow_options flow;
+  CGAL::Volume_filling_curves::internal::Stop_rules stop; // but for the proof
 
-  CGAL::Volume_filling_curves::Preconditioner preconditioner() const;
+  CGAL::Volume_filling_curves::Untangling_strategy strategy() const;
 };
 
 void add_untangle_options(CLI::App& command, Untangle_options& options);

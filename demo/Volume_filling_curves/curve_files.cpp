@@ -23,7 +23,9 @@ Curve_and_defects read_curve_and_defects(const std::string& file, bool is_networ
 {
   Curve_and_defects result;
   const auto junctions = is_network ? curves::Junctions::ALLOWED : curves::Junctions::FORBIDDEN;
-  result.is_valid = CGAL::IO::read_curve_network(file, result.curve, result.defects, junctions);
+  std::vector<curves::Curve_defect> defects;
+  result.is_valid = CGAL::IO::read_curve_network(file, result.curve, defects, junctions);
+  result.defects = make_defects(defects, file);
   return result;
 }
 
@@ -32,8 +34,8 @@ Curve read_curve(Session& session, const std::string& file, bool is_network)
   Report& report = session.report();
   report["input"] = file;
   Curve_and_defects read = read_curve_and_defects(file, is_network);
-  if(!read.is_valid) throw Input_error(file, std::move(read.defects));
-  print_defects(session.console(), file, read.defects);
+  if(!read.is_valid) throw Input_error(std::move(read.defects), "a valid curve");
+  print_defects(session.console(), read.defects);
   report["components"] = read.curve.number_of_components();
   report["nodes_start"] = read.curve.number_of_nodes();
   report["length_start"] = curves::length(read.curve);

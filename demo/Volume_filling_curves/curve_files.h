@@ -26,7 +26,7 @@ class Session;
 struct Curve_and_defects
 {
   Curve curve;
-  Input_error::Defects defects;
+  Defects defects;
   bool is_valid = false;
 };
 

@@ -4,14 +4,16 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc draw: a picture of a curve.
+// vfc draw: a picture of a curve, and of a surface around it.
 
 #include "Command_line.h"
 #include "Exit_status.h"
 #include "commands.h"
 #include "curve_files.h"
 #include "errors.h"
+#include "mesh_files.h"
 
+#include <CGAL/Volume_filling_curves/IO/write_png.h>
 #include <CGAL/Volume_filling_curves/IO/write_svg.h>
 
 #include <locale>
@@ -24,27 +26,39 @@ namespace {
 
 struct Draw_options
 {
-  std::string file, picture;
+  std::string file, mesh, picture;
   bool is_network = false;
 };
 
-bool is_svg(const std::string& file)
+bool has_extension(const std::string& file, const std::string& extension)
 {
-  const std::string extension = ".svg";
   return file.size() > extension.size() &&
          file.compare(file.size() - extension.size(), extension.size(), extension) == 0;
 }
 
+std::string picture(Session& session, const Draw_options& options)
+{
+  const Curve curve = read_curve(session, options.file, options.is_network);
+  Mesh mesh;
+  if(!options.mesh.empty()) mesh = read_mesh(session, options.mesh).mesh;
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  const bool is_svg = has_extension(options.picture, ".svg");
+  if(options.mesh.empty())
+    is_svg ? CGAL::IO::write_svg(out, curve) : CGAL::IO::write_png(out, curve);
+  else
+    is_svg ? CGAL::IO::write_svg(out, curve, mesh) : CGAL::IO::write_png(out, curve, mesh);
+  return out.str();
+}
+
 int draw(Session& session, const Draw_options& options)
 {
-  if(!is_svg(options.picture))
-    throw Usage_error("--output: " + options.picture + ": pictures are .svg files");
+  if(!has_extension(options.picture, ".svg") && !has_extension(options.picture, ".png"))
+    throw Usage_error("--output: " + options.picture + ": pictures are .svg or .png files");
+  session.add_input(options.file);
+  if(!options.mesh.empty()) session.add_input(options.mesh);
   session.outputs().add("--output", options.picture);
-  const Curve curve = read_curve(session, options.file, options.is_network);
-  std::ostringstream picture;
-  picture.imbue(std::locale::classic());
-  CGAL::IO::write_svg(picture, curve);
-  Output_files::write(options.picture, picture.str());
+  Output_files::write(options.picture, picture(session, options));
   session.end_stage("drawing");
   session.report()["status"] = "done";
   session.print_summary("wrote " + options.picture + '\n');
@@ -57,12 +71,11 @@ void add_draw_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Draw_options>();
   CLI::App& command =
-      command_line.add_command("draw", "a shaded picture of a curve",
+      command_line.add_command("draw", "a shaded picture of a curve, also in a surface",
                                [options](Session& session) { return draw(session, *options); });
   add_curve(command, options->file);
-  command.add_option("-o,--output", options->picture, "the picture, .svg")
-      ->required()
-      ->type_name("FILE");
+  add_mesh(command, options->mesh).description("a surface, drawn translucent around the curve");
+  add_file(command, "-o,--output", options->picture, "the picture, .svg or .png").required();
   add_network_flag(command, options->is_network);
 }
 

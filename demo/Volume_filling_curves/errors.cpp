@@ -9,38 +9,33 @@
 #include "Console.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vfc {
 namespace {
 
-namespace curves = CGAL::Volume_filling_curves;
-
-const curves::Curve_defect& first_error_of(const Input_error::Defects& defects)
+const Defect& first_error_of(const Defects& defects)
 {
   return *std::find_if(defects.begin(), defects.end(),
-                       [](const curves::Curve_defect& d) { return curves::is_error(d.kind); });
+                       [](const Defect& defect) { return defect.is_error; });
 }
 
 } // namespace
 
-Input_error::Input_error(std::string file, Defects defects)
-    : std::runtime_error(curves::to_string(first_error_of(defects), file)),
-      m_file(std::move(file)),
+Input_error::Input_error(Defects defects, const std::string& expected)
+    : std::runtime_error(first_error_of(defects).file + " is not " + expected),
       m_defects(std::move(defects))
 {}
 
-const curves::Curve_defect& Input_error::first_error() const
+const Defect& Input_error::first_error() const
 {
   return first_error_of(m_defects);
 }
 
-void print_defects(const Console& console,
-                   const std::string& file,
-                   const Input_error::Defects& defects)
+void print_defects(const Console& console, const Defects& defects)
 {
-  for(const curves::Curve_defect& defect : defects)
-    if(curves::is_error(defect.kind) || !console.is_quiet())
-      console.print(curves::to_string(defect, file) + '\n');
+  for(const Defect& defect : defects)
+    if(defect.is_error || !console.is_quiet()) console.print(defect.text + '\n');
 }
 
 } // namespace vfc

@@ -138,9 +138,7 @@ void add_generate_command(Command_line& command_line)
       ->required()
       ->check(CLI::IsMember(names_of_kinds()).description(""))
       ->type_name("");
-  command.add_option("-o,--output", options->output, "the curve, .obj or .polylines.txt")
-      ->required()
-      ->type_name("FILE");
+  add_curve_output(command, options->output).required();
   add_whole_number(command, "--nodes", options->nodes, "number of nodes of all components", 3,
                    100000000)
       .capture_default_str();

@@ -29,8 +29,11 @@ static void on_interruption(int signal)
 }
 }
 
-void handle_interruptions()
+void handle_signals()
 {
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
   for(const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_interruption);
 }
 

@@ -9,11 +9,12 @@
 
 namespace vfc {
 
-// SIGINT and SIGTERM end the program at once, with the status for interruptions, until somebody
+// A file that becomes larger than the system allows is an error like a full disk (SIGXFSZ would end
+// the program and leave a part of the file). SIGINT and SIGTERM end the program at once, with the status for interruptions, until somebody
 // polls: then the first signal is a request to wind up and save what there is, and the second one
 // ends the program at once.
 
-void handle_interruptions();
+void handle_signals();
 void poll_interruptions();
 bool is_interruption_requested();
 

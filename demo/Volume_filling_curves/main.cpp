@@ -14,6 +14,7 @@
 #include "interruption.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -38,9 +39,9 @@ int fail(Session& session, Exit_status status, const std::string& message)
 
 int fail(Session& session, const Input_error& error)
 {
-  print_defects(session.console(), error.file(), error.defects());
+  print_defects(session.console(), error.defects());
   session.report().set_error(error);
-  return fail(session, INVALID_INPUT, error.file() + " is no valid curve");
+  return fail(session, INVALID_INPUT, error.what());
 }
 
 int run(const Command_line& command_line)
@@ -73,6 +74,13 @@ std::string value_of(const std::string& option, const std::vector<std::string>& 
   return "";
 }
 
+// Any argument may name an input, which the report must not replace.
+void add_inputs(Session& session, const std::vector<std::string>& arguments)
+{
+  for(std::size_t i = 0; i < arguments.size(); ++i)
+    if(i == 0 || arguments[i - 1] != "--report") session.add_input(arguments[i]);
+}
+
 // A script that asks for a report gets one even if it uses wrong options.
 int refuse(const std::vector<std::string>& arguments, const std::string& message)
 {
@@ -83,6 +91,7 @@ int refuse(const std::vector<std::string>& arguments, const std::string& message
   Session session(arguments.empty() ? "" : arguments.front(), options);
   try {
     session.start_report();
+    add_inputs(session, arguments);
   } catch(const Usage_error&) {
     // the first error is the one to tell
   }
@@ -97,9 +106,11 @@ std::string complaint_about_command(const std::vector<std::string>& arguments)
 
 int run_program(int argc, char** argv)
 {
-  handle_interruptions();
+  handle_signals();
   Command_line command_line;
   add_untangle_command(command_line);
+  add_simplify_command(command_line);
+  add_fill_command(command_line);
   add_check_command(command_line);
   add_measure_command(command_line);
   add_generate_command(command_line);

@@ -9,8 +9,9 @@
 #include "numbers.h"
 
 #include <cstddef>
-#include <sstream>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace vfc {
 namespace {
@@ -34,18 +35,35 @@ std::size_t find_node(const Node_of_number& node_of_number, const std::string& t
   return found->second;
 }
 
+// Also the empty ones: a list that ends with a comma may have lost a number.
+std::vector<std::string> items(const std::string& list)
+{
+  std::vector<std::string> result(1);
+  for(const char c : list)
+    if(c == ',')
+      result.emplace_back();
+    else
+      result.back() += c;
+  return result;
+}
+
 } // namespace
 
 void pin_nodes(Curve& curve, const std::string& list)
 {
   const Node_of_number node_of_number = nodes_by_number(curve);
-  std::istringstream items(list);
-  for(std::string item; std::getline(items, item, ',');) {
+  for(const std::string& item : items(list)) {
     if(item == "ends")
       curve.pin_ends();
     else
       curve.set_pinned(find_node(node_of_number, item));
   }
+}
+
+void pin_nodes(Curve& curve, const Curve_options& options)
+{
+  if(!options.pin.empty()) pin_nodes(curve, options.pin);
+  if(!options.has_free_ends) curve.pin_ends();
 }
 
 } // namespace vfc

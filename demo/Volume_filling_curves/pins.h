@@ -8,6 +8,7 @@
 #define VFC_PINS_H
 
 #include "curve_files.h"
+#include "shared_options.h"
 
 #include <string>
 
@@ -15,7 +16,11 @@ namespace vfc {
 
 // Pins the nodes that the option --pin lists: "ends", or numbers from 1 in file order, or both,
 // separated by commas. Nodes that are pinned stay so. \throws Usage_error
+// \pre the list is not empty
 void pin_nodes(Curve& curve, const std::string& list);
+
+// Pins what the options ask for, and the ends of open curves unless they are free.
+void pin_nodes(Curve& curve, const Curve_options& options);
 
 } // namespace vfc
 

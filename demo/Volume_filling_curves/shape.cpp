@@ -26,12 +26,13 @@ namespace curves = CGAL::Volume_filling_curves;
 double mean_medial_radius(const Curve& curve, double thickness)
 {
   constexpr std::size_t number_of_directions = 16;
-  const double cap = 2 * thickness;
+  constexpr double cap = 2; // in units of the thickness
+  const std::vector<double> thicknesses(curve.number_of_nodes(), thickness);
   const auto x = curves::internal::coordinates(curve);
   const auto weights = curves::internal::node_weights(curve, x);
   const curves::internal::Medial_spheres spheres(CGAL::Parallel_if_available_tag(), x,
                                                  curves::internal::node_circles(curve, x),
-                                                 number_of_directions, cap);
+                                                 number_of_directions, thicknesses, cap);
   double sum = 0, sum_of_weights = 0;
   for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
     const auto& circle = spheres.circles()[c];

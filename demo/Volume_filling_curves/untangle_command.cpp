@@ -9,14 +9,19 @@
 #include "Command_line.h"
 #include "Flow_observer.h"
 #include "Untangle_options.h"
+#include "certificates.h"
 #include "commands.h"
+#include "curve_map.h"
 #include "interruption.h"
 #include "numbers.h"
 #include "pins.h"
 #include "shape.h"
+#include "thickness.h"
 #include "untangle_report.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/Medial_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Recording.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <CGAL/tags.h>
@@ -32,18 +37,20 @@ namespace {
 
 namespace curves = CGAL::Volume_filling_curves;
 using curves::Untangling_result;
+using curves::Untangling_strategy;
+using Recording = curves::internal::Recording<Curve::Traits>;
 
 void plan_outputs(Output_files& outputs, const Untangle_options& options)
 {
   add_curve_file(outputs, "--output", options.output);
-  outputs.add("--map", options.map);
-  outputs.add_folder("--frames", options.frames);
+  outputs.add("--certificate", options.certificate);
+  outputs.add("--map", options.film.map);
+  outputs.add_folder("--frames", options.film.frames, Frames::is_frame);
 }
 
 void pin(Curve& curve, const Untangle_options& options)
 {
-  pin_nodes(curve, options.pin);
-  if(!options.has_free_ends) curve.pin_ends();
+  pin_nodes(curve, options.curve);
   if(!options.keeps_length) return;
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
     if(curve.is_pinned(v))
@@ -51,52 +58,53 @@ void pin(Curve& curve, const Untangle_options& options)
                         " is pinned, so the result cannot be scaled");
 }
 
-// A slip of the pen must not fill the memory.
-void check_thickness(const Curve& curve, const Untangle_options& options)
+// The one that was asked for, if it makes sense, or the default.
+// 0 where it is measured later, after a search; only a small spacing can ask for too many nodes then
+double thickness(const Curve& curve, const Untangle_options& untangle_options)
 {
-  constexpr double most_nodes = 2e7; // some 20 GB
-  const double spacing = options.flow.spacing * options.flow.thickness;
-  if(options.flow.thickness > 0 && curves::length(curve) / spacing > most_nodes)
-    throw Usage_error("--thickness " + to_text(options.flow.thickness) + " and --spacing " +
-                      to_text(options.flow.spacing) + " are too small for a curve of length " +
-                      to_text(curves::length(curve)) + ": there would be more than " +
-                      to_text(most_nodes) + " nodes");
+  constexpr double harmless_spacing = 0.01;
+  const Flow_options& options = untangle_options.flow;
+  const double asked = options.parameters.thickness, spacing = options.parameters.spacing;
+  check_thickness(asked, spacing, curve);
+  const bool is_flow = untangle_options.strategy() == Untangling_strategy::FLOW;
+  if(asked > 0 || (!is_flow && spacing >= harmless_spacing)) return asked;
+  using Thickness = curves::internal::Medial_thickness<Curve, CGAL::Parallel_if_available_tag>;
+  const double found = Thickness(curve, options.parameters.number_of_directions)();
+  check_thickness(found, spacing, curve);
+  return is_flow ? found : asked;
 }
 
 Untangling_result untangle(Curve& curve, const Untangle_options& options, Flow_observer& observer)
 {
+  const curves::Curve_flow_parameters& flow = options.flow.parameters;
   return curves::untangle<CGAL::Parallel_if_available_tag>(
-      curve, curves::parameters::thickness(options.flow.thickness)
-                 .number_of_directions(options.flow.number_of_directions)
-                 .max_radius(options.flow.max_radius)
-                 .spacing(options.flow.spacing)
-                 .screening(options.flow.screening)
-                 .coupling(options.flow.coupling)
-                 .preconditioner(options.preconditioner())
-                 .time_step(options.flow.time_step)
+      curve, curves::parameters::thickness(thickness(curve, options))
+                 .number_of_directions(flow.number_of_directions)
+                 .max_radius(flow.max_radius)
+                 .spacing(flow.spacing)
+                 .screening(flow.screening)
+                 .coupling(flow.coupling)
+                 .preconditioner(options.flow.preconditioner())
+                 .time_step(flow.time_step)
                  .tolerance(options.stop.tolerance)
                  .number_of_iterations(options.stop.max_iterations)
                  .time_limit(options.stop.time_limit)
                  .stop_at_proof(!options.finishes)
                  .keep_length(options.keeps_length)
+                 .strategy(options.strategy())
+                 .number_of_chains(options.number_of_chains)
+                 .random_seed(options.seed)
                  .visitor(std::ref(observer)));
 }
 
-void write_map(const Untangle_options& options, const Curve& curve)
-{
-  if(options.map.empty()) return;
-  std::string text;
-  for(const std::size_t v : nodes_in_file_order(options.output, curve)) {
-    const std::size_t origin = curve.origin(v);
-    text += std::to_string(origin == Curve::null_node() ? 0 : origin + 1) + '\n';
-  }
-  Output_files::write(options.map, text);
-}
-
-void write_files(Session& session, const Untangle_options& options, const Curve& curve)
+void write_files(Session& session,
+                 const Untangle_options& options,
+                 const Curve& curve,
+                 const Recording& recording)
 {
   if(!options.output.empty()) write_curve(options.output, curve);
-  write_map(options, curve);
+  if(!options.certificate.empty()) write_certificate(options.certificate, recording.certificate());
+  write_map(options.film.map, options.output, curve);
   session.end_stage("writing");
 }
 
@@ -116,23 +124,24 @@ void check_length(const Session& session,
 int run(Session& session, const Untangle_options& options)
 {
   session.report()["seed"] = options.seed;
+  session.add_input(options.file, "--output");
   plan_outputs(session.outputs(), options);
   poll_interruptions();
-  Curve curve = read_curve(session, options.file, options.is_network);
+  Curve curve = read_curve(session, options.file, options.curve.is_network);
   const double length = curves::length(curve);
   pin(curve, options);
-  check_thickness(curve, options);
+  const Recording recording(curve, !options.certificate.empty());
   Untangling_result result;
   {
-    Flow_observer observer(session, options.stop, Frames(options.frames, options.every));
+    Flow_observer observer(session, options.stop, Frames(options.film.frames, options.film.every));
     result = untangle(curve, options, observer);
   }
   check_length(session, options, curve, length);
   report_stages(session, result.statistics);
-  write_files(session, options, curve);
+  write_files(session, options, curve, recording);
   if(session.has_report()) report_shape(session.report(), curve, result.thickness);
   session.end_stage("measuring");
-  report_run(session.report(), result);
+  report_run(session.report(), result, options.strategy());
   session.print_summary(summary(session, curve, result));
   return exit_status(result.status);
 }
@@ -148,7 +157,8 @@ void add_untangle_command(Command_line& command_line)
   add_untangle_options(command, *options);
   command.footer(
       "The curve moves until it is proved to be unknotted, or is tight, or gets nowhere; it never\n"
-      "passes through itself. SIGINT and SIGTERM stop the run and write the curve as it is; a\n"
+      "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run "
+      "and write the curve as it is; a\n"
       "second one ends at once.\n"
       "Exit status: 0 unknotted or converged, 2 a limit was reached, 3 stalled, 5 interrupted.");
 }

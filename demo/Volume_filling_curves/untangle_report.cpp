@@ -87,29 +87,40 @@ void report_stages(Session& session, const curves::Curve_flow_statistics& work)
                     work.seconds_motion - work.seconds_remeshing;
 }
 
-void report_run(Report& report, const Untangling_result& result)
+void report_work(Report& report, const curves::Curve_flow_statistics& work)
+{
+  report["iterations"] = work.iterations;
+  report["moves_certified"] = work.certified_changes;
+  report["moves_rejected"] = work.refused_changes;
+  report["shortened_steps"] = work.shortened_steps;
+  report["refused_remeshing"] = work.refused_remeshing;
+}
+
+void report_run(Report& report,
+                const Untangling_result& result,
+                curves::Untangling_strategy strategy)
 {
   report["status"] = outcome(result.status).name;
   report["proof"] = Report::Json::array();
   for(const auto proof : result.proofs) report["proof"].push_back(to_json(proof));
   report["link"] = to_json(result.link);
   report["gradient_norm"] = result.gradient_norm;
-  report["iterations"] = result.statistics.iterations;
-  report["moves_certified"] = result.statistics.certified_changes;
-  report["moves_rejected"] = result.statistics.refused_changes;
-  report["shortened_steps"] = result.statistics.shortened_steps;
-  report["refused_remeshing"] = result.statistics.refused_remeshing;
+  report_work(report, result.statistics);
+  if(strategy == curves::Untangling_strategy::TIGHTEN) report["iterations"] = result.sweeps;
+  report["sweeps"] = result.sweeps;
+  report["tightenings"] = result.tightenings;
 }
 
 std::string summary(Session& session, const Curve& curve, const Untangling_result& result)
 {
   const Report& report = session.report();
   return std::string(outcome(result.status).name) + " after " +
-         std::to_string(result.statistics.iterations) + " iterations, " +
-         to_text(session.seconds()) + " s: nodes " + report["nodes_start"].dump() + " -> " +
-         std::to_string(curve.number_of_nodes()) + ", length " + to_text(report["length_start"]) +
-         " -> " + to_text(curves::length(curve)) + ", thickness " + to_text(result.thickness) +
-         ", gradient " + to_text(result.gradient_norm) + '\n';
+         std::to_string(result.statistics.iterations) + " iterations and " +
+         std::to_string(result.sweeps) + " sweeps, " + to_text(session.seconds()) + " s: nodes " +
+         report["nodes_start"].dump() + " -> " + std::to_string(curve.number_of_nodes()) +
+         ", length " + to_text(report["length_start"]) + " -> " + to_text(curves::length(curve)) +
+         ", thickness " + to_text(result.thickness) + ", gradient " +
+         to_text(result.gradient_norm) + '\n';
 }
 
 } // namespace vfc

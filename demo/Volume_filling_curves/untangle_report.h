@@ -11,6 +11,7 @@
 #include "curve_files.h"
 
 #include <CGAL/Volume_filling_curves/Untangling_result.h>
+#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
 
 #include <string>
 
@@ -27,7 +28,12 @@ Exit_status exit_status(CGAL::Volume_filling_curves::Untangling_status status);
 void report_stages(Session& session,
                    const CGAL::Volume_filling_curves::Curve_flow_statistics& statistics);
 
-void report_run(Report& report, const CGAL::Volume_filling_curves::Untangling_result& result);
+// Reports how often the guard was asked.
+void report_work(Report& report, const CGAL::Volume_filling_curves::Curve_flow_statistics& work);
+
+void report_run(Report& report,
+                const CGAL::Volume_filling_curves::Untangling_result& result,
+                CGAL::Volume_filling_curves::Untangling_strategy strategy);
 
 std::string summary(Session& session,
                     const Curve& curve,

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "containment.h"
+
+#include "Report.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+constexpr std::size_t most_listed = 1000;
+
+// Adds the first defects, and how many there are.
+template <typename Nodes>
+void add(Defects& defects,
+         const std::string& kind,
+         const std::string& message,
+         const std::string& file,
+         const std::vector<std::size_t>& indices,
+         const Nodes& nodes,
+         const Curve& curve)
+{
+  for(std::size_t k = 0; k < (std::min)(most_listed, indices.size()); ++k) {
+    std::vector<std::size_t> numbers = nodes(indices[k]);
+    const std::size_t component = curve.component(numbers[0]) + 1;
+    for(std::size_t& v : numbers) v = curve.origin(v) + 1;
+    defects.emplace_back(kind, file, numbers, component, message);
+  }
+  if(indices.size() > most_listed)
+    defects.emplace_back(kind, file, std::vector<std::size_t>(), 0,
+                         std::to_string(indices.size()) + " of this kind in total, the first " +
+                             std::to_string(most_listed) + " are listed");
+}
+
+} // namespace
+
+Outside_parts outside_parts(const Curve& curve, const Domain& domain)
+{
+  Outside_parts result;
+  std::vector<bool> is_inside;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
+    is_inside.push_back(domain.is_inside(curve.point(v)));
+    if(!is_inside[v]) result.nodes.push_back(v);
+  }
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
+    const std::size_t v = curve.source(e), w = curve.target(e);
+    if(!is_inside[v] || !domain.is_triangle_inside(curve.point(v), curve.point(w), curve.point(w)))
+      result.edges.push_back(e);
+  }
+  return result;
+}
+
+void report_outside_parts(Report& report, const Outside_parts& outside)
+{
+  report["outside_nodes"] = outside.nodes.size();
+  report["outside_segments"] = outside.edges.size();
+}
+
+Defects to_defects(const Outside_parts& outside, const Curve& curve, const std::string& file)
+{
+  using Nodes = std::vector<std::size_t>;
+  Defects defects;
+  add(
+      defects, "outside node", "a node is not strictly inside of the mesh", file, outside.nodes,
+      [](std::size_t v) { return Nodes{v}; }, curve);
+  add(
+      defects, "outside segment", "an edge is not strictly inside of the mesh", file, outside.edges,
+      [&](std::size_t e) {
+        return Nodes{curve.source(e), curve.target(e)};
+      },
+      curve);
+  return defects;
+}
+
+} // namespace vfc

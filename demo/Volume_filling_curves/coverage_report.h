@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_COVERAGE_REPORT_H
+#define VFC_COVERAGE_REPORT_H
+
+#include "curve_files.h"
+#include "mesh_files.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace vfc {
+
+class Report;
+
+// The thickness r at a point.
+using Thickness = std::function<double(const Curve::Point_3&)>;
+
+inline Thickness constant_thickness(double r)
+{
+  return [r](const Curve::Point_3&) { return r; };
+}
+
+// Reports how evenly a curve fills a domain, in units of the thickness, and where it did not get to;
+// without a thickness (null) only the distances, in the input's unit.
+void report_coverage(Report& report,
+                     const Curve& curve,
+                     const Domain& domain,
+                     const Thickness& thickness,
+                     std::size_t seed);
+
+} // namespace vfc
+
+#endif // VFC_COVERAGE_REPORT_H
