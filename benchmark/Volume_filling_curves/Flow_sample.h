@@ -48,16 +48,18 @@ struct Flow_sample
     const vfc::Curve_flow_parameters& parameters = flow.parameters();
     spheres = vfc::internal::Medial_spheres(
         CGAL::Sequential_tag(), positions, vfc::internal::node_circles(curve, positions),
-        parameters.number_of_directions, parameters.max_radius * thickness);
+        parameters.number_of_directions, thickness_per_node(), parameters.max_radius);
+  }
+
+  std::vector<double> thickness_per_node() const
+  {
+    return std::vector<double>(curve.number_of_nodes(), thickness);
   }
 
   vfc::internal::Sparse_matrix preconditioner() const
   {
-    const vfc::Curve_flow_parameters defaults;
-    return vfc::internal::preconditioner(vfc::Preconditioner::MEDIAL, curve, positions, weights,
-                                         spheres, defaults.screening / (thickness * thickness),
-                                         defaults.coupling,
-                                         vfc::internal::alpha_of_thickness(thickness));
+    return vfc::internal::preconditioner(vfc::Curve_flow_parameters(), curve, positions, weights,
+                                         thickness_per_node(), spheres);
   }
 
   // the positions after a step whose largest displacement is that times the thickness

@@ -99,6 +99,7 @@ vfc::Untangling_result untangle(Curve& curve,
                                 vfc_benchmark::Stage_profile& profile)
 {
   return vfc::untangle<ConcurrencyTag>(curve, vfc::parameters::visitor(std::ref(profile))
+                                                  .strategy(vfc::Untangling_strategy::FLOW)
                                                   .thickness(options.thickness)
                                                   .number_of_iterations(options.iterations)
                                                   .stop_at_proof(!options.is_finished));

@@ -13,11 +13,13 @@
 #include <CGAL/Volume_filling_curves/internal/Remesher.h>
 
 #include <array>
+#include <vector>
 
 namespace {
 
 using namespace vfc_benchmark;
 using Guard = vfc::Isotopy_guard_3<Curve::Traits>;
+using Remesher = vfc::internal::Remesher<Guard>;
 using Grid = vfc::internal::Grid_broad_phase<Curve>;
 using Aabb_tree = vfc::internal::Aabb_tree_broad_phase<Curve>;
 
@@ -64,12 +66,13 @@ void remeshing(benchmark::State& state)
   Curve curve = sample.curve;
   Guard guard(curve);
   guard.set_clearance(clearance * sample.thickness);
+  const auto per_node = [&](double h) { return std::vector<double>(curve.number_of_nodes(), h); };
   std::size_t nodes = 0;
   for(auto _ : state) {
-    vfc::internal::Remesher<Curve::Traits>(guard, spacing / 2).split_long_edges();
+    Remesher(guard, per_node(spacing / 2)).split_long_edges();
     guard.collect_garbage();
     nodes += curve.number_of_nodes();
-    vfc::internal::Remesher<Curve::Traits>(guard, spacing).collapse_short_edges();
+    Remesher(guard, per_node(spacing)).collapse_short_edges();
     guard.collect_garbage();
     nodes += curve.number_of_nodes();
   }

@@ -19,11 +19,13 @@ void medial_spheres(benchmark::State& state)
 {
   const Flow_sample& sample = tangled_unknot(state.range(0));
   const auto number_of_directions = static_cast<std::size_t>(state.range(1));
-  const double cap = vfc::Curve_flow_parameters().max_radius * sample.thickness;
+  const double cap = vfc::Curve_flow_parameters().max_radius;
+  const std::vector<double> thickness = sample.thickness_per_node();
   for(auto _ : state) {
     const vfc::internal::Medial_spheres spheres(
         CGAL::Sequential_tag(), sample.positions,
-        vfc::internal::node_circles(sample.curve, sample.positions), number_of_directions, cap);
+        vfc::internal::node_circles(sample.curve, sample.positions), number_of_directions,
+        thickness, cap);
     benchmark::DoNotOptimize(spheres.radius(0, 0));
   }
   count_nodes(state, sample);
@@ -49,11 +51,12 @@ BENCHMARK(touching_pairs)->Arg(1000)->Arg(10000);
 void energy_gradient(benchmark::State& state)
 {
   const Flow_sample& sample = tangled_unknot(state.range(0));
+  const std::vector<double> thickness = sample.thickness_per_node();
+  const double medial_weight = vfc::Curve_flow_parameters().medial_weight;
   for(auto _ : state) {
     vfc::internal::Energy_gradient<Curve> gradient(sample.curve, sample.positions, sample.weights);
-    gradient.add_length(
-        vfc::internal::component_tensions(sample.curve, sample.weights, sample.thickness));
-    gradient.add_medial_spheres(sample.spheres, sample.thickness);
+    gradient.add_length(vfc::internal::component_tensions(sample.curve, sample.weights, thickness));
+    gradient.add_medial_spheres(sample.spheres, thickness, medial_weight);
     benchmark::DoNotOptimize(gradient.result().data());
   }
   count_nodes(state, sample);

@@ -16,6 +16,9 @@
  * cannot change the curve. It may throw: the exception reaches the caller of `untangle()`, and the
  * curve is the one after the last step, ambient isotopic to the input.
  *
+ * The curve that a visitor sees has tails at pinned ends: pinned nodes whose
+ * `CGAL::Volume_filling_curves::Curve_network_3::origin()` is null.
+ *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Volume_filling_curves::Default_curve_flow_visitor}
  * \cgalHasModelsEnd

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Leads a channel from one port of a vessel to another one such that it gets everywhere in between.
+// The vessel is given by a signed distance.
+
+#include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
+#include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/fill.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace VFC = CGAL::Volume_filling_curves;
+
+using Traits = VFC::Curve_flow_traits_3<>;
+using Curve = VFC::Curve_network_3<Traits>;
+using Point_3 = Curve::Point_3;
+
+// The signed distance to a capsule of radius 0.5 around a segment on the x-axis
+double distance_to_capsule(const Point_3& p)
+{
+  const double x = p.x() - (std::max)(-0.5, (std::min)(0.5, p.x()));
+  return std::sqrt(x * x + p.y() * p.y() + p.z() * p.z()) - 0.5;
+}
+
+using Domain = VFC::Implicit_domain_3<double (*)(const Point_3&)>;
+
+int main()
+{
+  const Domain domain(distance_to_capsule, CGAL::Bbox_3(-1, -0.5, -0.5, 1, 0.5, 0.5));
+  const Point_3 inlet(-0.98, 0, 0), outlet(0.98, 0, 0);
+  Curve curve(std::vector<Point_3>{inlet, Point_3(0, 0, 0), outlet},
+              std::vector<std::array<std::size_t, 2>>{{0, 1}, {1, 2}});
+  curve.pin_ends();
+  const double thickness = 0.12;
+  const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness));
+
+  const VFC::Domain_samples_3<Traits, Domain> samples(domain);
+  const auto coverage =
+      VFC::coverage(samples, VFC::sample_distances(curve, samples), result.thickness);
+  std::cout << "length " << VFC::length(curve) << ", " << 100 * coverage.fraction_within_r
+            << " % of the volume are within " << thickness << ", all within "
+            << coverage.max * thickness << '\n';
+
+  std::size_t ports = 0;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.is_pinned(v) && (curve.point(v) == inlet || curve.point(v) == outlet)) ++ports;
+  std::cout << ports << " ends are where they were\n";
+  const bool is_ok = result.status == VFC::Filling_status::CONVERGED && ports == 2 &&
+                     coverage.fraction_within_r > 0.7;
+  return is_ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Fills the inside of a closed mesh with a curve: that of a file, or an icosahedron.
+//
+//   fill_mesh [FILE [THICKNESS]]
+
+#include <CGAL/Volume_filling_curves/IO/domain_mesh.h>
+#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+#include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/fill.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace VFC = CGAL::Volume_filling_curves;
+
+using Traits = VFC::Curve_flow_traits_3<>;
+using Curve = VFC::Curve_network_3<Traits>;
+using Mesh = CGAL::Surface_mesh<Curve::Point_3>;
+using Domain = VFC::Triangle_mesh_domain_3<>;
+
+bool read_mesh(const char* file, Mesh& mesh)
+{
+  std::vector<VFC::Mesh_defect> defects;
+  const bool is_usable = CGAL::IO::read_domain_mesh(file, mesh, defects);
+  for(const VFC::Mesh_defect& defect : defects) std::cerr << VFC::to_string(defect, file) << '\n';
+  return is_usable;
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if(argc < 2)
+    CGAL::make_icosahedron(mesh, Curve::Point_3(0, 0, 0), 1);
+  else if(!read_mesh(argv[1], mesh))
+    return EXIT_FAILURE;
+  const double thickness = argc > 2 ? std::atof(argv[2]) : 0; // 0: by the widest ball inside
+
+  const Domain domain(mesh);
+  Curve curve; // empty: a circle is placed where the domain is widest
+  const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness));
+
+  const VFC::Domain_samples_3<Traits, Domain> samples(domain);
+  const auto distances = VFC::sample_distances(curve, samples);
+  const VFC::Coverage coverage = VFC::coverage(samples, distances, result.thickness);
+  std::cout << result.statistics.iterations << " iterations, " << curve.number_of_nodes()
+            << " nodes\n"
+            << "thickness       " << result.thickness << '\n'
+            << "medial radius   " << result.medial_radius << '\n'
+            << "within it       " << 100 * coverage.fraction_within_r << " % of the volume\n"
+            << "99 % are within " << coverage.p99 << " times the thickness, all within "
+            << coverage.max << '\n';
+  for(const auto& region : result.empty_regions)
+    std::cout << "not reached: a volume of " << region.volume << " at " << region.point << '\n';
+
+  // Every edge is strictly inside, which is recounted here with exact predicates.
+  const VFC::Containment outside = VFC::containment(curve, domain);
+  if(outside.outside_nodes + outside.outside_segments > 0) return EXIT_FAILURE;
+  if(!CGAL::IO::write_curve_network("filling.obj", curve)) return EXIT_FAILURE;
+  return result.status == VFC::Filling_status::CONVERGED ? EXIT_SUCCESS : EXIT_FAILURE;
+}
