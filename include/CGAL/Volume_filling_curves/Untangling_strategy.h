@@ -29,7 +29,7 @@ enum class Untangling_strategy
 /// How far a random search has got.
 struct Tightening_progress
 {
-  std::size_t sweeps = 0; ///< the number of times that as many moves were tried as there are edges
+  std::size_t sweeps = 0; ///< the number of times that a hundred moves per edge were tried
   std::size_t moves = 0;  ///< the number of moves that were tried
   std::size_t edges = 0;  ///< the fewest edges found so far
 };

@@ -99,7 +99,8 @@ namespace Volume_filling_curves {
  *     \cgalParamDefault{`0.007`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the largest number of iterations}
+ *     \cgalParamDescription{the largest number of iterations of the flow; of the sweeps of
+ *       `Tightening_progress` with `Untangling_strategy::TIGHTEN`}
  *     \cgalParamType{an integral type}
  *     \cgalParamDefault{`5000`}
  *   \cgalParamNEnd

@@ -57,16 +57,16 @@ public:
     while(m_moves < moves && !has_ended()) {
       propose();
       ++m_moves;
-      if(--m_moves_until_end_of_sweep == 0) end_sweep();
+      if(--m_moves_until_end_of_round == 0) end_round();
     }
   }
 
   bool has_ended() const { return m_has_reached_goal || m_is_exhausted; }
   bool has_reached_goal() const { return m_has_reached_goal; }
 
-  // the number of moves proposed so far, and of as many moves as there were edges at the time
+  // the number of moves proposed so far, and how often a hundred per edge
   std::size_t moves() const { return m_moves; }
-  std::size_t sweeps() const { return m_sweeps; }
+  std::size_t sweeps() const { return m_rounds / rounds_per_sweep; }
 
   // Remembers the fewest edges of the current attempt if they are the fewest of all, and returns
   // whether they are.
@@ -86,7 +86,8 @@ public:
 
 private:
   static constexpr std::size_t moves_between_looks = 256;       // whether the link is trivial
-  static constexpr std::size_t sweeps_between_renumbering = 50; // while edges change their places
+  static constexpr std::size_t rounds_per_sweep = 100;
+  static constexpr std::size_t rounds_between_renumbering = 50; // while edges change their places
 
   struct Record
   {
@@ -195,10 +196,11 @@ private:
     m_polygon.renumber();
   }
 
-  void end_sweep()
+  // A round has as many moves as there were edges at its start.
+  void end_round()
   {
-    ++m_sweeps;
-    if(m_sweeps % sweeps_between_renumbering == 0) m_polygon.renumber();
+    ++m_rounds;
+    if(m_rounds % rounds_between_renumbering == 0) m_polygon.renumber();
     if(m_moves - m_best_of_attempt.moves > m_parameters.patience(m_best_of_attempt.edges))
       give_up();
     else if(m_moves >= m_next_look)
@@ -208,7 +210,7 @@ private:
 
   void measure()
   {
-    m_moves_until_end_of_sweep = m_polygon.number_of_edges();
+    m_moves_until_end_of_round = m_polygon.number_of_edges();
     m_mean_length = m_polygon.length() / static_cast<double>(m_polygon.number_of_edges());
     m_polygon.keep_clear(m_parameters.clearance * m_mean_length);
   }
@@ -252,7 +254,7 @@ private:
   Record m_best_of_attempt = {0, 0, 0};
   std::size_t m_best = static_cast<std::size_t>(-1);
   int m_attempts_in_vain = 0;
-  std::size_t m_moves = 0, m_sweeps = 0, m_moves_until_end_of_sweep = 0, m_next_look = 0;
+  std::size_t m_moves = 0, m_rounds = 0, m_moves_until_end_of_round = 0, m_next_look = 0;
   double m_mean_length = 0;
   bool m_has_reached_goal = false, m_is_exhausted = false;
 };
