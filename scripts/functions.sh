@@ -69,9 +69,8 @@ end_count() {
     END {
       for (reason in names) printf "Skipped (%s):%s\n", reason, names[reason]
       if (failed) printf "Failed:\n%s", failed
-      printf "%d passed, %d failed", count["passed"], count["failed"]
-      if (count["skipped"]) printf ", %d skipped", count["skipped"]
-      printf "\n"
+      if (count["skipped"]) printf "%d skipped\n", count["skipped"]
+      printf "%d passed, %d failed\n", count["passed"], count["failed"]
       exit count["failed"] > 0 || !count["passed"]
     }' "$VFC_RESULTS"
 }
