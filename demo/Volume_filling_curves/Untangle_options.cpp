@@ -31,8 +31,9 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
   add_curve_options(command, options.curve);
   command.add_flag("--keep-length", options.keeps_length,
                    "scale the result to the length of the input");
-  command.add_flag("--finish", options.finishes,
-                   "after a proof that nothing is knotted flow on until converged, a small loop");
+  command.add_flag(
+      "--finish", options.finishes,
+      "after a proof that nothing is knotted go on until the curve is round; several get tight");
   add_stop_options(command, options.stop);
   add_number(command, "--tolerance", options.stop.tolerance,
              "converged if gradient_norm is less; dimensionless", not_negative)

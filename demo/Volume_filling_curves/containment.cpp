@@ -40,22 +40,6 @@ void add(Defects& defects,
 
 } // namespace
 
-Outside_parts outside_parts(const Curve& curve, const Domain& domain)
-{
-  Outside_parts result;
-  std::vector<bool> is_inside;
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
-    is_inside.push_back(domain.is_inside(curve.point(v)));
-    if(!is_inside[v]) result.nodes.push_back(v);
-  }
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
-    const std::size_t v = curve.source(e), w = curve.target(e);
-    if(!is_inside[v] || !domain.is_triangle_inside(curve.point(v), curve.point(w), curve.point(w)))
-      result.edges.push_back(e);
-  }
-  return result;
-}
-
 void report_outside_parts(Report& report, const Outside_parts& outside)
 {
   report["outside_nodes"] = outside.nodes.size();

@@ -10,22 +10,16 @@
 #include "curve_files.h"
 #include "mesh_files.h"
 
-#include <cstddef>
+#include <CGAL/Volume_filling_curves/internal/outside_parts.h>
+
 #include <string>
-#include <vector>
 
 namespace vfc {
 
 class Report;
 
-// What of a curve is not strictly inside of a domain; decided exactly.
-struct Outside_parts
-{
-  std::vector<std::size_t> nodes;
-  std::vector<std::size_t> edges; // with any point on or beyond the surface
-};
-
-Outside_parts outside_parts(const Curve& curve, const Domain& domain);
+using CGAL::Volume_filling_curves::internal::outside_parts;
+using CGAL::Volume_filling_curves::internal::Outside_parts;
 
 void report_outside_parts(Report& report, const Outside_parts& outside);
 

@@ -9,6 +9,7 @@
 #include "numbers.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/filling_task.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -46,7 +47,7 @@ void check_thickness(double thickness, double spacing, const Curve& curve)
 void check_filling(double thickness, double length, double spacing, const Mesh& mesh)
 {
   namespace pmp = CGAL::Polygon_mesh_processing;
-  constexpr double density = 0.3; // a curve that fills has about this length, times V / r^2
+  constexpr double density = curves::internal::filling_density;
   const double volume = std::abs(pmp::volume(mesh));
   const CGAL::Bbox_3 box = pmp::bbox(mesh);
   const double size = std::hypot(box.x_span(), box.y_span(), box.z_span());

@@ -158,8 +158,8 @@ void add_untangle_command(Command_line& command_line)
   command.footer(
       "The curve moves until it is proved to be unknotted, or is tight, or gets nowhere; it never\n"
       "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run "
-      "and write the curve as it is; a\n"
-      "second one ends at once.\n"
+      "and\n"
+      "write the curve as it is; a second one ends at once.\n"
       "Exit status: 0 unknotted or converged, 2 a limit was reached, 3 stalled, 5 interrupted.");
 }
 

@@ -17,18 +17,18 @@
 #include <CGAL/Volume_filling_curves/internal/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/Medial_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/Strand_separator.h>
 #include <CGAL/Volume_filling_curves/internal/Wall_limit.h>
+#include <CGAL/Volume_filling_curves/internal/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/energy_gradient.h>
 #include <CGAL/Volume_filling_curves/internal/preconditioner.h>
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -248,22 +248,10 @@ private:
   static constexpr double clearance_over_thickness = 0.1;
   static constexpr double least_fraction = 1. / 64; // of a step that is shortened
 
-  static bool is_positive(double x) { return x > 0 && std::isfinite(x); }
-
-  static bool are_valid(const Curve_flow_parameters& p)
-  {
-    const auto is_positive_or_zero = [](double x) { return x == 0 || is_positive(x); };
-    return p.number_of_directions > 0 && is_positive(p.max_radius) && is_positive(p.spacing) &&
-           is_positive(p.screening) && is_positive(p.max_displacement) &&
-           is_positive(p.medial_weight) && is_positive_or_zero(p.thickness) &&
-           is_positive_or_zero(p.coupling) && is_positive_or_zero(p.time_step);
-  }
-
   void start()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
-    if(!are_valid(m_parameters))
-      throw std::invalid_argument("the parameters of a flow must be positive and finite");
+    internal::check_parameters(m_parameters);
     if(!(m_parameters.thickness > 0) && !m_thickness_field) {
       internal::Medial_thickness<Curve_network, ConcurrencyTag> measure(
           curve(), m_parameters.number_of_directions);
@@ -290,7 +278,7 @@ private:
     m_thickness.assign(n, m_parameters.thickness);
     if(m_thickness_field && n > 0) {
       for(size_type v = 0; v < n; ++v) m_thickness[v] = m_thickness_field(curve().point(v));
-      if(!std::all_of(m_thickness.begin(), m_thickness.end(), is_positive))
+      if(!std::all_of(m_thickness.begin(), m_thickness.end(), internal::is_positive))
         throw std::invalid_argument("the thickness must be positive and finite everywhere");
       m_parameters.thickness =
           std::accumulate(m_thickness.begin(), m_thickness.end(), 0.) / static_cast<double>(n);
@@ -301,7 +289,7 @@ private:
 
   void update_spheres()
   {
-    const Stage stage(m_statistics.seconds_medial_spheres);
+    const internal::Stage_timer stage(m_statistics.seconds_medial_spheres);
     m_spheres = internal::Medial_spheres(
         ConcurrencyTag(), m_positions, internal::node_circles(curve(), m_positions),
         m_parameters.number_of_directions, m_thickness, m_parameters.max_radius,
@@ -311,7 +299,7 @@ private:
 
   void update_direction()
   {
-    const Stage stage(m_statistics.seconds_direction);
+    const internal::Stage_timer stage(m_statistics.seconds_direction);
     internal::Energy_gradient<Curve_network> gradient(curve(), m_positions, m_weights);
     gradient.add_length(internal::component_tensions(curve(), m_weights, m_thickness));
     gradient.add_medial_spheres(m_spheres, m_thickness, m_parameters.medial_weight);
@@ -334,7 +322,7 @@ private:
   // Returns the fraction of the step that was certified.
   double move()
   {
-    const Stage stage(m_statistics.seconds_motion);
+    const internal::Stage_timer stage(m_statistics.seconds_motion);
     if(m_direction.isZero(0)) return 0;
     const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
                                                     : m_step_size.next(m_direction, m_thickness);
@@ -357,7 +345,7 @@ private:
 
   void remesh()
   {
-    const Stage stage(m_statistics.seconds_remeshing);
+    const internal::Stage_timer stage(m_statistics.seconds_remeshing);
     Remesher remesher = make_remesher();
     remesher.collapse_short_edges();
     remesher.split_long_edges();
@@ -381,7 +369,7 @@ private:
   // Each round joins pairs of edges that are too short; then each halves edges that are too long.
   void remesh_until_even()
   {
-    const Stage stage(m_statistics.seconds_remeshing);
+    const internal::Stage_timer stage(m_statistics.seconds_remeshing);
     do {
       collect_garbage();
       make_remesher().collapse_short_edges();
@@ -391,18 +379,6 @@ private:
       make_remesher().split_long_edges();
     } while(curve().has_garbage());
   }
-
-  // Adds the time until its end to a stage's seconds.
-  class Stage
-  {
-  public:
-    explicit Stage(double& seconds) : m_seconds(seconds) { m_timer.start(); }
-    ~Stage() { m_seconds += m_timer.time(); }
-
-  private:
-    double& m_seconds;
-    Real_timer m_timer;
-  };
 
   Guard m_guard;
   Curve_flow_parameters m_parameters;

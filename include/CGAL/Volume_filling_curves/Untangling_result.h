@@ -61,9 +61,8 @@ struct Untangling_result
   double thickness = 0;                                ///< r, in the input's unit
   double gradient_norm = 0;         ///< at the end, see `Curve_flow_3::gradient_norm()`
   Curve_flow_statistics statistics; ///< the work; of all flows if there were several
-  std::size_t tightenings =
-      0;                  ///< how often the curve was tightened; more than once if a flow jammed
-  std::size_t sweeps = 0; ///< the sweeps of all tightenings, see `Tightening_progress`
+  std::size_t tightenings = 0;      ///< how often it was tightened; after each jam once more
+  std::size_t sweeps = 0;           ///< of all tightenings, see `Tightening_progress`
 };
 
 } // namespace Volume_filling_curves

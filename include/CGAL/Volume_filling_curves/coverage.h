@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/Empty_region_search.h>
 #include <CGAL/Volume_filling_curves/internal/Segment_tree.h>
 #include <CGAL/Volume_filling_curves/internal/for_each_block.h>
+#include <CGAL/Volume_filling_curves/internal/outside_parts.h>
 
 #include <CGAL/tags.h>
 
@@ -219,19 +220,8 @@ template <typename Traits, typename Domain, typename Thickness>
 template <typename Traits, typename Domain>
 [[nodiscard]] Containment containment(const Curve_network_3<Traits>& curve, const Domain& domain)
 {
-  Containment result;
-  std::vector<bool> is_inside(curve.number_of_nodes());
-  for(std::size_t v = 0; v < is_inside.size(); ++v) {
-    is_inside[v] = domain.is_inside(curve.point(v));
-    result.outside_nodes += !is_inside[v];
-  }
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
-    const auto p = curve.source(e), q = curve.target(e);
-    result.outside_segments +=
-        !is_inside[p] || !is_inside[q] ||
-        !domain.is_triangle_inside(curve.point(p), curve.point(q), curve.point(q));
-  }
-  return result;
+  const internal::Outside_parts outside = internal::outside_parts(curve, domain);
+  return {outside.nodes.size(), outside.edges.size()};
 }
 
 /// @}

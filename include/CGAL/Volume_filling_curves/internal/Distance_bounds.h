@@ -24,7 +24,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // How far points of a domain are at least from its boundary. Queries of an AABB
-// tree far from the surface are slow (20 to 100 microseconds), and they are many; so distances are
+// tree far from the surface are slower than those near it, and they are many; so distances are
 // kept at the centres of the cells of a grid, measured when they are first asked for: the distance
 // changes no faster than the point (it is 1-Lipschitz), and only near the boundary, where queries are
 // fast, the point itself is measured. Answers do not depend on the order of the questions. Safe in

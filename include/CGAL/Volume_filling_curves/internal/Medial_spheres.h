@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  // In units of the thickness:
+  // In units of the thickness. 1.2 and 1.5 take 30 % longer to fill the bunny (2026-11-21).
   static constexpr double first_cap = 2, cap_growth = 2;
   static constexpr Index open_sphere = no_node - 1; // touches nothing up to the cap tried last
   static constexpr std::size_t block = 256;

@@ -13,6 +13,8 @@
 #include <CGAL/Volume_filling_curves/internal/Segment_tree.h>
 #include <CGAL/Volume_filling_curves/internal/Vector.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -68,15 +70,7 @@ private:
 
   using Cell = std::array<std::int32_t, 3>;
 
-  struct Hash
-  {
-    std::size_t operator()(const Cell& c) const
-    {
-      std::uint64_t h = 0;
-      for(std::int32_t i : c) h = (h ^ static_cast<std::uint32_t>(i)) * 0x9e3779b97f4a7c15u;
-      return static_cast<std::size_t>(h ^ (h >> 32));
-    }
-  };
+  using Cells = std::unordered_map<Cell, Cell, boost::hash<Cell>>;
 
   Vector position(const Cell& c) const { return m_origin + m_cell * Vector(c[0], c[1], c[2]); }
 
@@ -85,7 +79,7 @@ private:
   void find_path(const Vector& start)
   {
     m_origin = start;
-    std::unordered_map<Cell, Cell, Hash> former; // the cell from which it was reached
+    Cells former; // the cell from which it was reached
     std::deque<Cell> queue(1, Cell{0, 0, 0});
     former[queue.front()] = queue.front();
     while(!queue.empty() && former.size() < most_cells) {
@@ -109,7 +103,7 @@ private:
     return m_samples.domain().is_triangle_inside(p, q, q);
   }
 
-  void add_path(const std::unordered_map<Cell, Cell, Hash>& former, Cell c)
+  void add_path(const Cells& former, Cell c)
   {
     for(; former.at(c) != c; c = former.at(c)) m_path_points.push_back(position(c));
     m_path_points.push_back(position(c));

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/Strategy_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/Tightener.h>
 #include <CGAL/Volume_filling_curves/internal/Untangler.h>
+#include <CGAL/Volume_filling_curves/internal/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/rescale_to_length.h>
 
 #include <CGAL/Real_timer.h>
@@ -70,6 +71,7 @@ public:
 
   Untangling_result operator()()
   {
+    check_parameters(m_parameters);
     // with tails the search might take the curve out of their sphere
     if(m_strategy.strategy == Untangling_strategy::FLOW || m_tails.are_needed()) return flow();
     const double start_length = length(m_curve);

@@ -19,8 +19,8 @@ namespace internal {
 // How a Tightening_search goes about it. Lengths are in units of the mean length of an edge, and
 // rates are probabilities per move; the moves that are left over shake a node.
 // Found with benchmark_tighten on Haken's, Ochiai's and Petronio and Zanellati's unknots, 2026-11-21:
-// rates may vary by a factor of two. Without a clearance Ochiai's fourth unknot gets stuck, with
-// 0.01 Haken's takes four times as long.
+// rates may vary by a factor of two. In first trials, with other rates and 6 seeds, one search for
+// Ochiai's fourth unknot got stuck without a clearance, and with 0.01 Haken's took four times as long.
 struct Tightening_parameters
 {
   double temperature = 0.8; // how much longer a curve may get at a time
@@ -37,7 +37,7 @@ struct Tightening_parameters
 
   // The number of moves without progress after which an attempt ends, for a curve of n edges. Knots
   // of 10 crossings get to 12 edges within 100,000 moves; unknots that are stuck at 15 to 20 edges
-  // come loose within 40,000 moves, and at 50 edges within a million (20 seeds).
+  // come loose within 40,000 moves, and at 50 edges within a million (8 to 10 seeds).
   std::size_t patience(std::size_t n) const
   {
     const double edges = static_cast<double>(n);

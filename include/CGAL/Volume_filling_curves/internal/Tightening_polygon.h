@@ -318,8 +318,8 @@ private:
   {
     const Vector &a = m_nodes[node_a].position, &b = m_nodes[node_b].position;
     const Vector& c = m_nodes[node_c].position;
-    const bool is_flat = are_collinear(a, b, c);
-    if(is_flat && !is_strictly_between(a, b, c)) return false;
+    const bool is_flat = Triangle_test::are_collinear(a, b, c);
+    if(is_flat && !Triangle_test::is_strictly_between(a, b, c)) return false;
     const Triangle_test triangle(a, b, c);
     const Box box = ((Box::of(a) += b) += c).inflated(m_clearance.distance());
     const std::array<Index, 2>& taken_out = m_nodes[node_b].edges;
@@ -352,7 +352,7 @@ private:
   {
     const Index node_a = m_edges[edge].source, node_c = m_edges[edge].target;
     const Vector &a = m_nodes[node_a].position, &c = m_nodes[node_c].position;
-    if(are_collinear(a, b, c)) return is_strictly_between(a, b, c);
+    if(Triangle_test::are_collinear(a, b, c)) return Triangle_test::is_strictly_between(a, b, c);
     const Triangle_test triangle(a, b, c);
     const Box box = ((Box::of(a) += b) += c).inflated(m_clearance.distance());
     return m_boxes.for_each_near(box, [&](std::size_t k) {
@@ -375,21 +375,6 @@ private:
       return !triangle.meets(p, q) && m_clearance.is_kept(p, q, a, b, before) &&
              m_clearance.is_kept(p, q, b, c, before);
     });
-  }
-
-  static bool are_collinear(const Vector& a, const Vector& b, const Vector& c)
-  {
-    const Vector normal = (b - a).cross(c - a);
-    // far above the rounding of the cross product
-    if(normal.squaredNorm() > 1e-20 * (b - a).squaredNorm() * (c - a).squaredNorm()) return false;
-    return Triangle_test::predicates().are_collinear(
-        Triangle_test::point(a), Triangle_test::point(b), Triangle_test::point(c));
-  }
-
-  static bool is_strictly_between(const Vector& a, const Vector& b, const Vector& c)
-  {
-    return Triangle_test::predicates().is_strictly_between(
-        Triangle_test::point(a), Triangle_test::point(b), Triangle_test::point(c));
   }
 
   std::vector<Node> m_nodes;

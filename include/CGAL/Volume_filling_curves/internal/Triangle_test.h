@@ -90,6 +90,19 @@ public:
                                point(m_c), point(s), point(m_a), point(m_b));
   }
 
+  static bool are_collinear(const Vector& a, const Vector& b, const Vector& c)
+  {
+    const Vector normal = (b - a).cross(c - a);
+    // far above the rounding of the cross product
+    if(normal.squaredNorm() > 1e-20 * (b - a).squaredNorm() * (c - a).squaredNorm()) return false;
+    return predicates().are_collinear(point(a), point(b), point(c));
+  }
+
+  static bool is_strictly_between(const Vector& a, const Vector& b, const Vector& c)
+  {
+    return predicates().is_strictly_between(point(a), point(b), point(c));
+  }
+
   static Exact_predicates<Curve_flow_traits_3<>> predicates()
   {
     return Exact_predicates<Curve_flow_traits_3<>>(Curve_flow_traits_3<>());

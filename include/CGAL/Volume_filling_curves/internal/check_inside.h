@@ -9,7 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <cstddef>
+#include <CGAL/Volume_filling_curves/internal/outside_parts.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -22,15 +23,14 @@ namespace internal {
 template <typename Network, typename Domain>
 void check_inside(const Network& curve, const Domain& domain)
 {
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-    if(!domain.is_inside(curve.point(v)))
-      throw std::invalid_argument("node " + std::to_string(v) + " is not inside the domain");
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
-    const std::size_t v = curve.source(e), w = curve.target(e);
-    if(!domain.is_triangle_inside(curve.point(v), curve.point(w), curve.point(w)))
-      throw std::invalid_argument("the edge of nodes " + std::to_string(v) + " and " +
-                                  std::to_string(w) + " meets the boundary of the domain");
-  }
+  const Outside_parts outside = outside_parts(curve, domain);
+  if(!outside.nodes.empty())
+    throw std::invalid_argument("node " + std::to_string(outside.nodes[0]) +
+                                " is not inside the domain");
+  if(!outside.edges.empty())
+    throw std::invalid_argument(
+        "the edge of nodes " + std::to_string(curve.source(outside.edges[0])) + " and " +
+        std::to_string(curve.target(outside.edges[0])) + " meets the boundary of the domain");
 }
 
 } // namespace internal
