@@ -162,13 +162,24 @@ TEST(Curve_flow_3, keeps_edges_even)
 
 TEST(Rescaling, reaches_a_length)
 {
-  for(double wanted : {1e-30, 0.3, 6., 1e30}) {
+  for(double wanted : {1e-3, 0.3, 6., 1e30}) {
     Network knot = internal::make_network(internal::torus_knot(2, 3, 80));
     const double start = internal::length(knot);
     const double factor = internal::rescale_to_length(knot, wanted);
     EXPECT_NEAR(internal::length(knot), wanted, 1e-11 * wanted);
     EXPECT_NEAR(factor, wanted / start, 1e-9 * factor);
   }
+}
+
+TEST(Rescaling, stays_where_the_curve_is)
+{
+  const Vector away(100, -300, 200);
+  Network knot = transformed(internal::make_network(internal::torus_knot(2, 3, 80)), 1,
+                             Eigen::Matrix3d::Identity(), away);
+  const Vector center = internal::coordinates(knot).colwise().mean();
+  internal::rescale_to_length(knot, 20 * internal::length(knot));
+  const Vector after = internal::coordinates(knot).colwise().mean();
+  EXPECT_LT((after - center).norm(), 1e-11);
 }
 
 TEST(Rescaling, ends_where_rounding_is_coarse)

@@ -74,15 +74,11 @@ public:
     check_parameters(m_parameters);
     // with tails the search might take the curve out of their sphere
     if(m_strategy.strategy == Untangling_strategy::FLOW || m_tails.are_needed()) return flow();
-    const double start_length = length(m_curve);
     Untangling_status status = tighten();
     if(m_strategy.strategy == Untangling_strategy::TIGHTEN || status == Untangling_status::LIMIT ||
        status == Untangling_status::INTERRUPTED)
       return result(status);
     m_rules.smooths_after_proof = true;
-    // the search has shrunk the curve, a given thickness is meant for its former size
-    if(m_parameters.thickness > 0 && !has_pinned_node(m_curve))
-      rescale_to_length(m_curve, start_length);
     // a ring has no strands whose distance could be measured
     if(!(m_parameters.thickness > 0) && status == Untangling_status::UNKNOTTED &&
        m_curve.number_of_components() == 1)
@@ -102,9 +98,11 @@ private:
   static constexpr double thinning = 0.7, patience_growth = 4;
   static constexpr double thickness_of_rings = 0.025; // in units of the length: 100 to 200 edges
 
-  // The search, until it gets no further. An unknot is proved later, by the flow or the result.
+  // The search, until it gets no further. An unknot is proved later, by the flow or the result. The
+  // search shrinks the curve by orders of magnitude, which is undone.
   Untangling_status tighten()
   {
+    const double start_length = length(m_curve);
     {
       Guard guard(m_curve);
       Curve_simplifier<Guard>(guard, std::numeric_limits<double>::infinity()).run();
@@ -125,6 +123,7 @@ private:
     tightener.apply();
     guard.collect_garbage();
     count(guard);
+    if(!has_pinned_node(m_curve)) rescale_to_length(m_curve, start_length);
     ++m_tightenings;
     m_sweeps += tightener.progress().sweeps;
     m_tightening.patience_factor *= patience_growth;

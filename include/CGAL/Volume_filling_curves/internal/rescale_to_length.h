@@ -37,28 +37,30 @@ bool has_pinned_node(const Network& curve)
   return false;
 }
 
-// Scales a curve to the given length and returns the factor: by a power of two, which is exact, and
-// from there in small certified steps, since rounding moves nodes apart. Stops early, with the
-// factor reached, if a step is refused, or gets no closer because coordinates are rounded coarsely.
-// A network without edges stays as it is.
+// Scales a curve about its center to the given length, and returns the factor. In certified steps, since
+// coordinates are rounded; of many nodes they are short, so that few edges come near one another.
+// Stops early, with the factor reached, if not even a short step is possible, or if it gets no closer
+// because coordinates are rounded coarsely. A network without edges stays as it is.
 template <typename Traits>
 double rescale_to_length(Curve_network_3<Traits>& curve, double wanted)
 {
-  constexpr double largest_step = 1.02; // smaller than what strands keep clear in units of the size
+  constexpr double least_step = 1.001;
   constexpr double precision = 1e-12;
   const double start = length(curve);
   if(!(start > 0)) return 1;
   Isotopy_guard_3<Traits> guard(curve);
-  guard.scale_by_power_of_two(std::ilogb(wanted / start));
+  double step = 1 + 1 / std::sqrt(std::sqrt(static_cast<double>(curve.number_of_nodes())));
   double error = std::numeric_limits<double>::infinity();
-  for(double rest = wanted / length(curve);
-      std::abs(rest - 1) > precision && std::abs(rest - 1) < error; rest = wanted / length(curve)) {
+  for(double rest = wanted / start; std::abs(rest - 1) > precision && std::abs(rest - 1) < error;
+      rest = wanted / length(curve)) {
     error = std::abs(rest - 1);
-    const double factor = (std::min)(rest, largest_step);
+    const double factor = std::clamp(rest, 1 / step, step);
     const Vector_field x = coordinates(curve);
     const Eigen::RowVector3d center = x.colwise().mean();
     const Vector_field target = (factor * (x.rowwise() - center)).rowwise() + center;
-    if(guard.move_nodes(target) < 1) break;
+    if(guard.move_nodes(target) == 1) continue;
+    step = std::sqrt(step);
+    if(step < least_step) break;
   }
   return length(curve) / start;
 }
