@@ -9,6 +9,7 @@
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/generators/braid_closure.h>
+#include <CGAL/Volume_filling_curves/internal/generators/hard_unknot.h>
 #include <CGAL/Volume_filling_curves/internal/generators/lattice_polygon.h>
 #include <CGAL/Volume_filling_curves/internal/generators/random_polygon.h>
 #include <CGAL/Volume_filling_curves/internal/generators/torus_knot.h>
@@ -104,6 +105,7 @@ TEST(Generators, give_the_same_bits_everywhere)
   EXPECT_EQ(hash(generators::braid_closure({1, -2, 1, -2}, 100)), 3180050083992913183u);
   EXPECT_EQ(hash(generators::random_polygon(101, 42)), 9834964793269932879u);
   EXPECT_EQ(hash(generators::lattice_polygon(100, 42)), 1941357734964183829u);
+  EXPECT_EQ(hash(generators::hard_unknot(100, 500, 1)), 14683517916056339701u);
 }
 
 TEST(Generators, make_as_many_nodes_and_components_as_asked_for)

@@ -41,8 +41,9 @@ public:
   {
     for(std::size_t k = 0; k < number_of_moves; ++k) {
       const std::size_t v = m_random.index(m_curve.number_of_nodes());
+      const Vector direction = m_random.direction(); // before the distance, with every compiler
       const Vector target =
-          to_vector(m_curve.point(v)) + reach * std::cbrt(m_random.real()) * m_random.direction();
+          to_vector(m_curve.point(v)) + reach * std::cbrt(m_random.real()) * direction;
       if(target.squaredNorm() < 1) m_guard.move_node(v, to_point(target, m_curve.traits()));
     }
   }
