@@ -18,6 +18,10 @@ target_compile_options(Volume_filling_curves_development INTERFACE
   $<$<BOOL:${VFC_WARNINGS_ARE_ERRORS}>:-Werror>)
 if(VFC_SANITIZE)
   set(sanitizer_flags -fsanitize=${VFC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    list(APPEND sanitizer_flags
+      -fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitizer_ignorelist.txt)
+  endif()
   target_compile_options(Volume_filling_curves_development INTERFACE ${sanitizer_flags})
   target_link_options(Volume_filling_curves_development INTERFACE ${sanitizer_flags})
 endif()
