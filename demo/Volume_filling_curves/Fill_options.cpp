@@ -62,6 +62,8 @@ void add_fill_options(CLI::App& command, Fill_options& options)
   add_seed_option(command, options.seed, "of the samples that coverage is measured with");
   options.flow.parameters.max_radius = 6; // that of fill()
   add_flow_options(command, options.flow);
+  command.get_option("--lambda")
+      ->description("locality of the flow, in units of 1/r^2; 30 times that while the curve grows");
 }
 
 } // namespace vfc

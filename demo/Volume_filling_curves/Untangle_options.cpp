@@ -35,6 +35,8 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       "--finish", options.finishes,
       "after a proof that nothing is knotted go on until the curve is round; several get tight");
   add_stop_options(command, options.stop);
+  command.get_option("--max-iterations")
+      ->description("the largest number of iterations of the flow; with tighten, of sweeps");
   add_number(command, "--tolerance", options.stop.tolerance,
              "converged if gradient_norm is less; dimensionless", not_negative)
       .capture_default_str();

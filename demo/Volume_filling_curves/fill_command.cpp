@@ -9,14 +9,15 @@
 #include "Command_line.h"
 #include "Fill_options.h"
 #include "Flow_observer.h"
-#include "Thickness_field.h"
 #include "commands.h"
 #include "containment.h"
 #include "curve_map.h"
 #include "fill_report.h"
+#include "flow_named_parameters.h"
 #include "interruption.h"
 #include "pins.h"
 #include "thickness.h"
+#include "thickness_field.h"
 #include "untangle_report.h"
 
 #include <CGAL/Volume_filling_curves/fill.h>
@@ -62,21 +63,12 @@ Filling_result fill(Curve& curve,
                     const Fill_options& options,
                     Flow_observer& observer)
 {
-  const curves::Curve_flow_parameters& flow = options.flow.parameters;
   return curves::fill<CGAL::Parallel_if_available_tag>(
       curve, domain,
-      curves::parameters::thickness(thickness)
+      flow_named_parameters(options.flow, options.stop)
+          .thickness(thickness)
           .length(options.length)
           .wall(options.keeps_clear_of_wall() ? curves::Wall::KEEP_CLEAR : curves::Wall::COVER)
-          .number_of_directions(flow.number_of_directions)
-          .max_radius(flow.max_radius)
-          .spacing(flow.spacing)
-          .screening(flow.screening)
-          .coupling(flow.coupling)
-          .preconditioner(options.flow.preconditioner())
-          .time_step(flow.time_step)
-          .number_of_iterations(options.stop.max_iterations)
-          .time_limit(options.stop.time_limit)
           .random_seed(options.seed)
           .visitor(std::ref(observer)));
 }
@@ -110,7 +102,8 @@ int run(Session& session, const Fill_options& options)
   check_filling(options.flow.parameters.thickness, options.length, options.flow.parameters.spacing,
                 mesh.mesh);
   Thickness field;
-  if(!options.thickness_field.empty()) field = read_thickness_field(options.thickness_field, mesh);
+  if(!options.thickness_field.empty())
+    field = read_thickness_field(options.thickness_field, options.mesh, mesh);
   const Domain domain(mesh.mesh);
   Curve curve = start(session, options, domain);
   const Filling_result result = fill(session, curve, domain, field, options);

@@ -16,8 +16,10 @@ namespace vfc {
 
 // Reads a thickness for each vertex of the file of a mesh: the vertex property `thickness` of a PLY
 // file, or the lines of a CSV file. At a point the thickness is that of the closest point of the
-// surface, linear in each face. \throws Usage_error that names the line or the vertex
-Thickness read_thickness_field(const std::string& file, const Mesh_and_defects& mesh);
+// surface, linear in each face. \throws Input_error
+Thickness read_thickness_field(const std::string& file,
+                               const std::string& mesh_file,
+                               const Mesh_and_defects& mesh);
 
 } // namespace vfc
 

@@ -12,6 +12,7 @@
 #include "certificates.h"
 #include "commands.h"
 #include "curve_map.h"
+#include "flow_named_parameters.h"
 #include "interruption.h"
 #include "numbers.h"
 #include "pins.h"
@@ -76,19 +77,10 @@ double thickness(const Curve& curve, const Untangle_options& untangle_options)
 
 Untangling_result untangle(Curve& curve, const Untangle_options& options, Flow_observer& observer)
 {
-  const curves::Curve_flow_parameters& flow = options.flow.parameters;
   return curves::untangle<CGAL::Parallel_if_available_tag>(
-      curve, curves::parameters::thickness(thickness(curve, options))
-                 .number_of_directions(flow.number_of_directions)
-                 .max_radius(flow.max_radius)
-                 .spacing(flow.spacing)
-                 .screening(flow.screening)
-                 .coupling(flow.coupling)
-                 .preconditioner(options.flow.preconditioner())
-                 .time_step(flow.time_step)
+      curve, flow_named_parameters(options.flow, options.stop)
+                 .thickness(thickness(curve, options))
                  .tolerance(options.stop.tolerance)
-                 .number_of_iterations(options.stop.max_iterations)
-                 .time_limit(options.stop.time_limit)
                  .stop_at_proof(!options.finishes)
                  .keep_length(options.keeps_length)
                  .strategy(options.strategy())

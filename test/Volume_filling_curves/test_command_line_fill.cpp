@@ -89,13 +89,28 @@ TEST_F(Command_line_fill, thickness_may_vary)
 {
   make_cube();
   write("r.csv", "thickness\n0.4\n0.8\n0.8\n0.4\n0.4\n0.8\n0.8\n0.4\n");
-  run("fill cube.off --thickness-field r.csv --report a.json --max-iterations 60");
+  run("fill cube.off --thickness-field r.csv --report a.json -o a.obj --max-iterations 60");
   EXPECT_GT(json("a.json")["thickness"], 0.4);
   EXPECT_LT(json("a.json")["thickness"], 0.8);
-  write("short.csv", "0.4\n0.8\n");
-  EXPECT_EQ(run("fill cube.off --thickness-field short.csv").status, 1);
-  write("word.csv", "thickness\n0.4\nhello\n");
-  EXPECT_NE(run("fill cube.off --thickness-field word.csv").err.find("line 3"), std::string::npos);
+  write("r.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty double thickness\nend_header\n"
+                 "0.4\n0.8\n0.8\n0.4\n0.4\n0.8\n0.8\n0.4\n");
+  run("fill cube.off --thickness-field r.ply -o b.obj --max-iterations 60");
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
+TEST_F(Command_line_fill, bad_values_of_the_thickness_are_named)
+{
+  make_cube();
+  const auto expect_refused = [&](const std::string& text, const std::string& message) {
+    write("r.csv", text);
+    const Finished fill = run("fill cube.off --thickness-field r.csv");
+    EXPECT_EQ(fill.status, 4) << text;
+    EXPECT_NE(fill.err.find(message), std::string::npos) << fill.err;
+  };
+  expect_refused("0.4\n0.8\n", "2 values for 8 vertices");
+  expect_refused("thickness\n0.4\nhello\n", "r.csv:3: error");
+  expect_refused("1\n1\n1\n1\n1\n1\n1\n-1\n", "r.csv:8: error");
+  EXPECT_EQ(run("fill cube.off --thickness-field missing.csv").status, 4);
 }
 
 TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
