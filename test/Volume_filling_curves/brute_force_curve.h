@@ -73,7 +73,7 @@ inline bool is_embedded(const Curve& curve)
 }
 
 // returns whether edge e meets the closed triangle only in those of its corners a and c that are
-// nodes of e, and does not join a and c
+// nodes of e, and does not join a and c, which may be the same
 inline bool does_avoid(const Curve& curve,
                        std::size_t e,
                        const std::array<Lattice_point, 3>& triangle,
@@ -136,7 +136,7 @@ inline bool may_move(const Curve& curve, std::size_t v, const Lattice_point& tar
     const Lattice_point& pa = curve.points[a];
     for(std::size_t e = 0; e < curve.edges.size(); ++e) {
       if(curve.edges[e][0] == v || curve.edges[e][1] == v) continue;
-      if(!does_avoid(curve, e, {pa, b, target}, a, no_node)) return false;
+      if(!does_avoid(curve, e, {pa, b, target}, a, a)) return false;
     }
     if(do_hulls_meet<Integer>({pa}, {b, target})) return false;
     for(std::size_t j = 0; j < i; ++j)

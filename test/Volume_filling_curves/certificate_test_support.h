@@ -28,7 +28,18 @@ using Network = vfc::Curve_network_3<>;
 using Guard = vfc::Isotopy_guard_3<>;
 using Operation = internal::Certificate_operation;
 using Kind = Operation::Kind;
+using vfc::Certificate_verdict;
 using vfc::Isotopy_certificate;
+using vfc::verify_certificate;
+
+// A motion: the curves at both ends and its certificate.
+struct Motion
+{
+  Network start, end;
+  Isotopy_certificate certificate;
+
+  Certificate_verdict verdict() const { return verify_certificate(certificate, start, end); }
+};
 
 struct Pieces
 {

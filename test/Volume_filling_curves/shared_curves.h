@@ -7,6 +7,7 @@
 #ifndef VFC_TEST_SHARED_CURVES_H
 #define VFC_TEST_SHARED_CURVES_H
 
+#include "csv_cells.h"
 #include "jones_polynomial.h"
 #include "knot_diagram.h"
 
@@ -52,22 +53,6 @@ struct Known_curve
   std::string path() const { return (folder() / file).string(); }
 };
 
-// Splits at commas outside quotation marks.
-inline std::vector<std::string> fields(const std::string& line)
-{
-  std::vector<std::string> result(1);
-  bool is_quoted = false;
-  for(char c : line) {
-    if(c == '"')
-      is_quoted = !is_quoted;
-    else if(c == ',' && !is_quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  }
-  return result;
-}
-
 // Reads "1*x^2 -1*x^8", or "1". The manifest's polynomials are those of the mirror images, as that
 // of its Hopf link with the linking number -1 shows, so exponents change their signs.
 inline knot_test::Laurent laurent(const std::string& text)
@@ -105,10 +90,10 @@ inline std::vector<Known_curve> known_curves(const std::vector<std::string>& set
   std::string line;
   std::getline(manifest, line);
   std::map<std::string, std::size_t> column;
-  for(const std::string& name : fields(line)) column.emplace(name, column.size());
+  for(const std::string& name : csv_cells(line)) column.emplace(name, column.size());
   std::vector<Known_curve> result;
   while(std::getline(manifest, line)) {
-    const std::vector<std::string> field = fields(line);
+    const std::vector<std::string> field = csv_cells(line);
     const std::string& set = field[column["set"]];
     if(std::find(sets.begin(), sets.end(), set) == sets.end()) continue;
     const std::string& crossings = field[column["crossings"]];

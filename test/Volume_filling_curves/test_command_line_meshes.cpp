@@ -10,6 +10,7 @@
 
 #if __has_include(<nlohmann/json.hpp>) && !defined(_WIN32)
 
+#include "csv_cells.h"
 #include "program_test_support.h"
 
 #include <algorithm>
@@ -48,22 +49,6 @@ protected:
   }
 };
 
-// The cells of a line of a CSV file; cells in quotes may contain commas.
-std::vector<std::string> cells(const std::string& line)
-{
-  std::vector<std::string> result(1);
-  bool is_quoted = false;
-  for(const char c : line) {
-    if(c == '"')
-      is_quoted = !is_quoted;
-    else if(c == ',' && !is_quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  }
-  return result;
-}
-
 TEST_F(Command_line_meshes, check_judges_meshes_as_the_manifest_says)
 {
   std::istringstream lines(read(VFC_SHARED_DATA "/MANIFEST_domains.csv"));
@@ -71,7 +56,7 @@ TEST_F(Command_line_meshes, check_judges_meshes_as_the_manifest_says)
   if(!std::getline(lines, line)) GTEST_SKIP() << "no " VFC_SHARED_DATA "/MANIFEST_domains.csv";
   std::size_t count = 0;
   for(; std::getline(lines, line); ++count) {
-    const std::vector<std::string> row = cells(line);
+    const std::vector<std::string> row = csv_cells(line);
     const std::string& expected = row.at(19);
     SCOPED_TRACE(row[0] + ": " + expected);
     const bool is_accepted = expected.compare(0, 6, "accept") == 0;

@@ -4,6 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "csv_cells.h"
 #include "curve_defects_test_support.h"
 
 #include <gtest/gtest.h>
@@ -184,22 +185,6 @@ TEST(Components, are_numbered_from_one_in_the_order_of_their_first_edges)
 
 const fs::path shared_data = VFC_SHARED_DATA;
 
-// The cells of a line of a CSV file; cells in quotes may contain commas.
-std::vector<std::string> cells(const std::string& line)
-{
-  std::vector<std::string> result(1);
-  bool is_quoted = false;
-  for(const char c : line) {
-    if(c == '"')
-      is_quoted = !is_quoted;
-    else if(c == ',' && !is_quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  }
-  return result;
-}
-
 bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
@@ -235,7 +220,7 @@ TEST(Shared_data, bad_curves_get_what_their_manifest_says)
   std::getline(manifest, line);
   std::size_t count = 0;
   for(; std::getline(manifest, line); ++count) {
-    const std::vector<std::string> row = cells(line);
+    const std::vector<std::string> row = csv_cells(line);
     SCOPED_TRACE(row.at(0) + ": " + row.at(2));
     Network network;
     std::vector<Curve_defect> defects;

@@ -4,6 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "csv_cells.h"
 #include "jones_polynomial.h"
 #include "knot_invariants.h"
 
@@ -211,22 +212,6 @@ TEST(Knot_invariants, of_lattice_polygons_are_those_of_the_unknot)
               knot_test::invariants_of(braid("1")));
 }
 
-// One line of MANIFEST.csv: fields between commas, some in quotes.
-std::vector<std::string> fields_of(const std::string& line)
-{
-  std::vector<std::string> fields(1);
-  bool is_quoted = false;
-  for(char c : line) {
-    if(c == '"')
-      is_quoted = !is_quoted;
-    else if(c == ',' && !is_quoted)
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  return fields;
-}
-
 // A closed component's record repeats its first index.
 std::vector<Loop> read_obj(const std::string& name)
 {
@@ -255,10 +240,10 @@ TEST(Knot_invariants, agree_with_the_manifest_of_the_shared_data)
   if(!manifest) GTEST_SKIP() << "the shared data are not here";
   std::string line;
   std::getline(manifest, line);
-  const std::vector<std::string> names = fields_of(line);
+  const std::vector<std::string> names = csv_cells(line);
   int number = 0;
   for(int row = 0; std::getline(manifest, line); ++row) {
-    const std::vector<std::string> fields = fields_of(line);
+    const std::vector<std::string> fields = csv_cells(line);
     const auto field = [&](const std::string& name) {
       std::size_t i = 0;
       while(names.at(i) != name) ++i;

@@ -34,18 +34,6 @@ using vfc::internal::Vector;
 using Network = vfc::Curve_network_3<>;
 using Point_3 = Network::Point_3;
 
-Network closed_network(const Polygons& polygons)
-{
-  std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
-  for(const auto& polygon : polygons) {
-    const std::size_t first = points.size(), n = polygon.size();
-    for(const auto& p : polygon) points.emplace_back(p.x(), p.y(), p.z());
-    for(std::size_t i = 0; i < n; ++i) edges.push_back({first + i, first + (i + 1) % n});
-  }
-  return Network(points, edges);
-}
-
 // A ring of small waves.
 Network coil(std::size_t n)
 {
@@ -95,7 +83,7 @@ TEST(Simplify_curves, leaves_a_triangle_of_a_planar_ring)
 {
   Polygons ring(1);
   for(int i = 0; i < 100; ++i) ring[0].emplace_back(std::cos(0.0628 * i), std::sin(0.0628 * i), 0);
-  Network curve = closed_network(ring);
+  Network curve = vfc::internal::make_network(ring);
   EXPECT_EQ(vfc::simplify_curves(curve), 97u);
   EXPECT_EQ(curve.number_of_nodes(), 3u);
   EXPECT_FALSE(curve.has_garbage());
@@ -104,7 +92,7 @@ TEST(Simplify_curves, leaves_a_triangle_of_a_planar_ring)
 TEST(Simplify_curves, removes_every_node_that_can_be_removed)
 {
   for(std::uint64_t seed = 0; seed < 5; ++seed) {
-    Network curve = closed_network(vfc::internal::lattice_polygon(400, seed));
+    Network curve = vfc::internal::make_network(vfc::internal::lattice_polygon(400, seed));
     vfc::simplify_curves(curve);
     EXPECT_TRUE(is_reduced(curve)) << "seed " << seed;
   }
@@ -135,7 +123,7 @@ TEST(Simplify_curves, drops_the_inside_of_collinear_runs)
   for(int i = 0; i < 40; ++i) square[0].emplace_back(40, i, 0);
   square[0].emplace_back(40, 40, 0);
   square[0].emplace_back(0, 40, 0);
-  Network curve = closed_network(square);
+  Network curve = vfc::internal::make_network(square);
   vfc::simplify_curves(curve, params::max_distance(0.));
   ASSERT_EQ(curve.number_of_nodes(), 4u);
   EXPECT_EQ(curve.origin(1), 40u);
@@ -160,10 +148,10 @@ TEST(Simplify_curves, keeps_pinned_nodes_ends_and_positions)
 
 TEST(Simplify_curves, keeps_a_torus_knot_above_its_stick_number)
 {
-  Network trefoil = closed_network(vfc::internal::torus_knot(3, 2, 200));
+  Network trefoil = vfc::internal::make_network(vfc::internal::torus_knot(3, 2, 200));
   vfc::simplify_curves(trefoil);
   EXPECT_GE(trefoil.number_of_nodes(), 6u);
-  Network torus_5_2 = closed_network(vfc::internal::torus_knot(5, 2, 200));
+  Network torus_5_2 = vfc::internal::make_network(vfc::internal::torus_knot(5, 2, 200));
   vfc::simplify_curves(torus_5_2);
   EXPECT_GE(torus_5_2.number_of_nodes(), 8u);
 }
@@ -187,7 +175,7 @@ TEST(Simplify_curves, stays_within_the_distance_both_ways)
 TEST(Simplify_curves, does_not_cut_off_what_turns_back)
 {
   Polygons zigzag = {{{0, 0, 0}, {3, 0.01, 0}, {1, 0.02, 0}, {4, 0.03, 0}, {4, 9, 0}, {0, 9, 0}}};
-  Network curve = closed_network(zigzag);
+  Network curve = vfc::internal::make_network(zigzag);
   vfc::simplify_curves(curve, params::max_distance(0.5));
   EXPECT_EQ(curve.number_of_nodes(), 6u);
   vfc::simplify_curves(curve, params::max_distance(2.5));
@@ -196,7 +184,7 @@ TEST(Simplify_curves, does_not_cut_off_what_turns_back)
 
 TEST(Simplify_curves, keeps_a_clearance)
 {
-  const Network start = closed_network(vfc::internal::torus_knot(3, 2, 300));
+  const Network start = vfc::internal::make_network(vfc::internal::torus_knot(3, 2, 300));
   const double before = vfc::min_clearance(start, 0.2);
   Network curve = start;
   vfc::simplify_curves(curve, params::clearance(0.5 * before));
@@ -209,7 +197,7 @@ TEST(Simplify_curves, does_not_depend_on_powers_of_two)
   const auto simplified = [](double scale) {
     Polygons polygons = vfc::internal::torus_knot(5, 3, 500);
     for(auto& p : polygons[0]) p = scale * p;
-    Network curve = closed_network(polygons);
+    Network curve = vfc::internal::make_network(polygons);
     vfc::simplify_curves(curve, params::max_distance(0.1 * scale));
     std::vector<std::size_t> kept;
     for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) kept.push_back(curve.origin(v));
@@ -230,7 +218,7 @@ TEST(Simplify_curves, refuses_bad_parameters)
 
 TEST(Simplify_curves, refuses_a_curve_that_meets_itself)
 {
-  Network curve = closed_network({{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}});
+  Network curve = vfc::internal::make_network({{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}});
   EXPECT_THROW(vfc::simplify_curves(curve), std::invalid_argument);
 }
 

@@ -43,18 +43,6 @@ using internal::Vector;
 using Network = CGAL::Volume_filling_curves::Curve_network_3<>;
 using Point_3 = Network::Point_3;
 
-Network closed_network(const Polygons& polygons)
-{
-  std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
-  for(const auto& polygon : polygons) {
-    const std::size_t first = points.size(), n = polygon.size();
-    for(const auto& p : polygon) points.emplace_back(p.x(), p.y(), p.z());
-    for(std::size_t i = 0; i < n; ++i) edges.push_back({first + i, first + (i + 1) % n});
-  }
-  return Network(points, edges);
-}
-
 Polygons braid(const std::string& word, std::size_t number_of_nodes, std::size_t strands = 1)
 {
   return internal::braid_closure(internal::parse_braid_word(word), number_of_nodes, 0, strands);
@@ -65,7 +53,7 @@ Network mapped(Polygons polygons, const Function& f)
 {
   for(auto& polygon : polygons)
     for(auto& p : polygon) p = f(p);
-  return closed_network(polygons);
+  return internal::make_network(polygons);
 }
 
 Network on_lattice(const Polygons& polygons, double scale)
@@ -136,23 +124,24 @@ void expect_kept(const Network& curve, std::size_t stick_number, const std::stri
 
 TEST(Tightening, unties_unknots)
 {
-  expect_unknotted(closed_network(internal::hard_unknot(300, 40, 1)), "hard unknot");
-  expect_unknotted(closed_network(braid("1 2 -3 4", 160)), "braid");
+  expect_unknotted(internal::make_network(internal::hard_unknot(300, 40, 1)), "hard unknot");
+  expect_unknotted(internal::make_network(braid("1 2 -3 4", 160)), "braid");
 }
 
 TEST(Tightening, unties_lattice_polygons)
 {
   for(std::uint64_t seed = 0; seed < 3; ++seed)
-    expect_unknotted(closed_network(internal::lattice_polygon(600, seed)), "lattice polygon");
+    expect_unknotted(internal::make_network(internal::lattice_polygon(600, seed)),
+                     "lattice polygon");
 }
 
 TEST(Tightening, keeps_knots_and_their_stick_numbers)
 {
-  expect_kept(closed_network(braid("1 1 1", 100)), 6, "3_1");
-  expect_kept(closed_network(braid("1 -2 1 -2", 100)), 7, "4_1");
-  expect_kept(closed_network(braid("1 1 1 1 1", 120)), 8, "5_1");
-  expect_kept(closed_network(braid("1 1 1 2 -1 2", 120)), 8, "5_2");
-  expect_kept(closed_network(internal::torus_knot(4, 3, 150)), 8, "8_19");
+  expect_kept(internal::make_network(braid("1 1 1", 100)), 6, "3_1");
+  expect_kept(internal::make_network(braid("1 -2 1 -2", 100)), 7, "4_1");
+  expect_kept(internal::make_network(braid("1 1 1 1 1", 120)), 8, "5_1");
+  expect_kept(internal::make_network(braid("1 1 1 2 -1 2", 120)), 8, "5_2");
+  expect_kept(internal::make_network(internal::torus_knot(4, 3, 150)), 8, "8_19");
 }
 
 TEST(Tightening, keeps_knots_on_the_lattice)
@@ -184,13 +173,13 @@ TEST(Tightening, manages_collinear_runs_and_planar_curves)
         std::vector<std::array<int, 2>>{{0, 0}, {0, 1}, {0, 5}, {1, 5}, {1, 1}, {1, 0}})
       comb[0].emplace_back(2 * tooth + x, y, 0);
   for(int x = 19; x >= 0; --x) comb[0].emplace_back(x, -1, 0);
-  expect_unknotted(closed_network(comb), "comb");
+  expect_unknotted(internal::make_network(comb), "comb");
 }
 
 TEST(Tightening, pulls_split_components_apart)
 {
   // each ring hooks into the other and comes back
-  Network curve = closed_network(braid("1 1 -1 -1 1 -1", 120));
+  Network curve = internal::make_network(braid("1 1 -1 -1 1 -1", 120));
   ASSERT_EQ(curve.number_of_components(), 2u);
   const Tightened result = tighten(curve, 0);
   EXPECT_TRUE(result.has_reached_goal);
@@ -201,7 +190,7 @@ TEST(Tightening, pulls_split_components_apart)
 TEST(Tightening, keeps_links)
 {
   for(const std::string word : {"1 1", "1 -2 1 -2 1 -2", "1 1 1 1"}) {
-    Network curve = closed_network(braid(word, 120));
+    Network curve = internal::make_network(braid(word, 120));
     const knot_test::Invariants before = invariants_of(curve);
     EXPECT_FALSE(tighten(curve, 0).has_reached_goal) << word;
     EXPECT_TRUE(invariants_of(curve) == before) << word;
@@ -232,7 +221,7 @@ TEST(Tightening, leaves_pins_ends_and_junctions_where_they_are)
 
 TEST(Tightening, depends_on_the_seed_only)
 {
-  const Network start = closed_network(internal::hard_unknot(300, 40, 2));
+  const Network start = internal::make_network(internal::hard_unknot(300, 40, 2));
   Network first = start, again = start, other = start;
   tighten(first, 7, 3);
   tighten(again, 7, 3);
@@ -264,7 +253,7 @@ TEST(Tightening, does_not_depend_on_powers_of_two)
 
 TEST(Tightening, takes_the_search_with_the_fewest_moves)
 {
-  const Network start = closed_network(internal::hard_unknot(400, 60, 3));
+  const Network start = internal::make_network(internal::hard_unknot(400, 60, 3));
   Network one = start, four = start;
   EXPECT_GE(tighten(one, 1, 1).moves, tighten(four, 1, 4).moves);
 }
@@ -276,13 +265,13 @@ Untangling_result untangled(Network& curve, Untangling_strategy strategy)
 
 TEST(Untangling_strategy, tightens_to_few_edges)
 {
-  Network unknot = closed_network(internal::hard_unknot(300, 40, 1));
+  Network unknot = internal::make_network(internal::hard_unknot(300, 40, 1));
   const Untangling_result result = untangled(unknot, Untangling_strategy::TIGHTEN);
   EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
   EXPECT_LE(unknot.number_of_nodes(), 5u);
   EXPECT_EQ(result.statistics.iterations, 0u);
   EXPECT_EQ(result.tightenings, 1u);
-  Network trefoil = closed_network(braid("1 1 1", 100));
+  Network trefoil = internal::make_network(braid("1 1 1", 100));
   EXPECT_EQ(untangled(trefoil, Untangling_strategy::TIGHTEN).status, Untangling_status::CONVERGED);
   EXPECT_EQ(trefoil.number_of_nodes(), 6u);
 }
@@ -290,7 +279,7 @@ TEST(Untangling_strategy, tightens_to_few_edges)
 TEST(Untangling_strategy, auto_ends_like_the_flow)
 {
   for(const std::string word : {"1 1 1", "1 -2 1 -2", "1 1"}) {
-    Network by_flow = closed_network(braid(word, 150)), by_auto = by_flow;
+    Network by_flow = internal::make_network(braid(word, 150)), by_auto = by_flow;
     const knot_test::Invariants before = invariants_of(by_flow);
     const Untangling_result flow = untangled(by_flow, Untangling_strategy::FLOW);
     const Untangling_result mixed = untangled(by_auto, Untangling_strategy::AUTO);
@@ -308,7 +297,7 @@ TEST(Untangling_strategy, auto_ends_like_the_flow)
 
 TEST(Untangling_strategy, auto_makes_unknots_smooth_and_of_the_former_length)
 {
-  Network curve = closed_network(internal::hard_unknot(300, 40, 1));
+  Network curve = internal::make_network(internal::hard_unknot(300, 40, 1));
   const double length = internal::length(curve);
   const Untangling_result result = untangle(curve, parameters::random_seed(1).keep_length(true));
   EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
@@ -318,7 +307,7 @@ TEST(Untangling_strategy, auto_makes_unknots_smooth_and_of_the_former_length)
 
 TEST(Untangling_strategy, takes_a_thickness)
 {
-  Network curve = closed_network(braid("1 1 1", 150));
+  Network curve = internal::make_network(braid("1 1 1", 150));
   const double thickness = 0.005 * internal::length(curve);
   const Untangling_result result = untangle(curve, parameters::thickness(thickness));
   EXPECT_EQ(result.status, Untangling_status::CONVERGED);
@@ -338,7 +327,7 @@ struct Impatient_visitor : Default_curve_flow_visitor
 
 TEST(Untangling_strategy, can_be_stopped)
 {
-  const Network start = closed_network(braid("1 -2 3 -2 1 -2 3 -2 1 -2", 300));
+  const Network start = internal::make_network(braid("1 -2 3 -2 1 -2 3 -2 1 -2", 300));
   Network curve = start;
   Impatient_visitor visitor;
   Untangling_result result = untangle(
