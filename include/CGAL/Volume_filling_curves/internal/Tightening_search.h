@@ -85,7 +85,7 @@ public:
   const Operations& best_operations() const { return m_best_operations; }
 
 private:
-  static constexpr std::size_t moves_between_looks = 256;       // whether the link is trivial
+  static constexpr std::size_t moves_between_looks = 256; // whether the link is trivial
   static constexpr std::size_t rounds_per_sweep = 100;
   static constexpr std::size_t rounds_between_renumbering = 50; // while edges change their places
 
