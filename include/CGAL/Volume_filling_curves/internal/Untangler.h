@@ -122,14 +122,20 @@ private:
   }
 
   // Where on its way a curve is proved to be an unknot depends on details, while its length falls
-  // fast. It flows on for a few iterations, to a length that depends on the thickness only. A curve
+  // fast. It flows on for a few iterations, to a length that depends on the thickness only. An input
   // that is an unknot from the start stays as it is. \pre it is unknotted
   bool is_settled()
   {
     const std::size_t iterations = m_flow.statistics().iterations;
     if(!m_iterations_to_proof) m_iterations_to_proof = iterations;
-    return *m_iterations_to_proof == 0 || m_flow.length() <= settled_length() ||
+    return is_unknot_from_start() || m_flow.length() <= settled_length() ||
            iterations - *m_iterations_to_proof >= most_iterations_to_settle;
+  }
+
+  // The polygon that a search has found is no input.
+  bool is_unknot_from_start() const
+  {
+    return m_iterations_to_proof == std::size_t(0) && !m_rules.smooths_after_proof;
   }
 
   double settled_length() const
@@ -142,7 +148,7 @@ private:
   // The last step went too far.
   void finish()
   {
-    const bool is_input = m_rules.stop_at_proof && m_iterations_to_proof == std::size_t(0);
+    const bool is_input = m_rules.stop_at_proof && is_unknot_from_start();
     const bool is_settling = m_rules.stop_at_proof || ends_round();
     if(is_settling && !is_input && m_flow.length() <= settled_length())
       rescale_to_length(m_curve, settled_length());
