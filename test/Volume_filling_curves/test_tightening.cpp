@@ -7,6 +7,7 @@
 #include "guard_test_support.h"
 #include "knot_invariants.h"
 
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/Tightener.h>
 #include <CGAL/Volume_filling_curves/internal/generators/braid_closure.h>
 #include <CGAL/Volume_filling_curves/internal/generators/hard_unknot.h>
@@ -303,6 +304,17 @@ TEST(Untangling_strategy, auto_makes_unknots_smooth_and_of_the_former_length)
   EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
   EXPECT_LT(internal::largest_turning_angle(curve), 1.01);
   EXPECT_NEAR(internal::length(curve) / length, 1, 1e-9);
+}
+
+TEST(Untangling_strategy, auto_lets_unknots_flow_as_far_as_the_flow_does)
+{
+  Network curve = internal::make_network(internal::hard_unknot(300, 40, 1));
+  const double start_length = internal::length(curve);
+  const Untangling_result result = untangled(curve, Untangling_strategy::AUTO);
+  EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
+  EXPECT_NEAR(internal::length(curve) / (8 * result.thickness), 1, 1e-9);
+  EXPECT_GT(internal::length(curve), 0.1 * start_length) << "the search has shrunk it";
+  EXPECT_LT(CGAL::Volume_filling_curves::total_curvatures(curve)[0], 1.5 * 6.283);
 }
 
 TEST(Untangling_strategy, takes_a_thickness)
