@@ -9,6 +9,7 @@ force, in rational arithmetic, without any code of the package. Shows that the p
 needed, and that `vfc untangle --certificate` and `vfc check --certificate` mean the same."""
 
 import hashlib
+import math
 import os
 import pathlib
 import struct
@@ -167,9 +168,13 @@ class Curve:
         del self.points[v]
 
     def scale(self, k):
+        require(abs(k) < 2200, "scaling is not exact")  # beyond the range of all numbers
         for v, p in self.points.items():
+            try:
+                self.points[v] = tuple(math.ldexp(x, k) for x in p)
+            except OverflowError:
+                raise Rejected("scaling overflows") from None
             scaled = tuple(Fraction(x) * Fraction(2)**k for x in p)
-            self.points[v] = tuple(map(float, scaled))
             require(exact(self.points[v]) == scaled, "scaling is not exact")
 
     def canonical(self):
@@ -208,6 +213,11 @@ class Reader:
         self.place += size
         return struct.unpack("<" + form, self.data[self.place - size:self.place])
 
+    def position(self):
+        p = self.take("ddd")
+        require(all(map(math.isfinite, p)), "a position is not finite")
+        return p
+
     def varint(self):
         x, shift = 0, 0
         while True:
@@ -245,9 +255,9 @@ def verify(data, start, end):
             continue
         before += signed(m)
         if kind == 0:
-            curve.move(before, reader.take("ddd"))
+            curve.move(before, reader.position())
         elif kind == 1:
-            curve.insert(before, before + signed(reader.varint()), reader.take("ddd"))
+            curve.insert(before, before + signed(reader.varint()), reader.position())
         else:
             curve.remove(before)
     operations, nodes, edges, digest = reader.take("QQQ32s")
@@ -289,9 +299,14 @@ def test(folder):
 
     for place in range(0, len(data), 7):
         assert is_rejected(altered(place), *curves), place
-    # with a hash that fits it depends, but all agree
-    for place in range(90, len(data) - 100, len(data) // 6):
-        forged = altered(place)[:-32]
+    # with a hash that fits it depends, but all agree; nonsense is a number that is not finite, and a
+    # scaling by more than there are numbers
+    places = range(90, len(data) - 100, len(data) // 6)
+    nonsense = struct.pack("<d", math.nan)[-2:], b"\x07" + 7 * b"\xff" + b"\x0f"
+    forgeries = [altered(place) for place in places]
+    forgeries += [data[:place] + b + data[place + len(b):] for place in places for b in nonsense]
+    for place, forgery in enumerate(forgeries):
+        forged = forgery[:-32]
         cert.write_bytes(forged + hashlib.sha256(forged).digest())
         status = run("check", "--certificate", cert, start, end, expected=(0, INVALID))
         assert is_rejected(cert.read_bytes(), *curves) == (status == INVALID), place
