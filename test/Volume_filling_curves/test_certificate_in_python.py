@@ -299,8 +299,8 @@ def test(folder):
 
     for place in range(0, len(data), 7):
         assert is_rejected(altered(place), *curves), place
-    # with a hash that fits it depends, but all agree; nonsense is a number that is not finite, and a
-    # scaling by more than there are numbers
+    # With a hash that fits it depends, but all agree. Nonsense is a number that is not finite, and a
+    # scaling that no number survives, wherever they happen to stand.
     places = range(90, len(data) - 100, len(data) // 6)
     nonsense = struct.pack("<d", math.nan)[-2:], b"\x07" + 7 * b"\xff" + b"\x0f"
     forgeries = [altered(place) for place in places]

@@ -24,7 +24,7 @@ using namespace domain_mesh_test;
 
 using Vertex_values = Domain_mesh;
 
-TEST_F(Vertex_values, has_values_at_its_vertices)
+TEST_F(Vertex_values, are_read_from_text_and_ply)
 {
   std::vector<double> values;
   EXPECT_TRUE(CGAL::IO::read_vertex_values(
@@ -49,7 +49,7 @@ TEST_F(Vertex_values, has_values_at_its_vertices)
   EXPECT_EQ(values, (std::vector<double>{.5, 3})) << "as they were";
 }
 
-TEST_F(Vertex_values, says_which_line_has_a_bad_value)
+TEST_F(Vertex_values, that_are_bad_are_named_with_their_line)
 {
   struct Case
   {

@@ -23,7 +23,7 @@ struct Stop_rules
   std::size_t max_iterations = 5000;
   double time_limit = std::numeric_limits<double>::infinity(); // in seconds
   bool stop_at_proof = true;
-  bool smooths_after_proof = false; // whether also a curve that is proved at once flows on
+  bool starts_from_search = false; // then what is proved at once is coarse, and flows on
 };
 
 } // namespace internal

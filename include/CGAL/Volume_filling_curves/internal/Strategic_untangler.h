@@ -78,7 +78,7 @@ public:
     if(m_strategy.strategy == Untangling_strategy::TIGHTEN || status == Untangling_status::LIMIT ||
        status == Untangling_status::INTERRUPTED)
       return result(status);
-    m_rules.smooths_after_proof = true;
+    m_rules.starts_from_search = true;
     // a ring has no strands whose distance could be measured
     if(!(m_parameters.thickness > 0) && status == Untangling_status::UNKNOTTED &&
        m_curve.number_of_components() == 1)

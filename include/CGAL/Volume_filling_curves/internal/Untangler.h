@@ -89,7 +89,7 @@ private:
     constexpr double largest_turn = 1; // at a node; curves that flow get hardly below 0.7
     if(!is_settled()) return false;
     if(!m_rules.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
-    return !m_rules.smooths_after_proof || largest_turning_angle(m_flow.curve()) < largest_turn;
+    return !m_rules.starts_from_search || largest_turning_angle(m_flow.curve()) < largest_turn;
   }
 
   bool ends_round() const
@@ -135,7 +135,7 @@ private:
   // The polygon that a search has found is no input.
   bool is_unknot_from_start() const
   {
-    return m_iterations_to_proof == std::size_t(0) && !m_rules.smooths_after_proof;
+    return m_iterations_to_proof == std::size_t(0) && !m_rules.starts_from_search;
   }
 
   double settled_length() const

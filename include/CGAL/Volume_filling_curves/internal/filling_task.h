@@ -35,8 +35,8 @@ struct Filling_task
   Stop_rules rules;
 };
 
-// The length of a curve that fills a volume V with thickness r is this times V / r^2: 0.259 to 0.269 on
-// the nine domains of run_filling (2026-11-21).
+// The length of a curve that fills a volume V with thickness r is this times V / r^2: 0.259 to 0.269
+// on nine domains of run_filling (2026-11-21).
 constexpr double filling_density = 0.26;
 
 // The parameters of a flow that fills, but for the thickness.

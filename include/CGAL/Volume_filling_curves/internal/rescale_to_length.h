@@ -37,10 +37,10 @@ bool has_pinned_node(const Network& curve)
   return false;
 }
 
-// Scales a curve about its center to the given length, and returns the factor. In certified steps, since
-// coordinates are rounded; of many nodes they are short, so that few edges come near one another.
-// Stops early, with the factor reached, if not even a short step is possible, or if it gets no closer
-// because coordinates are rounded coarsely. A network without edges stays as it is.
+// Scales a curve about its center to the given length, and returns the factor. In certified steps,
+// since coordinates are rounded; of many nodes they are short, so that few edges come near one
+// another. Stops early, with the factor reached, if not even a short step is possible, or if it gets
+// no closer because coordinates are rounded coarsely. A network without edges stays as it is.
 template <typename Traits>
 double rescale_to_length(Curve_network_3<Traits>& curve, double wanted)
 {
