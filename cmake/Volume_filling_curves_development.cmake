@@ -10,6 +10,10 @@ include_guard(GLOBAL)
 set(VFC_SANITIZE "" CACHE STRING "Sanitizers to build with, such as address,undefined or thread")
 option(VFC_WARNINGS_ARE_ERRORS "Stop at the first warning" ON)
 option(VFC_PRECOMPILE "Precompile the headers of CGAL and Eigen" ON)
+# The sources of a room use the same templates, which are compiled only once then.
+option(VFC_ROOMS_AT_ONCE
+  "Compile each room of the program and of the tests as one: faster from scratch, slower after a change"
+  OFF)
 
 add_library(Volume_filling_curves_development INTERFACE)
 target_link_libraries(Volume_filling_curves_development INTERFACE CGAL::Volume_filling_curves)

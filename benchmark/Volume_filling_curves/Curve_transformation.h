@@ -8,7 +8,7 @@
 #define VFC_BENCHMARK_CURVE_TRANSFORMATION_H
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <Eigen/Geometry>
 

@@ -7,7 +7,7 @@
 #ifndef VFC_BENCHMARK_FILLING_OPTIONS_H
 #define VFC_BENCHMARK_FILLING_OPTIONS_H
 
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/Filling_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "Json_line.h"
+#include "command_words.h"
 
 namespace vfc_benchmark {
 
@@ -27,20 +28,11 @@ namespace vfc = CGAL::Volume_filling_curves;
 // What a filling is asked for, and what is to be done with it.
 struct Filling_options
 {
-  vfc::Curve_flow_parameters flow;
-  double length = 0;       // instead of a thickness
+  vfc::Filling_parameters<> parameters;
   double until_length = 0; // of the flow alone: it ends when the curve is that long
-  double time_limit = 1e9;
-  std::size_t iterations = 5000, repeat = 1;
-  std::uint64_t seed = 0;
+  std::size_t repeat = 1;
   bool is_flow_alone = false;
   std::string directory;
-
-  Filling_options()
-  {
-    flow.max_radius = 6; // the defaults of fill(), where they are not those of a flow
-    flow.medial_weight = 3.15 * 3.15;
-  }
 };
 
 inline const std::vector<std::string>& names(vfc::Wall)
@@ -75,27 +67,28 @@ inline std::map<std::string, std::function<void(const std::string&)>> setters(Fi
 {
   const auto real = [](double& x) { return [&x](const std::string& s) { x = std::stod(s); }; };
   const auto count = [](auto& x) { return [&x](const std::string& s) { x = std::stoul(s); }; };
-  return {{"--thickness", real(o.flow.thickness)},
-          {"--length", real(o.length)},
-          {"--lambda", real(o.flow.screening)},
-          {"--rmax", real(o.flow.max_radius)},
-          {"--spacing", real(o.flow.spacing)},
-          {"--beta", real(o.flow.coupling)},
-          {"--alpha", real(o.flow.medial_weight)},
-          {"--tau", real(o.flow.time_step)},
-          {"--displacement", real(o.flow.max_displacement)},
-          {"--until-length", real(o.until_length)},
-          {"--time-limit", real(o.time_limit)},
-          {"--directions", count(o.flow.number_of_directions)},
-          {"--iterations", count(o.iterations)},
-          {"--repeat", count(o.repeat)},
-          {"--seed", count(o.seed)},
-          {"--wall", [&o](const std::string& s) { o.flow.wall = value_of_name<vfc::Wall>(s); }},
-          {"--preconditioner",
-           [&o](const std::string& s) {
-             o.flow.preconditioner = value_of_name<vfc::Preconditioner>(s);
-           }},
-          {"-o", [&o](const std::string& s) { o.directory = s; }}};
+  return {
+      {"--thickness", real(o.parameters.thickness)},
+      {"--length", real(o.parameters.length)},
+      {"--lambda", real(o.parameters.screening)},
+      {"--rmax", real(o.parameters.max_radius)},
+      {"--spacing", real(o.parameters.spacing)},
+      {"--beta", real(o.parameters.coupling)},
+      {"--alpha", real(o.parameters.medial_weight)},
+      {"--tau", real(o.parameters.time_step)},
+      {"--displacement", real(o.parameters.max_displacement)},
+      {"--until-length", real(o.until_length)},
+      {"--time-limit", real(o.parameters.time_limit)},
+      {"--directions", count(o.parameters.number_of_directions)},
+      {"--iterations", count(o.parameters.number_of_iterations)},
+      {"--repeat", count(o.repeat)},
+      {"--seed", count(o.parameters.random_seed)},
+      {"--wall", [&o](const std::string& s) { o.parameters.wall = value_of_name<vfc::Wall>(s); }},
+      {"--preconditioner",
+       [&o](const std::string& s) {
+         o.parameters.preconditioner = value_of_name<vfc::Preconditioner>(s);
+       }},
+      {"-o", [&o](const std::string& s) { o.directory = s; }}};
 }
 
 // Reads one option, with its value if it has one, and returns whether it was one.
@@ -115,14 +108,13 @@ inline bool read_option(Filling_options& options,
     if(word.rfind('-', 0) == 0) throw std::runtime_error("unknown option " + word);
     return false;
   }
-  if(++k == words.size()) throw std::runtime_error(word + " needs a value");
-  found->second(words[k]);
+  found->second(value_of_option(words, k));
   return true;
 }
 
 inline void add_options(Json_line& line, const Filling_options& options)
 {
-  const vfc::Curve_flow_parameters& flow = options.flow;
+  const vfc::Curve_flow_parameters& flow = options.parameters;
   line.add("flow_alone", options.is_flow_alone)
       .add("wall", name_of_value(flow.wall))
       .add("preconditioner", name_of_value(flow.preconditioner))
@@ -133,7 +125,7 @@ inline void add_options(Json_line& line, const Filling_options& options)
       .add("alpha", flow.medial_weight)
       .add("tau", flow.time_step)
       .add("directions", flow.number_of_directions)
-      .add("seed", options.seed);
+      .add("seed", options.parameters.random_seed);
 }
 
 } // namespace vfc_benchmark

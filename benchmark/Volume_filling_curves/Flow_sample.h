@@ -8,8 +8,7 @@
 #define VFC_BENCHMARK_FLOW_SAMPLE_H
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
-#include <CGAL/Volume_filling_curves/internal/generators/hard_unknot.h>
-#include <CGAL/Volume_filling_curves/internal/generators/torus_knot.h>
+#include <CGAL/Volume_filling_curves/generators.h>
 
 #include <benchmark/benchmark.h>
 
@@ -35,10 +34,10 @@ struct Flow_sample
   std::vector<double> weights;
   vfc::internal::Medial_spheres spheres;
 
-  Flow_sample(const vfc::internal::Polygons& polygons, int steps)
-      : curve(vfc::internal::make_network(polygons))
+  Flow_sample(const Curve& start, int steps) : curve(start)
   {
-    vfc::Curve_flow_3<> flow(curve);
+    vfc::Isotopy_guard_3<> guard(curve);
+    vfc::Curve_flow_3 flow(guard);
     for(int k = 0; k < steps; ++k) flow.step();
     thickness = flow.thickness();
     gradient = flow.gradient();
@@ -46,9 +45,10 @@ struct Flow_sample
     positions = vfc::internal::coordinates(curve);
     weights = vfc::internal::node_weights(curve, positions);
     const vfc::Curve_flow_parameters& parameters = flow.parameters();
-    spheres = vfc::internal::Medial_spheres(
-        CGAL::Sequential_tag(), positions, vfc::internal::node_circles(curve, positions),
-        parameters.number_of_directions, thickness_per_node(), parameters.max_radius);
+    const std::vector<double> thicknesses = thickness_per_node();
+    spheres = vfc::internal::Medial_sphere_search(CGAL::Sequential_tag(), positions, thicknesses,
+                                                  parameters.max_radius)(
+        vfc::internal::node_circles(curve, positions), parameters.number_of_directions);
   }
 
   std::vector<double> thickness_per_node() const
@@ -84,7 +84,7 @@ const Flow_sample& remembered_sample(std::int64_t size, const Make& make)
 inline const Flow_sample& tangled_unknot(std::int64_t nodes_of_input)
 {
   return remembered_sample(nodes_of_input, [](std::size_t n) {
-    return Flow_sample(vfc::internal::hard_unknot(n, 10 * n, /*seed*/ 1), 10);
+    return Flow_sample(vfc::make_hard_unknot(n, 10 * n, /*seed*/ 1), 10);
   });
 }
 
@@ -93,8 +93,7 @@ inline const Flow_sample& tight_torus_knot(std::int64_t p)
 {
   return remembered_sample(p, [](std::size_t size) {
     const int turns = static_cast<int>(size);
-    return Flow_sample(vfc::internal::torus_knot(turns, turns + 1, 100 * size * size),
-                       30 + 10 * turns);
+    return Flow_sample(vfc::make_torus_knot(turns, turns + 1, 100 * size * size), 30 + 10 * turns);
   });
 }
 

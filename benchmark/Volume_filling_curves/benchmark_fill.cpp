@@ -8,8 +8,8 @@
 //
 //   benchmark_fill [option...] DOMAIN [[option...] DOMAIN...]
 //
-// A domain is a file with a closed mesh, or `ball` (radius 1), `box` (the unit cube) or `cube` (the same
-// as a mesh of 12 triangles).
+// A domain is a file with a closed mesh, or `ball` (radius 1), `box` (the unit cube) or `cube` (the
+// same as a mesh of 12 triangles).
 //
 //   --thickness R    in the input's unit (a quarter of the widest ball's radius)
 //   --length L       instead of a thickness
@@ -20,11 +20,12 @@
 //   --time-limit S
 //   --seed N         of the samples that guide the run (0); coverage has samples of its own
 //   --repeat N       runs of every domain (1)
-//   --flow-alone     no call of fill(), but a flow with the same parameters from the start to the end
+//   --flow-alone     no call of fill(), but a flow with the same parameters from the start to the
+//                    end
 //     --alpha X        weight of the medial spheres, in units of 1 / r^2 (9.92)
 //     --displacement X largest step, in units of r (0.5)
 //     --until-length L ends when the curve is that long
-//   -o DIR           write each curve and its picture to DIR/NAME.obj and DIR/NAME.png
+//   -o DIR           write each curve to DIR/NAME.obj
 //   --reset          forget all options that stand before
 //
 // Options hold for the domains after them. The seconds are those of fill(), on one thread: reading
@@ -32,29 +33,27 @@
 
 #include "Filling_options.h"
 #include "Json_line.h"
+#include "command_words.h"
 #include "run_filling_flow.h"
 #include "surroundings.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
-#include <CGAL/Volume_filling_curves/IO/domain_mesh.h>
 #include <CGAL/Volume_filling_curves/IO/polylines.h>
-#include <CGAL/Volume_filling_curves/IO/write_png.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/internal/Least_clearance.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/number_type_config.h>
 
 #include <cstddef>
-#include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -74,12 +73,6 @@ using Mesh = CGAL::Surface_mesh<Point>;
 constexpr std::size_t number_of_samples = 20000;
 constexpr std::uint64_t seed_of_samples = 1; // others than those that guide a run by default
 
-const char* name(vfc::Filling_status status)
-{
-  constexpr const char* names[] = {"converged", "limit", "stalled", "interrupted"};
-  return names[static_cast<std::size_t>(status)];
-}
-
 Mesh cube_of_triangles()
 {
   Mesh mesh;
@@ -92,8 +85,7 @@ Mesh cube_of_triangles()
 Mesh read_mesh(const std::string& file)
 {
   Mesh mesh;
-  std::vector<vfc::Mesh_defect> defects;
-  if(!CGAL::IO::read_domain_mesh(file, mesh, defects))
+  if(!CGAL::IO::read_polygon_mesh(file, mesh))
     throw std::runtime_error(file + " cannot be used: see vfc check");
   return mesh;
 }
@@ -106,7 +98,7 @@ void add_run(Json_line& line, const Filling& filling)
       .add("direction", work.seconds_direction)
       .add("motion", work.seconds_motion)
       .add("remeshing", work.seconds_remeshing);
-  line.add("status", name(filling.status))
+  line.add("status", to_string(filling.status))
       .add("iterations", work.iterations)
       .add("seconds_by_stage", stages)
       .add("moves_certified", work.certified_changes)
@@ -153,38 +145,25 @@ void add_measures(Json_line& line, const Curve& curve, const Domain& domain, dou
       .add("nodes", curve.number_of_nodes())
       .add("length", vfc::length(curve))
       .add("volume", samples.volume())
-      .add("outside_nodes", outside.outside_nodes)
-      .add("outside_segments", outside.outside_segments)
+      .add("outside_nodes", outside.outside_nodes.size())
+      .add("outside_segments", outside.outside_edges.size())
       .add("min_clearance_over_r", clearance)
       .add("coverage", to_json(vfc::coverage(samples, distances, thickness)))
       .add("empty_regions", to_json(vfc::empty_regions(curve, samples, distances, thickness)));
 }
 
-bool write_picture(std::ostream& out, const Curve& curve, const Mesh& mesh)
-{
-  if(mesh.is_empty()) return CGAL::IO::write_png(out, curve);
-  return CGAL::IO::write_png(out, curve, mesh);
-}
-
-void write_files(const Filling_options& options,
-                 const std::string& domain,
-                 const Curve& curve,
-                 const Mesh& mesh)
+void write_file(const Filling_options& options, const std::string& domain, const Curve& curve)
 {
   if(options.directory.empty()) return;
   std::filesystem::create_directories(options.directory);
   const std::string stem = std::filesystem::path(domain).stem().string();
   const std::string path = (std::filesystem::path(options.directory) / stem).string();
-  std::ofstream picture(path + ".png", std::ios::binary);
-  if(!CGAL::IO::write_curve_network(path + ".obj", curve) || !write_picture(picture, curve, mesh))
-    throw std::runtime_error("cannot write " + path);
+  if(!CGAL::IO::write_curve_network(path + ".obj", curve))
+    throw std::runtime_error("cannot write " + path + ".obj");
 }
 
 template <typename Domain>
-void run(const std::string& word,
-         const Domain& domain,
-         const Mesh& mesh,
-         const Filling_options& options)
+void run(const std::string& word, const Domain& domain, const Filling_options& options)
 {
   Curve curve;
   CGAL::Real_timer timer;
@@ -194,7 +173,7 @@ void run(const std::string& word,
                               ? vfc_benchmark::run_flow_alone(curve, domain, options)
                               : vfc_benchmark::run_fill(curve, domain, options);
   const double cpu = vfc_benchmark::cpu_seconds() - cpu_start, wall = timer.time();
-  write_files(options, word, curve, mesh);
+  write_file(options, word, curve);
 
   Json_line line;
   line.add("domain", std::filesystem::path(word).stem().string());
@@ -210,27 +189,23 @@ void run(const std::string& word,
 void run(const std::string& word, const Filling_options& options)
 {
   const Point origin(0, 0, 0);
-  if(word == "ball") return run(word, vfc::Ball_domain_3<Traits>(origin, 1), Mesh(), options);
-  if(word == "box")
-    return run(word, vfc::Box_domain_3<Traits>(origin, Point(1, 1, 1)), Mesh(), options);
+  if(word == "ball") return run(word, vfc::Ball_domain_3<Traits>(origin, 1), options);
+  if(word == "box") return run(word, vfc::Box_domain_3<Traits>(origin, Point(1, 1, 1)), options);
   const Mesh mesh = word == "cube" ? cube_of_triangles() : read_mesh(word);
-  run(word, vfc::Triangle_mesh_domain_3<>(mesh), mesh, options);
+  run(word, vfc::Triangle_mesh_domain_3<>(mesh), options);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try {
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    Filling_options options;
-    for(std::size_t k = 0; k < words.size(); ++k) {
-      if(vfc_benchmark::read_option(options, words, k)) continue;
-      for(std::size_t i = 0; i < options.repeat; ++i) run(words[k], options);
-    }
-    return 0;
-  } catch(const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
+  Filling_options options;
+  return vfc_benchmark::run_words(
+      argc, argv,
+      [&](const auto& words, std::size_t& k) {
+        return vfc_benchmark::read_option(options, words, k);
+      },
+      [&](const std::string& word) {
+        for(std::size_t i = 0; i < options.repeat; ++i) run(word, options);
+      });
 }

@@ -13,17 +13,17 @@
 
 #include "Json_line.h"
 #include "Stage_profile.h"
+#include "command_words.h"
 #include "surroundings.h"
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
-#include <CGAL/Volume_filling_curves/internal/generators/lattice_polygon.h>
+#include <CGAL/Volume_filling_curves/generators.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
 #include <cstddef>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -36,10 +36,11 @@ using Curve = vfc::Curve_network_3<>;
 template <typename ConcurrencyTag>
 void run(std::size_t number_of_nodes, std::size_t number_of_steps, std::size_t threads)
 {
-  Curve curve = vfc::internal::make_network(vfc::internal::lattice_polygon(number_of_nodes, 1));
+  Curve curve = vfc::make_lattice_polygon(number_of_nodes, 1);
   const double cpu_start = vfc_benchmark::cpu_seconds();
   vfc_benchmark::Stage_profile profile;
-  vfc::Curve_flow_3<Curve::Traits, ConcurrencyTag> flow(curve);
+  vfc::Isotopy_guard_3<> guard(curve);
+  vfc::Curve_flow_3<Curve::Traits, vfc::Unbounded_domain_3<>, ConcurrencyTag> flow(guard);
   profile.on_start(flow);
   const double cpu_setup = vfc_benchmark::cpu_seconds();
   for(std::size_t k = 0; k < number_of_steps; ++k) {
@@ -74,18 +75,14 @@ void run_with_threads(std::size_t number_of_nodes, std::size_t steps, std::size_
 
 int main(int argc, char** argv)
 {
-  try {
-    std::size_t steps = 20, threads = 1;
-    for(int k = 1; k < argc; ++k) {
-      const std::string word = argv[k];
-      if((word == "--steps" || word == "--threads") && k + 1 < argc)
-        (word == "--steps" ? steps : threads) = std::stoul(argv[++k]);
-      else
-        run_with_threads(std::stoul(word), steps, threads);
-    }
-    return 0;
-  } catch(const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
+  std::size_t steps = 20, threads = 1;
+  const auto read_option = [&](const vfc_benchmark::Words& words, std::size_t& k) {
+    const std::string& word = words[k];
+    if(word != "--steps" && word != "--threads") return false;
+    (word == "--steps" ? steps : threads) = std::stoul(vfc_benchmark::value_of_option(words, k));
+    return true;
+  };
+  return vfc_benchmark::run_words(argc, argv, read_option, [&](const std::string& number) {
+    run_with_threads(std::stoul(number), steps, threads);
+  });
 }

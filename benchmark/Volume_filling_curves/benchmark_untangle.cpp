@@ -24,6 +24,8 @@
 #include "Curve_transformation.h"
 #include "Json_line.h"
 #include "Stage_profile.h"
+#include "command_words.h"
+#include "read_curve.h"
 #include "surroundings.h"
 
 #include <CGAL/Volume_filling_curves/IO/polylines.h>
@@ -37,13 +39,11 @@
 #endif
 
 #include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace {
 
@@ -59,28 +59,6 @@ struct Options
   double thickness = 0;
   std::string directory;
 };
-
-const char* name(vfc::Untangling_status status)
-{
-  constexpr const char* names[] = {"converged", "unknotted", "limit", "stalled", "interrupted"};
-  return names[static_cast<std::size_t>(status)];
-}
-
-const char* name(vfc::Link_status status)
-{
-  constexpr const char* names[] = {"none", "trivial", "linked", "undecided"};
-  return names[static_cast<std::size_t>(status)];
-}
-
-Curve read_curve(const std::string& file)
-{
-  Curve curve;
-  std::vector<vfc::Curve_defect> defects;
-  if(!CGAL::IO::read_curve_network(file, curve, defects))
-    throw std::runtime_error(vfc::to_string(defects.front(), file));
-  curve.pin_ends();
-  return curve;
-}
 
 void write_curve(const Options& options,
                  const std::string& file,
@@ -120,8 +98,8 @@ vfc::Untangling_result untangle_with_threads(Curve& curve,
 
 void add_work(Json_line& line, const vfc::Untangling_result& result)
 {
-  line.add("status", name(result.status))
-      .add("link", name(result.link))
+  line.add("status", to_string(result.status))
+      .add("link", to_string(result.link))
       .add("iterations", result.statistics.iterations)
       .add("shortened_steps", result.statistics.shortened_steps)
       .add("refused_remeshing", result.statistics.refused_remeshing)
@@ -143,7 +121,7 @@ void add_shapes(Json_line& line, const Curve& start, const Curve& end)
 
 void run(const std::string& file, const Options& options)
 {
-  const Curve start = options.transformation(read_curve(file));
+  const Curve start = options.transformation(vfc_benchmark::read_curve(file));
   Curve curve = start;
   CGAL::Real_timer timer;
   timer.start();
@@ -168,13 +146,10 @@ void run(const std::string& file, const Options& options)
 }
 
 // Reads one option, with its value if it has one, and returns whether it was one.
-bool read_option(Options& options, const std::vector<std::string>& words, std::size_t& k)
+bool read_option(Options& options, const vfc_benchmark::Words& words, std::size_t& k)
 {
   const std::string& word = words[k];
-  const auto value = [&]() -> const std::string& {
-    if(k + 1 == words.size()) throw std::runtime_error(word + " needs a value");
-    return words[++k];
-  };
+  const auto value = [&] { return vfc_benchmark::value_of_option(words, k); };
   vfc_benchmark::Curve_transformation& transformation = options.transformation;
   if(word == "--jitter")
     transformation.jitter_seed = std::stoul(value());
@@ -211,16 +186,10 @@ bool read_option(Options& options, const std::vector<std::string>& words, std::s
 
 int main(int argc, char** argv)
 {
-  try {
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    Options options;
-    for(std::size_t k = 0; k < words.size(); ++k) {
-      if(read_option(options, words, k)) continue;
-      for(std::size_t i = 0; i < options.repeat; ++i) run(words[k], options);
-    }
-    return 0;
-  } catch(const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
+  Options options;
+  return vfc_benchmark::run_words(
+      argc, argv, [&](const auto& words, std::size_t& k) { return read_option(options, words, k); },
+      [&](const std::string& file) {
+        for(std::size_t i = 0; i < options.repeat; ++i) run(file, options);
+      });
 }

@@ -4,13 +4,12 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// The guard's operations: moving all nodes there and back, with either broad phase; moving single
-// nodes; a round of remeshing.
+// The guard's operations: moving all nodes there and back; moving single nodes; a round of
+// remeshing.
 
 #include "Flow_sample.h"
 
-#include <CGAL/Volume_filling_curves/internal/Aabb_tree_broad_phase.h>
-#include <CGAL/Volume_filling_curves/internal/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/remeshing/Remesher.h>
 
 #include <array>
 #include <vector>
@@ -20,12 +19,9 @@ namespace {
 using namespace vfc_benchmark;
 using Guard = vfc::Isotopy_guard_3<Curve::Traits>;
 using Remesher = vfc::internal::Remesher<Guard>;
-using Grid = vfc::internal::Grid_broad_phase<Curve>;
-using Aabb_tree = vfc::internal::Aabb_tree_broad_phase<Curve>;
 
 constexpr double clearance = 0.1; // in units of the thickness, as in the flow
 
-template <typename Broad_phase>
 void move_nodes(benchmark::State& state)
 {
   const Flow_sample& sample = tangled_unknot(state.range(0));
@@ -35,12 +31,10 @@ void move_nodes(benchmark::State& state)
   guard.set_clearance(clearance * sample.thickness);
   std::size_t way = 0;
   for(auto _ : state)
-    if(guard.move_nodes<CGAL::Sequential_tag, Broad_phase>(ends[way++ % 2]) < 1)
-      state.SkipWithError("a move was refused");
+    if(guard.move_nodes(ends[way++ % 2]) < 1) state.SkipWithError("a move was refused");
   count_nodes(state, sample);
 }
-BENCHMARK_TEMPLATE(move_nodes, Grid)->Arg(32)->Arg(1000)->Arg(10000)->Arg(100000);
-BENCHMARK_TEMPLATE(move_nodes, Aabb_tree)->Arg(32)->Arg(1000)->Arg(10000)->Arg(100000);
+BENCHMARK(move_nodes)->Arg(32)->Arg(1000)->Arg(10000)->Arg(100000);
 
 void move_single_nodes(benchmark::State& state)
 {

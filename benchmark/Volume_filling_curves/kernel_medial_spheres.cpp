@@ -9,7 +9,7 @@
 
 #include "Flow_sample.h"
 
-#include <CGAL/Volume_filling_curves/internal/touching_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/direction/touching_pairs.h>
 
 namespace {
 
@@ -22,10 +22,10 @@ void medial_spheres(benchmark::State& state)
   const double cap = vfc::Curve_flow_parameters().max_radius;
   const std::vector<double> thickness = sample.thickness_per_node();
   for(auto _ : state) {
-    const vfc::internal::Medial_spheres spheres(
-        CGAL::Sequential_tag(), sample.positions,
-        vfc::internal::node_circles(sample.curve, sample.positions), number_of_directions,
-        thickness, cap);
+    vfc::internal::Medial_sphere_search search(CGAL::Sequential_tag(), sample.positions, thickness,
+                                               cap);
+    const vfc::internal::Medial_spheres spheres =
+        search(vfc::internal::node_circles(sample.curve, sample.positions), number_of_directions);
     benchmark::DoNotOptimize(spheres.radius(0, 0));
   }
   count_nodes(state, sample);

@@ -4,12 +4,12 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// The exact predicates on random points, which the floating-point filters decide, and on points of a
-// plane, where they give up and exact arithmetic decides.
+// The exact predicates on random points, which the floating-point filters decide, and on points of
+// a plane, where they give up and exact arithmetic decides.
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
-#include <CGAL/Volume_filling_curves/internal/exact_predicates.h>
-#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <benchmark/benchmark.h>
 

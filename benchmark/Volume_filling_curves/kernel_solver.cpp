@@ -5,12 +5,12 @@
 // Author(s) : The Volume_filling_curves authors
 
 // Solving P d = -g: sparse Cholesky against conjugate gradients preconditioned with the tridiagonal
-// part, on curves whose strands hardly touch yet and on tight ones. internal::Direction_solver takes
-// the faster one.
+// part, on curves whose strands hardly touch yet and on tight ones. internal::Direction_solver
+// takes the faster one.
 
 #include "Flow_sample.h"
 
-#include <CGAL/Volume_filling_curves/internal/Tridiagonal_conjugate_gradients.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Tridiagonal_conjugate_gradients.h>
 
 #include <Eigen/SparseCholesky>
 

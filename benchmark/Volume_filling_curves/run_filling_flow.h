@@ -12,8 +12,9 @@
 #include <CGAL/Volume_filling_curves/Filling_result.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/fill.h>
-#include <CGAL/Volume_filling_curves/internal/Length_window.h>
-#include <CGAL/Volume_filling_curves/internal/Widest_place.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
+#include <CGAL/Volume_filling_curves/internal/filling/boundary_distances.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -30,26 +31,12 @@ using Filling = vfc::Filling_result<Point>;
 template <typename Domain>
 Filling run_fill(Curve& curve, const Domain& domain, const Filling_options& options)
 {
-  const vfc::Curve_flow_parameters& flow = options.flow;
-  return vfc::fill(curve, domain,
-                   vfc::parameters::thickness(flow.thickness)
-                       .length(options.length)
-                       .wall(flow.wall)
-                       .number_of_iterations(options.iterations)
-                       .time_limit(options.time_limit)
-                       .random_seed(options.seed)
-                       .number_of_directions(flow.number_of_directions)
-                       .max_radius(flow.max_radius)
-                       .spacing(flow.spacing)
-                       .screening(flow.screening)
-                       .coupling(flow.coupling)
-                       .preconditioner(flow.preconditioner)
-                       .time_step(flow.time_step));
+  return vfc::fill(curve, domain, options.parameters);
 }
 
-// How the flow alone goes: from a circle in the widest place, with the same parameters throughout, as
-// in the paper. It ends when the curve is as long as asked for or, if nothing is asked for, when the
-// length changes by less than 0.1 % over 20 iterations.
+// How the flow alone goes: from a circle in the widest place, with the same parameters throughout,
+// as in the paper. It ends when the curve is as long as asked for or, if nothing is asked for, when
+// the length changes by less than 0.1 % over 20 iterations.
 template <typename Flow>
 vfc::Filling_status run_steps(Flow& flow, const Filling_options& options)
 {
@@ -58,7 +45,9 @@ vfc::Filling_status run_steps(Flow& flow, const Filling_options& options)
   timer.start();
   vfc::internal::Length_window lengths;
   int steps_without_motion = 0;
-  for(std::size_t k = 0; k < options.iterations && timer.time() < options.time_limit; ++k) {
+  for(std::size_t k = 0;
+      k < options.parameters.number_of_iterations && timer.time() < options.parameters.time_limit;
+      ++k) {
     steps_without_motion = flow.step() ? 0 : steps_without_motion + 1;
     if(steps_without_motion == max_steps_without_motion) return vfc::Filling_status::STALLED;
     lengths.add(flow.length());
@@ -73,10 +62,14 @@ template <typename Domain>
 Filling run_flow_alone(Curve& curve, const Domain& domain, const Filling_options& options)
 {
   const Traits traits;
-  const vfc::Domain_samples_3<Traits, Domain> samples(domain, 20000, options.seed);
-  const vfc::internal::Widest_place<Domain, Traits> widest(domain, samples.points(), traits);
-  curve = widest.template circle<Curve>();
-  vfc::Curve_flow_3<Traits, CGAL::Sequential_tag, Domain> flow(curve, domain, options.flow);
+  const vfc::Domain_samples_3<Traits, Domain> samples(domain, 20000,
+                                                      options.parameters.random_seed);
+  const std::vector<double> distances = vfc::internal::boundary_distances(domain, samples.points());
+  const vfc::internal::Widest_place<Domain, Traits> widest(domain, samples.points(), distances,
+                                                           traits);
+  curve = Curve(widest.circle());
+  vfc::Isotopy_guard_3 guard(curve, domain);
+  vfc::Curve_flow_3 flow(guard, options.parameters);
   Filling result;
   result.status = run_steps(flow, options);
   result.thickness = flow.thickness();

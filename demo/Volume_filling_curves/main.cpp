@@ -7,11 +7,11 @@
 // The program vfc. Finds out which command is meant, runs it, and turns errors into messages, a
 // report and an exit status.
 
-#include "Command_line.h"
-#include "Exit_status.h"
-#include "commands.h"
-#include "errors.h"
-#include "interruption.h"
+#include "commands/commands.h"
+#include "options/Command_line.h"
+#include "session/Exit_status.h"
+#include "session/errors.h"
+#include "session/interruption.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -113,6 +113,7 @@ int run_program(int argc, char** argv)
   add_fill_command(command_line);
   add_check_command(command_line);
   add_measure_command(command_line);
+  add_repair_command(command_line);
   add_generate_command(command_line);
   add_draw_command(command_line);
   try {

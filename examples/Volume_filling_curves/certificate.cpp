@@ -7,38 +7,20 @@
 // Untangles a curve, writes the certificate of that to a file, and verifies what was written. Then
 // tampers with it.
 
+#include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <iterator>
 #include <string>
-#include <vector>
 
 namespace VFC = CGAL::Volume_filling_curves;
 
 using Curve = VFC::Curve_network_3<>;
-using Point_3 = Curve::Point_3;
-
-// The trefoil as a torus knot.
-Curve make_trefoil(int n)
-{
-  const double pi = 3.14159265358979323846;
-  std::vector<std::vector<Point_3>> polylines(1);
-  for(int i = 0; i < n; ++i) {
-    const double t = 2 * pi * i / n, radius = 2 + std::cos(3 * t);
-    polylines[0].emplace_back(radius * std::cos(2 * t), radius * std::sin(2 * t), std::sin(3 * t));
-  }
-  polylines[0].push_back(polylines[0].front());
-  Curve curve;
-  std::vector<VFC::Curve_defect> defects;
-  VFC::polylines_to_curve_network(polylines, curve, defects);
-  return curve;
-}
 
 bool verify(const std::string& bytes, const Curve& start, const Curve& end)
 {
@@ -52,7 +34,7 @@ bool verify(const std::string& bytes, const Curve& start, const Curve& end)
 
 int main()
 {
-  const Curve start = make_trefoil(100);
+  const Curve start = VFC::make_torus_knot(2, 3, 100);
   Curve end = start;
   VFC::Isotopy_certificate certificate;
   VFC::untangle(end, VFC::parameters::certificate(std::ref(certificate)).keep_length(true));

@@ -44,7 +44,7 @@ int main()
 
   // Inserting a node and removing one are certified, too.
   is_ok &= report("a node in the edge in front", guard.insert_node(0, Point_3(2, 0, 0)), true);
-  const std::size_t inserted = curve.number_of_nodes() - 1;
+  const std::size_t inserted = curve.target(0);
   is_ok &= report("to straighten the edge again", guard.remove_node(inserted), true);
   is_ok &= report("to remove the end of the rod", guard.remove_node(3), false);
 

@@ -15,7 +15,6 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -41,8 +40,7 @@ int main()
 {
   const Domain domain(distance_to_capsule, CGAL::Bbox_3(-1, -0.5, -0.5, 1, 0.5, 0.5));
   const Point_3 inlet(-0.98, 0, 0), outlet(0.98, 0, 0);
-  Curve curve(std::vector<Point_3>{inlet, Point_3(0, 0, 0), outlet},
-              std::vector<std::array<std::size_t, 2>>{{0, 1}, {1, 2}});
+  Curve curve(std::vector<Point_3>{inlet, Point_3(0, 0, 0), outlet});
   curve.pin_ends();
   const double thickness = 0.12;
   const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness));

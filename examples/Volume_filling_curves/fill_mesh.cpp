@@ -8,31 +8,30 @@
 //
 //   fill_mesh [FILE [THICKNESS]]
 
-#include <CGAL/Volume_filling_curves/IO/domain_mesh.h>
 #include <CGAL/Volume_filling_curves/IO/polylines.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <cstdlib>
 #include <iostream>
-#include <vector>
 
 namespace VFC = CGAL::Volume_filling_curves;
 
-using Traits = VFC::Curve_flow_traits_3<>;
-using Curve = VFC::Curve_network_3<Traits>;
+using Curve = VFC::Curve_network_3<>;
 using Mesh = CGAL::Surface_mesh<Curve::Point_3>;
-using Domain = VFC::Triangle_mesh_domain_3<>;
 
+// The domain's constructor throws if the mesh is not closed; intersections are for us to look for.
 bool read_mesh(const char* file, Mesh& mesh)
 {
-  std::vector<VFC::Mesh_defect> defects;
-  const bool is_usable = CGAL::IO::read_domain_mesh(file, mesh, defects);
-  for(const VFC::Mesh_defect& defect : defects) std::cerr << VFC::to_string(defect, file) << '\n';
+  const bool is_usable = CGAL::IO::read_polygon_mesh(file, mesh) &&
+                         !CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+  if(!is_usable) std::cerr << file << " is no mesh without self-intersections\n";
   return is_usable;
 }
 
@@ -45,11 +44,11 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   const double thickness = argc > 2 ? std::atof(argv[2]) : 0; // 0: by the widest ball inside
 
-  const Domain domain(mesh);
+  const VFC::Triangle_mesh_domain_3 domain(mesh); // fill() takes the mesh itself, too
   Curve curve; // empty: a circle is placed where the domain is widest
   const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness));
 
-  const VFC::Domain_samples_3<Traits, Domain> samples(domain);
+  const VFC::Domain_samples_3 samples(domain);
   const auto distances = VFC::sample_distances(curve, samples);
   const VFC::Coverage coverage = VFC::coverage(samples, distances, result.thickness);
   std::cout << result.statistics.iterations << " iterations, " << curve.number_of_nodes()
@@ -63,8 +62,7 @@ int main(int argc, char** argv)
     std::cout << "not reached: a volume of " << region.volume << " at " << region.point << '\n';
 
   // Every edge is strictly inside, which is recounted here with exact predicates.
-  const VFC::Containment outside = VFC::containment(curve, domain);
-  if(outside.outside_nodes + outside.outside_segments > 0) return EXIT_FAILURE;
+  if(!VFC::containment(curve, domain).is_inside()) return EXIT_FAILURE;
   if(!CGAL::IO::write_curve_network("filling.obj", curve)) return EXIT_FAILURE;
   return result.status == VFC::Filling_status::CONVERGED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,7 +6,6 @@
 
 // Untangles links, of which a linking number or a proof is reported, and an arc with pinned ends.
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <CGAL/number_type_config.h>
@@ -49,11 +48,9 @@ VFC::Link_status status_of_link(double distance)
 // A winding arc; its ends, and the nodes in between that are pinned, stay where they are.
 bool does_arc_stay_pinned()
 {
-  std::vector<Polyline> arc(1);
-  for(int i = 0; i <= 80; ++i) arc[0].emplace_back(0.1 * i, std::sin(0.4 * i), std::cos(0.4 * i));
-  Curve curve;
-  std::vector<VFC::Curve_defect> defects;
-  if(!VFC::polylines_to_curve_network(arc, curve, defects)) return false;
+  Polyline arc;
+  for(int i = 0; i <= 80; ++i) arc.emplace_back(0.1 * i, std::sin(0.4 * i), std::cos(0.4 * i));
+  Curve curve(arc);
   curve.pin_ends();
   curve.set_pinned(40);
 
@@ -63,7 +60,7 @@ bool does_arc_stay_pinned()
     const std::size_t origin = curve.origin(v); // the node of the input that v was
     if(origin == Curve::null_node()) ++new_nodes;
     if(!curve.is_pinned(v)) continue;
-    if(curve.point(v) != arc[0][origin]) return false;
+    if(curve.point(v) != arc[origin]) return false;
     ++pinned;
   }
   std::cout << "arc: " << result.statistics.iterations << " iterations, " << pinned

@@ -6,7 +6,6 @@
 
 // Measures a link: a trefoil with a ring around one of its strands.
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 
 #include <CGAL/number_type_config.h>
@@ -50,10 +49,7 @@ Polyline ring()
 
 int main()
 {
-  const std::vector<Polyline> polylines = {trefoil(), ring()};
-  Curve curve;
-  std::vector<VFC::Curve_defect> defects;
-  if(!VFC::polylines_to_curve_network(polylines, curve, defects)) return EXIT_FAILURE;
+  const Curve curve(std::vector<Polyline>{trefoil(), ring()});
 
   const VFC::Curve_measures measures = VFC::measure(curve);
   std::cout << "length                   " << measures.length << '\n'

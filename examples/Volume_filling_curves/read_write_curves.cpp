@@ -6,7 +6,7 @@
 
 // Reads curves, good ones and faulty ones, and writes them without changing a bit.
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -23,7 +23,7 @@ using Curve = VFC::Curve_network_3<>;
 bool read(const std::string& filename, Curve& curve)
 {
   std::vector<VFC::Curve_defect> defects;
-  const bool is_good = CGAL::IO::read_curve_network(filename, curve, defects);
+  const bool is_good = CGAL::IO::read_embedded_curve_network(filename, curve, defects);
   for(const VFC::Curve_defect& defect : defects)
     std::cout << VFC::to_string(defect, filename) << '\n';
   return is_good;

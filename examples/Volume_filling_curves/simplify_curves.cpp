@@ -11,7 +11,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -27,17 +26,15 @@ using Point_3 = Curve::Point_3;
 Curve wavy_link()
 {
   const std::size_t n = 500;
-  std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
+  std::vector<std::vector<Point_3>> rings(2);
   for(std::size_t c = 0; c < 2; ++c)
     for(std::size_t i = 0; i < n; ++i) {
       const double t = 2 * CGAL_PI * static_cast<double>(i) / n;
       const double radius = 2 + 0.1 * std::cos(40 * t), height = 0.1 * std::sin(40 * t);
       const double x = radius * std::cos(t), y = radius * std::sin(t);
-      points.push_back(c == 0 ? Point_3(x, y, height) : Point_3(x + 2, height, y));
-      edges.push_back({c * n + i, c * n + (i + 1) % n});
+      rings[c].push_back(c == 0 ? Point_3(x, y, height) : Point_3(x + 2, height, y));
     }
-  return Curve(points, edges);
+  return Curve(rings, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
 // Simplifies the link and prints what is left. It stays linked, whatever is removed.

@@ -10,7 +10,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -27,13 +26,11 @@ Curve figure_eight()
 {
   const std::size_t n = 150;
   std::vector<Curve::Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
   for(std::size_t i = 0; i < n; ++i) {
     const double t = 2 * CGAL_PI * static_cast<double>(i) / n, radius = 2 + std::cos(2 * t);
     points.emplace_back(radius * std::cos(3 * t), radius * std::sin(3 * t), std::sin(4 * t));
-    edges.push_back({i, (i + 1) % n});
   }
-  return Curve(points, edges);
+  return Curve(points, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
 // The share of the medial spheres that touch another node; the others have the largest radius.
@@ -55,7 +52,8 @@ int main()
   parameters.number_of_directions = 24;
 
   Curve curve = figure_eight();
-  Flow flow(curve, parameters);
+  VFC::Isotopy_guard_3 guard(curve);
+  Flow flow(guard, parameters);
   const double start_length = flow.length();
   for(int k = 0; k <= 20; ++k) {
     if(k % 5 == 0) {

@@ -9,7 +9,6 @@
 #include <CGAL/Volume_filling_curves/IO/polylines.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -33,15 +32,13 @@ Curve outline_of_ribbon()
   const std::size_t half = 100; // nodes per side
   const double gap = 0.3, width = 0.2;
   std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
   for(std::size_t i = 0; i < 2 * half; ++i) {
     const bool is_way_back = i >= half;
     const double step = static_cast<double>(is_way_back ? 2 * half - 1 - i : i);
     const double t = gap + (6.28 - 2 * gap) * step / (half - 1);
     points.push_back(point_on_trefoil(t, is_way_back ? -width / 2 : width / 2));
-    edges.push_back({i, (i + 1) % (2 * half)});
   }
-  return Curve(points, edges);
+  return Curve(points, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
 int main()

@@ -10,7 +10,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -49,13 +48,11 @@ Curve trefoil()
 {
   const std::size_t n = 120;
   std::vector<Curve::Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
   for(std::size_t i = 0; i < n; ++i) {
     const double t = 2 * CGAL_PI * static_cast<double>(i) / n, radius = 2 + std::cos(3 * t);
     points.emplace_back(radius * std::cos(2 * t), radius * std::sin(2 * t), std::sin(3 * t));
-    edges.push_back({i, (i + 1) % n});
   }
-  return Curve(points, edges);
+  return Curve(points, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
 int main()

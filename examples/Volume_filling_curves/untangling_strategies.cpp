@@ -12,7 +12,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -30,20 +29,18 @@ Curve figure_eight()
 {
   const std::size_t n = 300;
   std::vector<Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
   for(std::size_t i = 0; i < n; ++i) {
     const double t = 2 * CGAL_PI * static_cast<double>(i) / n;
     const double radius = 2 + std::cos(2 * t) + 0.1 * std::cos(30 * t);
     points.emplace_back(radius * std::cos(3 * t), radius * std::sin(3 * t), std::sin(4 * t));
-    edges.push_back({i, (i + 1) % n});
   }
-  return Curve(points, edges);
+  return Curve(points, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
 // Follows the search, and could stop it.
 struct Search_observer : VFC::Default_curve_flow_visitor
 {
-  bool on_tightening(const VFC::Tightening_progress& progress)
+  bool on_search(const VFC::Search_progress& progress)
   {
     edges = progress.edges;
     return true;
@@ -69,7 +66,7 @@ bool untangle(const char* name, VFC::Untangling_strategy strategy, std::size_t m
 int main()
 {
   bool is_ok = untangle("flow", VFC::Untangling_strategy::FLOW, 300);
-  is_ok &= untangle("tighten", VFC::Untangling_strategy::TIGHTEN, 8); // the least is 7
+  is_ok &= untangle("search", VFC::Untangling_strategy::SEARCH, 8); // the least is 7
   is_ok &= untangle("auto", VFC::Untangling_strategy::AUTO, 300);
   return is_ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

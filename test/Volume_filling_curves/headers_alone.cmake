@@ -8,8 +8,6 @@ option(VFC_HEADERS_ALONE "Compile each header alone as part of the build" ON)
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${package_dir}/include
   ${package_dir}/include/CGAL/*.h)
-# a list of macro calls, which says so
-list(FILTER headers EXCLUDE REGEX "/parameters_interface\\.h$")
 foreach(header IN LISTS headers)
   string(MAKE_C_IDENTIFIER ${header} name)
   set(unit ${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${name}.cpp)

@@ -2,12 +2,13 @@
 #
 # Author(s) : The Volume_filling_curves authors
 #
-# Tests that are scripts run the program; they find it and the data through the environment.
+# Tests that are scripts run the program, but for those of the house, which read the sources. They
+# find the program and the data through the environment.
 
 file(GLOB scripts CONFIGURE_DEPENDS
-  ${CMAKE_CURRENT_SOURCE_DIR}/test_*.sh ${CMAKE_CURRENT_SOURCE_DIR}/test_*.py)
+  ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.sh ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.py)
 if(NOT TARGET vfc)
-  set(scripts)
+  list(FILTER scripts INCLUDE REGEX "/house/")
 endif()
 foreach(script IN LISTS scripts)
   get_filename_component(name ${script} NAME)

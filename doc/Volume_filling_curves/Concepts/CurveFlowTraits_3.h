@@ -11,15 +11,18 @@
  * The concept `CurveFlowTraits_3` describes the point type of a curve and the predicates with which
  * every change of the curve is certified.
  *
- * The predicates decide exactly, for all points that `Construct_point_3` makes of finite coordinates
- * of type `double`, collinear, coplanar and coincident points included. That is what the certificates
- * rest on: a traits class whose predicates round is no model, even if it compiles.
+ * The predicates decide exactly, for all points that `Construct_point_3` makes of finite
+ * coordinates of type `double`, collinear, coplanar and coincident points included. That is what
+ * the certificates rest on: a traits class whose predicates round is no model, even if it compiles.
  *
  * Models are copyable and assignable. Default construction is needed only where no traits object is
  * passed. Functors are copyable, and calling a functor, or copies of it, concurrently is safe.
  *
+ * Every kernel of \cgal with exact predicates is a model.
+ *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Volume_filling_curves::Curve_flow_traits_3}
+ * \cgalHasModels{\cgal's kernels with exact predicates}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Volume_filling_curves::Curve_network_3`
@@ -41,8 +44,15 @@ public:
   typedef unspecified_type Point_3;
 
   /*!
-   * A functor with <tt>%Point_3 operator()(double x, double y, double z) const</tt>, which returns the
-   * point with these very coordinates.
+   * A type of vectors that can be constructed from three coordinates of type `double`, which its
+   * member functions `x()`, `y()` and `z()` return, up to `CGAL::to_double()`. Domains are asked
+   * for distances along such vectors.
+   */
+  typedef unspecified_type Vector_3;
+
+  /*!
+   * A functor with <tt>%Point_3 operator()(double x, double y, double z) const</tt>, which returns
+   * the point with these very coordinates.
    */
   typedef unspecified_type Construct_point_3;
 
@@ -64,9 +74,9 @@ public:
   typedef unspecified_type Coplanar_orientation_3;
 
   /*!
-   * A predicate with <tt>bool operator()(Point_3 p, Point_3 q) const</tt>, which returns whether `p`
-   * comes before `q` in lexicographic order of the coordinates x, y and z. Points are equal if neither
-   * comes before the other.
+   * A predicate with <tt>bool operator()(Point_3 p, Point_3 q) const</tt>, which returns whether
+   * `p` comes before `q` in lexicographic order of the coordinates x, y and z. Points are equal if
+   * neither comes before the other.
    */
   typedef unspecified_type Less_xyz_3;
 

@@ -10,10 +10,10 @@
  *
  * The concept `VolumeFillingDomain_3` describes the set that a curve fills and never leaves.
  *
- * Two members decide: `is_inside()` about where a curve may start, `is_triangle_inside()` about every
- * elementary move. A curve that starts inside and whose every move sweeps triangles that lie inside
- * stays inside. That is as certain as the two answers are: a model says for which data they are
- * exact, and answers `false` rather than `true` where it does not know. The two members with
+ * Two members decide: `is_inside()` about where a curve may start, `is_triangle_inside()` about
+ * every elementary move. A curve that starts inside and whose every move sweeps triangles that lie
+ * inside stays inside. That is as certain as the two answers are: a model says for which data they
+ * are exact, and answers `false` rather than `true` where it does not know. The two members with
  * distances only steer and need no exactness.
  *
  * Calling the members concurrently is safe.
@@ -37,6 +37,10 @@ public:
   /// The point type of the curve, that is, `CurveFlowTraits_3::Point_3` of its traits.
   typedef unspecified_type Point_3;
 
+  /// A type of vectors that can be constructed from three coordinates of type `double`, for example
+  /// that of the kernel, or `CurveFlowTraits_3::Vector_3`.
+  typedef unspecified_type Vector_3;
+
   /// @}
 
   /// \name Containment
@@ -49,8 +53,8 @@ public:
   bool is_inside(const Point_3& p) const;
 
   /*!
-   * returns whether the closed triangle `pqr` lies strictly inside. The triangle may be a segment or
-   * a point.
+   * returns whether the closed triangle `pqr` lies strictly inside. The triangle may be a segment
+   * or a point.
    *
    * \pre `is_inside(p)`
    */
@@ -61,13 +65,13 @@ public:
   /// \name Distances
   /// @{
 
-  /// returns a lower bound of the distance of `p` to the boundary, in the input's unit. If `p` is not
-  /// inside, the bound may be 0.
+  /// returns a lower bound of the distance of `p` to the boundary, in the input's unit. If `p` is
+  /// not inside, the bound may be 0.
   double distance(const Point_3& p) const;
 
-  /// returns how far one can go from `p` along the unit vector `(ux, uy, uz)` before the boundary is
+  /// returns how far one can go from `p` along the unit vector `direction` before the boundary is
   /// met, or `limit` if that is less.
-  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const;
+  double distance_along(const Point_3& p, const Vector_3& direction, double limit) const;
 
   /// @}
 };

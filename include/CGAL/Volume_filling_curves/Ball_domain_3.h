@@ -10,10 +10,11 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
-#include <CGAL/Volume_filling_curves/internal/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Kernel_traits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,9 @@ class Ball_domain_3
 public:
   /// the point type of the traits
   using Point_3 = typename Traits::Point_3;
+
+  /// the vector type of the traits
+  using Vector_3 = typename Traits::Vector_3;
 
   /*!
    * constructs the ball.
@@ -97,12 +101,12 @@ public:
     return (std::max)(m_radius - (internal::to_vector(p) - m_center).norm(), 0.);
   }
 
-  /// returns how far it is from `p` along the unit vector `(ux, uy, uz)` to the sphere, or `limit`
+  /// returns how far it is from `p` along the unit vector `direction` to the sphere, or `limit`
   /// if that is less, and 0 if `p` is not inside.
-  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const
+  double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
     const Vector x = internal::to_vector(p) - m_center;
-    const double norm = x.norm(), along = x.dot(Vector(ux, uy, uz));
+    const double norm = x.norm(), along = x.dot(internal::to_vector(direction));
     const double power = (m_radius - norm) * (m_radius + norm);
     if(power <= 0) return 0;
     const double root = std::sqrt(along * along + power);
@@ -125,6 +129,12 @@ private:
   Vector m_center;
   double m_radius;
 };
+
+/// \cond SKIP_IN_MANUAL
+template <typename Point_3>
+Ball_domain_3(const Point_3&, double)
+    -> Ball_domain_3<Curve_flow_traits_3<typename Kernel_traits<Point_3>::Kernel>>;
+/// \endcond
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

@@ -10,10 +10,11 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
-#include <CGAL/Volume_filling_curves/internal/Box.h>
-#include <CGAL/Volume_filling_curves/internal/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel_traits.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -42,27 +43,25 @@ public:
   /// the point type of the traits
   using Point_3 = typename Traits::Point_3;
 
+  /// the vector type of the traits
+  using Vector_3 = typename Traits::Vector_3;
+
   /*!
    * constructs the box with two opposite corners, whose coordinates are rounded to `double`.
    *
    * \throws std::invalid_argument if a coordinate is not finite or the box is flat
    */
-  Box_domain_3(const Point_3& p, const Point_3& q)
-      : m_box(internal::Box::of(internal::to_vector(p)))
+  Box_domain_3(const Point_3& p, const Point_3& q) : m_box(internal::to_vector(p))
   {
-    m_box += internal::to_vector(q);
-    if(!m_box.min.allFinite() || !m_box.max.allFinite())
+    m_box.extend(internal::to_vector(q));
+    if(!m_box.min().allFinite() || !m_box.max().allFinite())
       throw std::invalid_argument("a coordinate is not finite");
-    if((m_box.min.array() >= m_box.max.array()).any())
+    if((m_box.min().array() >= m_box.max().array()).any())
       throw std::invalid_argument("the box is flat");
   }
 
   /// returns the box.
-  CGAL::Bbox_3 bbox() const
-  {
-    return {m_box.min.x(), m_box.min.y(), m_box.min.z(),
-            m_box.max.x(), m_box.max.y(), m_box.max.z()};
-  }
+  CGAL::Bbox_3 bbox() const { return internal::to_bbox(m_box); }
 
   /// returns whether `p` lies strictly inside.
   bool is_inside(const Point_3& p) const { return is_strictly_inside(internal::to_vector(p)); }
@@ -80,18 +79,18 @@ public:
   double distance(const Point_3& p) const
   {
     const Vector x = internal::to_vector(p);
-    return (std::max)((x - m_box.min).cwiseMin(m_box.max - x).minCoeff(), 0.);
+    return (std::max)((x - m_box.min()).cwiseMin(m_box.max() - x).minCoeff(), 0.);
   }
 
-  /// returns how far it is from `p` along the unit vector `(ux, uy, uz)` to the first side, or
+  /// returns how far it is from `p` along the unit vector `direction` to the first side, or
   /// `limit` if that is less, and 0 if `p` is not inside.
-  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const
+  double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
-    const Vector x = internal::to_vector(p), u(ux, uy, uz);
+    const Vector x = internal::to_vector(p), u = internal::to_vector(direction);
     if(!is_strictly_inside(x)) return 0;
     double t = limit;
     for(int i = 0; i < 3; ++i) {
-      if(u[i] != 0) t = (std::min)(t, ((u[i] > 0 ? m_box.max[i] : m_box.min[i]) - x[i]) / u[i]);
+      if(u[i] != 0) t = (std::min)(t, ((u[i] > 0 ? m_box.max()[i] : m_box.min()[i]) - x[i]) / u[i]);
     }
     return t;
   }
@@ -99,11 +98,17 @@ public:
 private:
   bool is_strictly_inside(const Vector& x) const
   {
-    return (x.array() > m_box.min.array()).all() && (x.array() < m_box.max.array()).all();
+    return (x.array() > m_box.min().array()).all() && (x.array() < m_box.max().array()).all();
   }
 
   internal::Box m_box;
 };
+
+/// \cond SKIP_IN_MANUAL
+template <typename Point_3>
+Box_domain_3(const Point_3&, const Point_3&)
+    -> Box_domain_3<Curve_flow_traits_3<typename Kernel_traits<Point_3>::Kernel>>;
+/// \endcond
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

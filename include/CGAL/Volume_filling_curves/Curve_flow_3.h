@@ -12,18 +12,22 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/Medial_sphere.h>
 #include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
-#include <CGAL/Volume_filling_curves/internal/Direction_solver.h>
-#include <CGAL/Volume_filling_curves/internal/Medial_spheres.h>
-#include <CGAL/Volume_filling_curves/internal/Medial_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/Remesher.h>
-#include <CGAL/Volume_filling_curves/internal/Stage_timer.h>
-#include <CGAL/Volume_filling_curves/internal/Step_size.h>
-#include <CGAL/Volume_filling_curves/internal/Strand_separator.h>
-#include <CGAL/Volume_filling_curves/internal/Wall_limit.h>
-#include <CGAL/Volume_filling_curves/internal/check_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/energy_gradient.h>
-#include <CGAL/Volume_filling_curves/internal/preconditioner.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Direction_solver.h>
+#include <CGAL/Volume_filling_curves/internal/direction/energy_gradient.h>
+#include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/remeshing/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Boundary_limit.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/mean_radius.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
+#include <CGAL/Volume_filling_curves/internal/step/Single_moves.h>
+#include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/step/Strand_separator.h>
+#include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -33,23 +37,11 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
-
-/// \ingroup PkgVolumeFillingCurvesRef
-///
-/// A sphere that touches a curve at a node and holds no other node.
-template <typename Point_3>
-struct Medial_sphere
-{
-  Point_3 center;           ///< the center, in the plane orthogonal to the curve at the node
-  double radius;            ///< the radius, in the input's unit
-  std::size_t touched_node; ///< the node that limits the radius, `null_node()` if the cap does
-};
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
@@ -67,24 +59,25 @@ struct Medial_sphere
  * In a domain the curve stays strictly inside, and the boundary limits the medial spheres, too, so
  * that the curve grows until it fills the domain evenly. There the thickness may vary in space.
  *
- * The flow borrows the network, which must outlive it and not be changed by others meanwhile, and
- * the domain.
- *
- * \pre the network is embedded
+ * The flow borrows the guard of the curve, which must outlive it. Between steps the guard may
+ * change the curve otherwise; `update()` lets the flow take note of that.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the point type of `Traits`
  * \tparam ConcurrencyTag enables parallel steps: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the point type of `Traits`
  */
 template <typename Traits = Curve_flow_traits_3<>,
-          typename ConcurrencyTag = Sequential_tag,
-          typename Domain = Unbounded_domain_3<Traits>>
+          typename Domain = Unbounded_domain_3<Traits>,
+          typename ConcurrencyTag = Sequential_tag>
 class Curve_flow_3
 {
 public:
   /// \name Types
   /// @{
+
+  /// the type of the guard that certifies every step
+  using Guard = Isotopy_guard_3<Traits, Domain>;
 
   /// the type of the curve
   using Curve_network = Curve_network_3<Traits>;
@@ -104,33 +97,30 @@ public:
   /// @}
 
   /*!
-   * prepares the flow of `curve`: measures the thickness if none is given, and brings the edges to
-   * the lengths that the parameters ask for, by certified operations.
+   * prepares the flow of the curve that is guarded, inside the guard's domain: measures the
+   * thickness if none is given, and brings the edges to the lengths that the parameters ask for, by
+   * certified operations. The clearance of the guard is that of the flow from here on.
    *
    * Nodes that are pinned stay where they are.
    *
    * \pre the network has no garbage
    *
-   * \throws std::invalid_argument if a parameter is not positive and finite; `thickness`, `coupling`
-   * and `time_step` may be 0
+   * \throws std::invalid_argument if a parameter is not positive and finite; `thickness`,
+   * `coupling` and `time_step` may be 0
    */
-  explicit Curve_flow_3(Curve_network& curve,
+  explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
-      : m_guard(curve), m_parameters(parameters), m_step_size(parameters.max_displacement)
+      : m_guard(guard),
+        m_first_certified_change(guard.number_of_certified_changes()),
+        m_first_refused_change(guard.number_of_refused_changes()),
+        m_parameters(parameters),
+        m_step_size(parameters.max_displacement)
   {
     start();
   }
 
-  /// prepares the flow of `curve` inside `domain`, likewise.
-  ///
-  /// \pre the curve lies inside `domain`
-  Curve_flow_3(Curve_network& curve,
-               const Domain& domain,
-               const Curve_flow_parameters& parameters = Curve_flow_parameters())
-      : m_guard(curve, domain), m_parameters(parameters), m_step_size(parameters.max_displacement)
-  {
-    start();
-  }
+  Curve_flow_3(const Curve_flow_3&) = delete;
+  Curve_flow_3& operator=(const Curve_flow_3&) = delete;
 
   /// changes the largest displacement of a node in a step, in units of the thickness.
   ///
@@ -168,6 +158,22 @@ public:
     return fraction > 0;
   }
 
+  /// takes note of the curve as it stands. To be called when the guard has changed the curve since
+  /// the last step.
+  ///
+  /// \pre the network has no garbage
+  void update()
+  {
+    CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
+    m_positions = internal::coordinates(curve());
+    m_weights = internal::node_weights(curve(), m_positions);
+    m_length = 0;
+    for(double weight : m_weights) m_length += weight;
+    update_thickness();
+    update_spheres();
+    update_direction();
+  }
+
   /// \name Reading
   /// @{
 
@@ -189,25 +195,16 @@ public:
   /// returns the gradient of the energy at each node; zero at pinned nodes.
   const Vector_field& gradient() const { return m_gradient; }
 
-  /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes' shares
-  /// of the length, pinned nodes left out: dimensionless, and independent of the spacing.
+  /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes'
+  /// shares of the length, pinned nodes left out: dimensionless, and independent of the spacing.
   double gradient_norm() const { return m_gradient_norm; }
 
   /// returns the mean of the medial radii along the curve, each of them capped at `largest`, in the
   /// input's unit; pinned nodes are left out.
   double mean_medial_radius(double largest = std::numeric_limits<double>::infinity()) const
   {
-    double sum = 0, weight = 0;
-    for(std::size_t c = 0; c < m_spheres.circles().size(); ++c) {
-      const auto& circle = m_spheres.circles()[c];
-      if(curve().is_pinned(circle.node)) continue;
-      const double w = m_weights[circle.node] * circle.share;
-      for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l) {
-        sum += w * (std::min)(m_spheres.radius(c, l), largest);
-        weight += w;
-      }
-    }
-    return weight > 0 ? sum / weight : 0;
+    return internal::mean_radius(m_spheres, m_weights, largest,
+                                 [&](size_type v) { return !curve().is_pinned(v); });
   }
 
   /// returns the direction in which the next step goes.
@@ -229,31 +226,27 @@ public:
     return spheres;
   }
 
-  /// returns what the flow has done so far.
+  /// returns what the flow has done so far. Changes are those that the guard has made since the
+  /// flow began.
   Curve_flow_statistics statistics() const
   {
     Curve_flow_statistics statistics = m_statistics;
-    statistics.certified_changes = m_guard.number_of_certified_changes();
-    statistics.refused_changes = m_guard.number_of_refused_changes();
+    statistics.certified_changes = m_guard.number_of_certified_changes() - m_first_certified_change;
+    statistics.refused_changes = m_guard.number_of_refused_changes() - m_first_refused_change;
     return statistics;
   }
 
   /// @}
 
 private:
-  using Guard = Isotopy_guard_3<Traits, Domain>;
   using Remesher = internal::Remesher<Guard>;
-
-  // A step leaves strands a tenth of the thickness apart, so that they can move on.
-  static constexpr double clearance_over_thickness = 0.1;
-  static constexpr double least_fraction = 1. / 64; // of a step that is shortened
 
   void start()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     internal::check_parameters(m_parameters);
     if(!(m_parameters.thickness > 0) && !m_thickness_field) {
-      internal::Medial_thickness<Curve_network, ConcurrencyTag> measure(
+      internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
           curve(), m_parameters.number_of_directions);
       m_parameters.thickness = measure();
     }
@@ -261,40 +254,30 @@ private:
     update();
   }
 
-  void update()
-  {
-    m_positions = internal::coordinates(curve());
-    m_weights = internal::node_weights(curve(), m_positions);
-    m_length = 0;
-    for(double weight : m_weights) m_length += weight;
-    update_thickness();
-    update_spheres();
-    update_direction();
-  }
-
   void update_thickness()
   {
-    const size_type n = curve().number_of_nodes();
-    m_thickness.assign(n, m_parameters.thickness);
-    if(m_thickness_field && n > 0) {
-      for(size_type v = 0; v < n; ++v) m_thickness[v] = m_thickness_field(curve().point(v));
-      if(!std::all_of(m_thickness.begin(), m_thickness.end(), internal::is_positive))
-        throw std::invalid_argument("the thickness must be positive and finite everywhere");
-      m_parameters.thickness =
-          std::accumulate(m_thickness.begin(), m_thickness.end(), 0.) / static_cast<double>(n);
-    }
-    const auto least = std::min_element(m_thickness.begin(), m_thickness.end());
-    m_guard.set_clearance(n > 0 ? clearance_over_thickness * *least : 0);
+    m_thickness = internal::node_thicknesses(curve(), m_parameters.thickness, m_thickness_field);
+    const auto n = static_cast<double>(m_thickness.size());
+    if(m_thickness_field && n > 0)
+      m_parameters.thickness = std::accumulate(m_thickness.begin(), m_thickness.end(), 0.) / n;
+    m_guard.set_clearance(n > 0 ? clearance() : 0);
+  }
+
+  // A step leaves strands a tenth of the thickness apart, so that they can move on.
+  double clearance() const
+  {
+    constexpr double clearance_over_thickness = 0.1;
+    return clearance_over_thickness * *std::min_element(m_thickness.begin(), m_thickness.end());
   }
 
   void update_spheres()
   {
     const internal::Stage_timer stage(m_statistics.seconds_medial_spheres);
-    m_spheres = internal::Medial_spheres(
-        ConcurrencyTag(), m_positions, internal::node_circles(curve(), m_positions),
-        m_parameters.number_of_directions, m_thickness, m_parameters.max_radius,
-        internal::Wall_limit<Curve_network, typename Guard::Walls>(curve(), m_guard.walls(),
-                                                                   m_parameters.wall));
+    internal::Medial_sphere_search search(
+        ConcurrencyTag(), m_positions, m_thickness, m_parameters.max_radius,
+        internal::boundary_limit(curve(), m_guard.walls(), m_parameters.wall));
+    m_spheres =
+        search(internal::node_circles(curve(), m_positions), m_parameters.number_of_directions);
   }
 
   void update_direction()
@@ -326,21 +309,28 @@ private:
     if(m_direction.isZero(0)) return 0;
     const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
                                                     : m_step_size.next(m_direction, m_thickness);
+    const Vector_field targets = m_positions + scale * m_direction;
     const double fraction = m_guard.template move_nodes<ConcurrencyTag>(
-        m_positions + scale * m_direction, least_fraction);
+        targets, m_is_obstructed ? 1 : internal::Step_size::least_fraction);
+    m_is_obstructed = Guard::Domain_boundary::is_bounded && fraction == 0;
     if(fraction < 1) {
       ++m_statistics.shortened_steps;
       m_step_size.on_shortened_step();
     }
-    if(fraction == 0) return separate_strands() ? least_fraction : 0;
-    return fraction;
+    return fraction > 0 ? fraction : free_nodes(targets);
   }
 
-  // Strands that almost touch let no step pass.
-  bool separate_strands()
+  // A step that fails for all is made by those nodes that can: others may be held by a wall for
+  // good. Returns what fraction of it.
+  double free_nodes(const Vector_field& targets)
   {
-    const auto least = std::min_element(m_thickness.begin(), m_thickness.end());
-    return internal::Strand_separator<Guard>(m_guard, clearance_over_thickness * *least)();
+    // strands that almost touch let no step pass
+    const bool are_freed = internal::Strand_separator<Guard>(m_guard, clearance())();
+    const double freed = are_freed ? internal::Step_size::least_fraction : 0;
+    if constexpr(Guard::Domain_boundary::is_bounded)
+      return (std::max)(freed, internal::Single_moves<Guard>(m_guard)(targets));
+    else
+      return freed;
   }
 
   void remesh()
@@ -380,10 +370,13 @@ private:
     } while(curve().has_garbage());
   }
 
-  Guard m_guard;
+  Guard& m_guard;
+  size_type m_first_certified_change,
+      m_first_refused_change; // of the guard's, where the flow began
   Curve_flow_parameters m_parameters;
   Thickness_field m_thickness_field; // none if the thickness is the same everywhere
   Curve_flow_statistics m_statistics;
+  bool m_is_obstructed = false; // whether no part of the last step was certified as a whole
   internal::Step_size m_step_size;
   internal::Direction_solver m_solver;
 
@@ -393,6 +386,11 @@ private:
   internal::Medial_spheres m_spheres;
   double m_length = 0, m_gradient_norm = 0;
 };
+
+template <typename Traits, typename Domain>
+Curve_flow_3(Isotopy_guard_3<Traits, Domain>&,
+             const Curve_flow_parameters& = Curve_flow_parameters())
+    -> Curve_flow_3<Traits, Domain>;
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

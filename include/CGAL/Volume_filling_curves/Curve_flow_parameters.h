@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <cstddef>
+#include <ostream>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -28,12 +29,60 @@ enum class Preconditioner
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
+/// returns the name in plain English, for example "quasi-newton".
+inline const char* to_string(Preconditioner preconditioner)
+{
+  switch(preconditioner) {
+  case Preconditioner::MEDIAL:
+    return "medial";
+  case Preconditioner::H1:
+    return "h1";
+  case Preconditioner::L2:
+    return "l2";
+  case Preconditioner::QUASI_NEWTON:
+    return "quasi-newton";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Preconditioner preconditioner)
+{
+  return out << to_string(preconditioner);
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
 /// What the boundary of a domain is to the medial spheres of a curve inside.
 enum class Wall
 {
   COVER,     ///< their centers lie inside: the curve settles at about r from the boundary
   KEEP_CLEAR ///< they lie inside: the curve settles at about 2r from the boundary
 };
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// returns the name in plain English, for example "keep clear".
+inline const char* to_string(Wall wall)
+{
+  switch(wall) {
+  case Wall::COVER:
+    return "cover";
+  case Wall::KEEP_CLEAR:
+    return "keep clear";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Wall wall)
+{
+  return out << to_string(wall);
+}
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
@@ -61,9 +110,9 @@ struct Curve_flow_parameters
   /// The weight lambda of `M` in the preconditioner, in units of 1 / r^2: the locality of the flow.
   double screening = 0.3;
 
-  /// The weight alpha of the medial spheres in the energy, in units of 1 / r^2. With 3.36^2, the value
-  /// of the paper (section 3.3), the mean medial radius of a curve that fills a domain gets to r while
-  /// it grows, and settles at 0.93 r.
+  /// The weight alpha of the medial spheres in the energy, in units of 1 / r^2. With 3.36^2, the
+  /// value of the paper (section 3.3), the mean medial radius of a curve that fills a domain gets
+  /// to r while it grows, and settles at 0.93 r.
   double medial_weight = 3.36 * 3.36;
 
   /// The weight beta of the coupling along medial spheres in the preconditioner.
@@ -97,6 +146,21 @@ struct Curve_flow_statistics
   double seconds_direction = 0;      ///< time spent on the gradient and the preconditioner
   double seconds_motion = 0;         ///< time spent on certified motion
   double seconds_remeshing = 0;      ///< time spent on certified remeshing
+
+  /// adds the work of another flow.
+  Curve_flow_statistics& operator+=(const Curve_flow_statistics& other)
+  {
+    iterations += other.iterations;
+    certified_changes += other.certified_changes;
+    refused_changes += other.refused_changes;
+    shortened_steps += other.shortened_steps;
+    refused_remeshing += other.refused_remeshing;
+    seconds_medial_spheres += other.seconds_medial_spheres;
+    seconds_direction += other.seconds_direction;
+    seconds_motion += other.seconds_motion;
+    seconds_remeshing += other.seconds_remeshing;
+    return *this;
+  }
 };
 
 } // namespace Volume_filling_curves

@@ -17,34 +17,70 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 
+namespace internal {
+
+// Whether the predicates of a kernel decide exactly, and its points hold every double.
+template <typename Kernel>
+struct Is_exact_kernel
+{
+  using Number = Algebraic_structure_traits<typename Kernel::FT>;
+
+  static constexpr bool has_exact_predicates =
+      Kernel::Has_filtered_predicates || Number::Is_exact::value;
+  static constexpr bool holds_doubles =
+      std::is_same_v<typename Kernel::FT, double> ||
+      (Number::Is_exact::value &&
+       std::is_convertible_v<typename Number::Algebraic_category, Field_tag>);
+};
+
+template <typename Traits, typename = void>
+struct Is_kernel : std::false_type
+{};
+
+template <typename Traits>
+struct Is_kernel<
+    Traits,
+    std::void_t<typename Traits::Has_filtered_predicates_tag, typename Traits::Kernel_tag>>
+    : std::true_type
+{};
+
+// A kernel is asked whether it is exact; a traits class promises it.
+template <typename Traits>
+constexpr bool can_certify()
+{
+  if constexpr(Is_kernel<Traits>::value)
+    return Is_exact_kernel<Traits>::has_exact_predicates && Is_exact_kernel<Traits>::holds_doubles;
+  else
+    return true;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgVolumeFillingCurvesTraits
  *
- * \brief The class `Curve_flow_traits_3` provides the point type and the exact predicates with which
- * every change of a curve is certified.
+ * \brief The class `Curve_flow_traits_3` provides the point type and the exact predicates with
+ * which every change of a curve is certified.
+ *
+ * Such a kernel can stand for the traits itself, as in
+ * `Curve_network_3<CGAL::Exact_predicates_inexact_constructions_kernel>`.
  *
  * \tparam Kernel a model of \cgal's `Kernel` with exact predicates, for example
  * `CGAL::Exact_predicates_inexact_constructions_kernel` (default),
  * `CGAL::Exact_predicates_exact_constructions_kernel` or
  * `CGAL::Simple_cartesian<CGAL::Exact_rational>`. A kernel whose predicates are not exact, such as
- * `CGAL::Simple_cartesian<double>`, is refused at compile time, and so is one whose number type does not
- * hold every `double`.
+ * `CGAL::Simple_cartesian<double>`, is refused at compile time, and so is one whose number type
+ * does not hold every `double`.
  *
  * \cgalModels{CurveFlowTraits_3}
  */
 template <typename Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 class Curve_flow_traits_3
 {
-  static_assert(Kernel::Has_filtered_predicates ||
-                    Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value,
+  static_assert(internal::Is_exact_kernel<Kernel>::has_exact_predicates,
                 "The certificates need a kernel with exact predicates");
-  static_assert(
-      std::is_same<typename Kernel::FT, double>::value ||
-          (Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value &&
-           std::is_convertible<
-               typename Algebraic_structure_traits<typename Kernel::FT>::Algebraic_category,
-               Field_tag>::value),
-      "The certificates need points whose coordinates can be any double, unrounded");
+  static_assert(internal::Is_exact_kernel<Kernel>::holds_doubles,
+                "The certificates need points whose coordinates can be any double, unrounded");
 
 public:
   /// \name Types
@@ -52,6 +88,9 @@ public:
 
   /// the kernel's point type
   using Point_3 = typename Kernel::Point_3;
+
+  /// the kernel's vector type
+  using Vector_3 = typename Kernel::Vector_3;
 
   /// constructs a point from its coordinates
   using Construct_point_3 = typename Kernel::Construct_point_3;

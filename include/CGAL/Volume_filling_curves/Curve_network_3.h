@@ -10,26 +10,37 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
-#include <CGAL/Volume_filling_curves/internal/Curve_topology.h>
-#include <CGAL/Volume_filling_curves/internal/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/certificate/Motion_record.h>
+#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_topology.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Editor_claim.h>
+#include <CGAL/Volume_filling_curves/internal/curve/network_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/Polyline_graph.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/matrix_conversions.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/parameters.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 
-template <typename Traits, typename Domain>
-class Isotopy_guard_3;
-
 namespace internal {
 template <typename Network>
-class Tails;
+class Network_editor;
+template <typename Network>
+class Origin_interpolation;
 } // namespace internal
 
 /*!
@@ -49,11 +60,16 @@ class Tails;
  * Constructing, copying and renumbering take time linear in the number of nodes. Concurrent reading
  * is safe.
  *
- * \tparam Traits_ a model of `CurveFlowTraits_3`
+ * \tparam Traits_ a model of `CurveFlowTraits_3`, for example \cgal's kernel
+ * `CGAL::Exact_predicates_inexact_constructions_kernel`
  */
 template <typename Traits_ = Curve_flow_traits_3<>>
 class Curve_network_3
 {
+  static_assert(internal::can_certify<Traits_>(),
+                "A kernel that stands for the traits needs exact predicates, and points whose "
+                "coordinates can be any double");
+
   using Topology = internal::Curve_topology;
 
 public:
@@ -92,7 +108,7 @@ public:
    * \param traits the traits object
    *
    * \throws std::invalid_argument if an edge has an index that is out of range, joins a node with
-   * itself or occurs twice, or if a coordinate is infinite or not a number
+   * itself or occurs twice, or if a coordinate is not a number or beyond 1e150
    * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
    */
   Curve_network_3(const std::vector<Point_3>& points,
@@ -103,10 +119,129 @@ public:
     m_points.reserve(number_of_nodes());
     for(size_type v = 0; v < number_of_nodes(); ++v) {
       const internal::Vector point = internal::to_vector(points[origin(v)]);
-      if(!point.allFinite())
-        throw std::invalid_argument("point " + std::to_string(origin(v)) + " is not finite");
+      internal::check_range(point, "point " + std::to_string(origin(v)));
       m_points.push_back(internal::to_point(point, m_traits));
     }
+  }
+
+  /*!
+   * constructs a network from a polyline, or from a range of polylines.
+   *
+   * By \cgal's habit a polyline is closed if its last point repeats the first, see `Closure`.
+   * Points are numbered in the order of the range, and `origin()` gives this number; a point that
+   * repeats the first at the end is no new one. A point that repeats the one before it is left out.
+   * If junctions are allowed, equal end points of polylines are one node; otherwise each polyline
+   * is a component, in this order.
+   *
+   * \tparam PolylineRange a model of `ConstRange` whose items are points, or ranges of points
+   * \tparam NamedParameters a sequence of named parameters
+   *
+   * \param polylines the polylines; coordinates are rounded to `double`
+   * \param np an optional sequence of named parameters among the ones listed below
+   * \param traits the traits object
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{point_map}
+   *     \cgalParamDescription{a property map that gives the points of the polylines}
+   *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is the type of the
+   *     polylines' items and whose value type has the members `x()`, `y()` and `z()`}
+   *     \cgalParamDefault{`CGAL::Identity_property_map`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{closure}
+   *     \cgalParamDescription{which polylines are closed}
+   *     \cgalParamType{`Closure`}
+   *     \cgalParamDefault{`Closure::IF_REPEATED`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{junctions}
+   *     \cgalParamDescription{whether polylines are joined where their ends meet}
+   *     \cgalParamType{`Junctions`}
+   *     \cgalParamDefault{`Junctions::FORBIDDEN`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if a polyline has fewer than two distinct points, or three if it
+   * is closed, if a coordinate is not a number or beyond 1e150, or if two polylines are the
+   * same edge
+   * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
+   */
+  template <typename PolylineRange,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters,
+            typename = std::enable_if_t<internal::is_range_of_items<PolylineRange>>>
+  explicit Curve_network_3(const PolylineRange& polylines,
+                           const NamedParameters& np = parameters::default_values(),
+                           const Traits& traits = Traits())
+      : Curve_network_3(internal::graph_of_polylines(polylines, np), traits)
+  {}
+
+  /*!
+   * constructs a network from matrices, as libigl and polyscope speak of curves: as the constructor
+   * from points and edges does.
+   *
+   * \param points a matrix with one row x, y, z per point
+   * \param edges a matrix of an integral type with one row per edge, of two indices of `points`
+   * \param traits the traits object
+   *
+   * \pre `points` has three columns and `edges` two
+   *
+   * \throws std::invalid_argument and std::length_error as that constructor
+   */
+  template <typename Points, typename Edges>
+  Curve_network_3(const Eigen::MatrixBase<Points>& points,
+                  const Eigen::MatrixBase<Edges>& edges,
+                  const Traits& traits = Traits())
+      : Curve_network_3(
+            internal::rows_to_points(points, traits), internal::rows_to_edges(edges), traits)
+  {}
+
+  /// @}
+
+  /// \name Ranges
+  /// Elements that were removed are left out.
+  /// @{
+
+  /// returns the range of the nodes' indices.
+  internal::Present_range<internal::Is_present_node> nodes() const
+  {
+    return internal::present_range(internal::Is_present_node{&m_topology}, m_points.size());
+  }
+
+  /// returns the range of the indices of the nodes of component `c`, in the order of the curve.
+  ///
+  /// \pre the network has no garbage
+  internal::Index_range nodes(size_type c) const
+  {
+    CGAL_precondition_msg(!has_garbage(), "the network has no garbage");
+    return internal::index_range(first_node(c), first_node(c + 1));
+  }
+
+  /// returns the range of the edges' indices.
+  internal::Present_range<internal::Is_present_edge> edges() const
+  {
+    return internal::present_range(internal::Is_present_edge{&m_topology},
+                                   number_of_edges() + number_of_removed_edges());
+  }
+
+  /// returns the range of the components' indices.
+  internal::Index_range components() const
+  {
+    return internal::index_range(0, number_of_components());
+  }
+
+  /// returns the range of the nodes' positions.
+  internal::Point_range<Point_3> points() const
+  {
+    return internal::point_range<Point_3>(nodes(), m_points);
+  }
+
+  /// returns the box around all nodes; an empty one if there are none.
+  Bbox_3 bbox() const
+  {
+    Bbox_3 box;
+    for(const Point_3& point : points()) {
+      const internal::Vector p = internal::to_vector(point);
+      box += Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+    }
+    return box;
   }
 
   /// @}
@@ -114,8 +249,13 @@ public:
   /// \name Nodes
   /// @{
 
-  /// returns the number of nodes, removed ones included as long as there is garbage.
+  /// returns the number of nodes, without removed ones. If the network has no garbage, the nodes
+  /// are those from 0 on, up to but without this number; otherwise `nodes()` tells them.
   size_type number_of_nodes() const { return m_topology.number_of_nodes(); }
+
+  /// returns the number of nodes that were removed and still have an index, so that indices are
+  /// less than `number_of_nodes() + number_of_removed_nodes()`.
+  size_type number_of_removed_nodes() const { return m_topology.number_of_removed_nodes(); }
 
   /// returns whether node `v` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
   bool is_removed_node(size_type v) const { return m_topology.is_removed_node(v); }
@@ -136,6 +276,7 @@ public:
   }
 
   /// returns the index that node `v` had in the input, or `null_node()` if it was inserted later.
+  /// `curve_origins()` gives every node a place in the input.
   size_type origin(size_type v) const { return m_topology.origin(v); }
 
   /// returns whether node `v` is pinned, that is, whether the flow leaves it where it is.
@@ -147,7 +288,7 @@ public:
   /// pins all nodes with one edge.
   void pin_ends()
   {
-    for(size_type v = 0; v < number_of_nodes(); ++v)
+    for(const size_type v : nodes())
       if(degree(v) == 1) set_pinned(v);
   }
 
@@ -156,8 +297,11 @@ public:
   /// \name Edges
   /// @{
 
-  /// returns the number of edges, removed ones included as long as there is garbage.
+  /// returns the number of edges, without removed ones; likewise.
   size_type number_of_edges() const { return m_topology.number_of_edges(); }
+
+  /// returns the number of edges that were removed and still have an index.
+  size_type number_of_removed_edges() const { return m_topology.number_of_removed_edges(); }
 
   /// returns whether edge `e` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
   bool is_removed_edge(size_type e) const { return m_topology.is_removed_edge(e); }
@@ -198,15 +342,17 @@ public:
   const Traits& traits() const { return m_traits; }
 
 private:
-  template <typename, typename>
-  friend class Isotopy_guard_3;
-  friend class internal::Tails<Curve_network_3>;
+  friend class internal::Network_editor<Curve_network_3>;       // of the guard
+  friend class internal::Origin_interpolation<Curve_network_3>; // which reads
+
+  Curve_network_3(const internal::Polyline_graph& graph, const Traits& traits)
+      : Curve_network_3(internal::to_points(graph.points(), traits), graph.edges(), traits)
+  {}
 
   Traits m_traits;
   Topology m_topology;
   std::vector<Point_3> m_points;
-  size_type m_revision = 0; // counts the changes, so that a guard notices those of another one
-  std::optional<internal::Motion_record> m_record; // of the changes, if they are recorded
+  internal::Editor_claim m_editor_claim;
 };
 
 } // namespace Volume_filling_curves

@@ -9,6 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/Thickness_fit.h>
+#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
+
 namespace CGAL {
 namespace Volume_filling_curves {
 
@@ -19,7 +22,7 @@ namespace Volume_filling_curves {
 /// \cgalModels{CurveFlowVisitor}
 struct Default_curve_flow_visitor
 {
-  /// is called before the first step, with a `Curve_flow_3`.
+  /// is called before the first step of each flow, with a `Curve_flow_3`.
   template <typename Flow>
   void on_start(const Flow&)
   {}
@@ -35,6 +38,13 @@ struct Default_curve_flow_visitor
   {
     return true;
   }
+
+  /// is called by `fill()` before the start if more than 1 % of the domain is too thin for the
+  /// thickness.
+  void on_thin_domain(const Thickness_fit&) {}
+
+  /// is called every few milliseconds of a search; the run ends, likewise, if it returns `false`.
+  bool on_search(const Search_progress&) { return true; }
 };
 
 } // namespace Volume_filling_curves

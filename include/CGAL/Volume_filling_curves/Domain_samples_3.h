@@ -10,14 +10,16 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
-#include <CGAL/Volume_filling_curves/internal/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel_traits.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -29,9 +31,9 @@ namespace Volume_filling_curves {
  *
  * \brief The class `Domain_samples_3` holds random points, uniform in a bounded domain.
  *
- * The same domain, number and seed give the same points, on every platform. Taking them needs the time
- * of `is_inside()` for as many points of the domain's box as it takes, on average the number of
- * samples times the volume of the box over that of the domain.
+ * The same domain, number and seed give the same points, on every platform. Taking them needs the
+ * time of `is_inside()` for as many points of the domain's box as it takes, on average the number
+ * of samples times the volume of the box over that of the domain.
  *
  * \tparam Traits_ a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
@@ -53,34 +55,41 @@ public:
    * \param number the number of samples
    * \param seed the seed of the random numbers
    * \param traits the traits object
+   * \param go_further is asked after every 1024 points of the box, and ends the sampling with
+   * fewer samples if it returns `false`; none by default
    *
-   * \throws std::invalid_argument if the domain is unbounded, or so thin in its box that among 10,000
-   * times as many points too few were inside
+   * \throws std::invalid_argument if the domain is unbounded, or so thin in its box that among
+   * 10,000 times as many points too few were inside, or none before `go_further` ended the sampling
    */
   explicit Domain_samples_3(const Domain& domain,
                             std::size_t number = default_number,
                             std::uint64_t seed = 0,
-                            const Traits_& traits = Traits_())
+                            const Traits_& traits = Traits_(),
+                            const std::function<bool()>& go_further = nullptr)
       : m_domain(domain), m_traits(traits)
   {
     const CGAL::Bbox_3 box = domain.bbox();
     const double box_volume = box.x_span() * box.y_span() * box.z_span();
     if(!std::isfinite(box_volume)) throw std::invalid_argument("the domain is unbounded");
     const double max_attempts_per_sample = 10000;
+    const std::size_t attempts_per_question = 1024;
     internal::Random_source random(seed);
     std::size_t attempts = 0;
     m_points.reserve(number);
     for(; m_points.size() < number; ++attempts) {
       if(static_cast<double>(attempts) >= max_attempts_per_sample * static_cast<double>(number))
-        throw std::invalid_argument("hardly any point of the domain's box is inside");
+        throw_no_samples();
+      if(go_further && attempts > 0 && attempts % attempts_per_question == 0 && !go_further())
+        break;
       const double x = random.real(), y = random.real(), z = random.real();
       const internal::Vector p(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
                                box.zmin() + z * box.z_span());
       const Point_3 point = internal::to_point(p, m_traits);
       if(domain.is_inside(point)) m_points.push_back(point);
     }
+    if(number > 0 && m_points.empty()) throw_no_samples();
     if(attempts > 0)
-      m_volume = box_volume * static_cast<double>(number) / static_cast<double>(attempts);
+      m_volume = box_volume * static_cast<double>(m_points.size()) / static_cast<double>(attempts);
   }
 
   /// returns the samples.
@@ -92,15 +101,28 @@ public:
   /// returns the traits object.
   const Traits_& traits() const { return m_traits; }
 
-  /// returns an estimate of the volume of the domain, from the share of the points that were inside.
+  /// returns an estimate of the volume of the domain, from the share of the points that were
+  /// inside.
   double volume() const { return m_volume; }
 
 private:
+  [[noreturn]] static void throw_no_samples()
+  {
+    throw std::invalid_argument("hardly any point of the domain's box is inside");
+  }
+
   const Domain& m_domain;
   Traits_ m_traits;
   std::vector<Point_3> m_points;
   double m_volume = 0;
 };
+
+/// \cond SKIP_IN_MANUAL
+template <typename Domain>
+explicit Domain_samples_3(const Domain&, std::size_t = 0, std::uint64_t = 0) -> Domain_samples_3<
+    Curve_flow_traits_3<typename Kernel_traits<typename Domain::Point_3>::Kernel>,
+    Domain>;
+/// \endcond
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

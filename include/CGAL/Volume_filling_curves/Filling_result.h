@@ -10,8 +10,12 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/Thickness_fit.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 
+#include <cstddef>
+#include <ostream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -22,11 +26,44 @@ namespace Volume_filling_curves {
 /// How a filling ended.
 enum class Filling_status
 {
-  CONVERGED,  ///< the length has settled, and every empty region was driven at
-  LIMIT,      ///< the limit of iterations or of time was reached
-  STALLED,    ///< several steps running could not be certified, however short
-  INTERRUPTED ///< the visitor asked to stop
+  CONVERGED,          ///< the length has settled, every empty region was driven at, and at most 1 %
+                      ///< of the volume is farther than 2 r from the curve
+  PARTIAL,            ///< likewise, but more of the volume is; `Filling_result::reason` says why
+  LENGTH_NOT_REACHED, ///< the length has settled more than 2 % off the one asked for
+  LIMIT,              ///< the limit of iterations or of time was reached
+  STALLED,            ///< several steps running could not be certified, however short
+  INTERRUPTED         ///< the visitor asked to stop
 };
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// returns the name in plain English, for example "converged".
+inline const char* to_string(Filling_status status)
+{
+  switch(status) {
+  case Filling_status::CONVERGED:
+    return "converged";
+  case Filling_status::PARTIAL:
+    return "partial";
+  case Filling_status::LENGTH_NOT_REACHED:
+    return "length not reached";
+  case Filling_status::LIMIT:
+    return "limit";
+  case Filling_status::STALLED:
+    return "stalled";
+  case Filling_status::INTERRUPTED:
+    return "interrupted";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Filling_status status)
+{
+  return out << to_string(status);
+}
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
@@ -38,11 +75,33 @@ template <typename Point_3>
 struct Filling_result
 {
   Filling_status status = Filling_status::LIMIT; ///< how the run ended
-  double thickness = 0;     ///< r, in the input's unit; the mean of the nodes' if it varies
-  double medial_radius = 0; ///< the mean medial radius, capped by the boundary and at 2 r
-  double gradient_norm = 0; ///< at the end, see `Curve_flow_3::gradient_norm()`
-  std::vector<Empty_region_3<Point_3>> empty_regions; ///< where the curve did not get to
-  Curve_flow_statistics statistics;                   ///< the work
+  double thickness = 0;         ///< r, in the input's unit; the mean of the nodes' if it varies
+  double medial_radius = 0;     ///< the mean medial radius, capped by the boundary and at 2 r
+  double gradient_norm = 0;     ///< at the end, see `Curve_flow_3::gradient_norm()`
+  double unfilled_fraction = 0; ///< the share of the volume that is farther than 2 r from the curve
+  Coverage coverage;            ///< the distances of uniform samples inside to the curve, over r
+  /// where the curve did not get to; not searched for once the time is up
+  std::vector<Empty_region_3<Point_3>> empty_regions;
+
+  /// the number of connected parts of the inside that are wide enough for a curve, that is, hold a
+  /// ball with an eighth of the radius r, or of that of the widest ball inside
+  std::size_t parts = 0;
+
+  /// the number of those in which no curve was started, as can be if curves are given
+  std::size_t unreachable_parts = 0;
+
+  /// how much of the domain is too thin for the thickness that the run began with
+  Thickness_fit thickness_fit;
+
+  /// why more than 1 % of the volume is farther than 2 r from the curve, in plain English, if the
+  /// status is `PARTIAL` or `STALLED`; else empty
+  std::string reason;
+
+  /// the circles that the run has started from if no curve was given: polylines whose last point
+  /// repeats the first
+  std::vector<std::vector<Point_3>> start;
+
+  Curve_flow_statistics statistics; ///< the work
 };
 
 } // namespace Volume_filling_curves

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
-#include <CGAL/Volume_filling_curves/internal/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
@@ -38,20 +38,20 @@ namespace Volume_filling_curves {
  *
  * - `is_triangle_inside()` cuts the triangle into pieces and returns `true` only if for every piece
  *   such a ball around its center covers it. So `f` is negative *everywhere* on an accepted
- *   triangle, not only at samples, as far as the bound holds and the values of `f` are exact; whoever
- *   knows that they are wrong by at most `e` passes `f + e`. Triangles that are closer to the boundary
- *   than about a sixtieth of their size, times `L` over the norm of the gradient, are refused even if
- *   they lie inside.
+ *   triangle, not only at samples, as far as the bound holds and the values of `f` are exact;
+ *   whoever knows that they are wrong by at most `e` passes `f + e`. Triangles that are closer to
+ *   the boundary than about a sixtieth of their size, times `L` over the norm of the gradient, are
+ *   refused even if they lie inside.
  * - `distance()` and `distance_along()` are lower bounds.
  *
  * With a bound that is too small a curve can leave the domain; one that is too large costs time and
  * keeps the curve away from the boundary.
  *
- * A triangle takes at most 8191 calls of `f`, mostly one; a distance along a direction at most 1000,
- * mostly fewer than ten. The member functions may be called concurrently if `f` may.
+ * A triangle takes at most 8191 calls of `f`, mostly one; a distance along a direction at most
+ * 1000, mostly fewer than ten. The member functions may be called concurrently if `f` may.
  *
- * \tparam Function a functor with <tt>double operator()(Point_3 p) const</tt>, or with another result
- * that `CGAL::to_double()` converts
+ * \tparam Function a functor with <tt>double operator()(Point_3 p) const</tt>, or with another
+ * result that `CGAL::to_double()` converts
  * \tparam Traits_ a model of `CurveFlowTraits_3`
  *
  * \cgalModels{VolumeFillingDomain_3}
@@ -65,6 +65,9 @@ public:
   /// the point type of the traits
   using Point_3 = typename Traits_::Point_3;
 
+  /// the vector type of the traits
+  using Vector_3 = typename Traits_::Vector_3;
+
   /*!
    * constructs the domain.
    *
@@ -73,8 +76,8 @@ public:
    * \param lipschitz_bound the Lipschitz bound of the function in the box; 1 for a signed distance
    * \param traits the traits object
    *
-   * \throws std::invalid_argument if the box or the Lipschitz bound is not finite, or the bound is not
-   * positive
+   * \throws std::invalid_argument if the box or the Lipschitz bound is not finite, or the bound is
+   * not positive
    *
    * \pre the function is negative nowhere outside the box
    */
@@ -111,12 +114,12 @@ public:
   /// returns a lower bound of the distance of `p` to the boundary, 0 if `p` is not inside.
   double distance(const Point_3& p) const { return (std::max)(-value(p) / m_lipschitz, 0.); }
 
-  /// returns a lower bound of how far it is from `p` along the unit vector `(ux, uy, uz)` to the
+  /// returns a lower bound of how far it is from `p` along the unit vector `direction` to the
   /// boundary, or `limit` if that is less. A signed distance is followed up to a thousandth of
   /// `limit`.
-  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const
+  double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
-    const Vector origin = internal::to_vector(p), u(ux, uy, uz);
+    const Vector origin = internal::to_vector(p), u = internal::to_vector(direction);
     const double farthest = (std::min)(limit, diagonal());
     double t = 0, last_step = 0;
     for(int i = 0; i < max_steps && t < farthest; ++i) {

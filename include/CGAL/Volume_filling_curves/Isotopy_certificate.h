@@ -25,11 +25,12 @@ namespace Volume_filling_curves {
  * done to a curve, one elementary move after another, such that anybody can verify it without
  * trusting the program that has done it.
  *
- * It is a sequence of bytes, to be kept in a file: the hash of the curve at the start, all moves with
- * the coordinates, and the hash of the curve at the end. The page \ref vfc_certificate_format
+ * It is a sequence of bytes, to be kept in a file: the hash of the curve at the start, all moves
+ * with the coordinates, and the hash of the curve at the end. The page \ref vfc_certificate_format
  * describes it. There is a text form of the same content, for reading.
  *
- * `untangle()` and `Isotopy_guard_3` make certificates, and `verify_certificate()` verifies them.
+ * `untangle()`, `fill()`, `simplify_curves()` and `Isotopy_guard_3` make certificates, and
+ * `verify_certificate()` verifies them.
  */
 class Isotopy_certificate
 {

@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/Face_tree.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Face_tree.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -31,14 +31,14 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesDomains
  *
- * \brief The class `Mesh_thickness_field_3` is a function of the point that is given by its values at the
- * vertices of a triangle mesh: at a point it has the barycentric value at the closest point of the
- * surface.
+ * \brief The class `Mesh_thickness_field_3` is a function of the point that is given by its values
+ * at the vertices of a triangle mesh: at a point it has the barycentric value at the closest point
+ * of the surface.
  *
- * The function is continuous wherever one point of the surface is closest. Values lie between the least
- * and the largest one of the closest face. The mesh is copied. Construction takes
- * \cgalBigO{n \log n} time for `n` faces, evaluation \cgalBigO{\log n} for most points. Evaluation is
- * computed in double arithmetic, and may be called concurrently.
+ * The function is continuous wherever one point of the surface is closest. Values lie between the
+ * least and the largest one of the closest face. The mesh is copied. Construction takes
+ * \cgalBigO{n \log n} time for `n` faces, evaluation \cgalBigO{\log n} for most points. Evaluation
+ * is computed in double arithmetic, and may be called concurrently.
  *
  * \tparam Kernel a model of \cgal's `Kernel`, as for `Triangle_mesh_domain_3`
  */
@@ -61,8 +61,8 @@ public:
    * \param mesh the mesh
    * \param values the values at its vertices, in the order of `vertices(mesh)`
    *
-   * \throws std::invalid_argument if a face is no triangle, there are fewer than two, or the values are
-   * not as many as the vertices
+   * \throws std::invalid_argument if a face is no triangle, there are fewer than two, or the values
+   * are not as many as the vertices
    */
   template <typename TriangleMesh>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const std::vector<double>& values)
@@ -84,6 +84,23 @@ public:
     m_faces = std::make_unique<Faces>(std::move(copy));
   }
 
+  /*!
+   * constructs the function from a property map.
+   *
+   * \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` with the kernel's points
+   * \tparam VertexValueMap a model of `ReadablePropertyMap` whose key type is the mesh's vertex
+   * descriptor and whose value type is convertible to `double`
+   *
+   * \param mesh the mesh
+   * \param values the values at its vertices
+   *
+   * \throws std::invalid_argument if a face is no triangle, or there are fewer than two
+   */
+  template <typename TriangleMesh, typename VertexValueMap>
+  Mesh_thickness_field_3(const TriangleMesh& mesh, const VertexValueMap& values)
+      : Mesh_thickness_field_3(mesh, values_at_vertices(mesh, values))
+  {}
+
   /// returns the value at the point of the surface that is closest to `p`.
   double operator()(const Point_3& p) const
   {
@@ -103,6 +120,15 @@ public:
   }
 
 private:
+  template <typename TriangleMesh, typename VertexValueMap>
+  static std::vector<double> values_at_vertices(const TriangleMesh& mesh,
+                                                const VertexValueMap& values)
+  {
+    std::vector<double> result;
+    for(const auto v : vertices(mesh)) result.push_back(get(values, v));
+    return result;
+  }
+
   std::unique_ptr<const Faces> m_faces; // behind a pointer, so that a function can be moved
   std::vector<double> m_values;         // by vertices of the copy
 };

@@ -9,20 +9,26 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/Face_tree.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Face_tree.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Is_domain.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
-#include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -37,8 +43,8 @@ namespace Volume_filling_curves {
  * bounds a cavity.
  *
  * `is_inside()` and `is_triangle_inside()` are exact. Distances are computed in double arithmetic,
- * with a relative error of a few units in the last place of the coordinates; for a face so thin that
- * the direction of its normal is lost, a distance may come out too small.
+ * with a relative error of a few units in the last place of the coordinates; for a face so thin
+ * that the direction of its normal is lost, a distance may come out too small.
  *
  * The mesh is copied, so that it may change or vanish. Constructing takes
  * \cgalBigO{n \log n} time for `n` faces. A query takes \cgalBigO{\log n} time for most points, and
@@ -54,11 +60,13 @@ class Triangle_mesh_domain_3
 {
   using Faces = internal::Face_tree<Kernel>;
   using Mesh = typename Faces::Mesh;
-  using Side = CGAL::Side_of_triangle_mesh<Mesh, Kernel, CGAL::Default, typename Faces::Tree>;
 
 public:
   /// the kernel's point type
   using Point_3 = typename Kernel::Point_3;
+
+  /// the kernel's vector type
+  using Vector_3 = typename Kernel::Vector_3;
 
   /*!
    * constructs the domain from a mesh.
@@ -79,7 +87,7 @@ public:
    * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if a face is not a triangle or is degenerate, if the mesh is not
-   * closed or has no faces, or if a coordinate is not finite
+   * closed or has no faces, or if a coordinate is not finite or beyond 1e150
    *
    * \pre no two faces meet elsewhere than in a common vertex or a common edge
    */
@@ -87,15 +95,14 @@ public:
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Triangle_mesh_domain_3(const TriangleMesh& mesh,
                                   const NamedParameters& np = CGAL::parameters::default_values())
-      : m_faces(std::make_unique<Faces>(checked_copy(mesh, np))),
-        m_side(std::make_unique<Side>(m_faces->tree()))
+      : m_faces(std::make_unique<Faces>(checked_copy(mesh, np)))
   {}
 
   /// returns a box that holds the domain.
   CGAL::Bbox_3 bbox() const { return m_faces->tree().bbox(); }
 
   /// returns whether `p` lies strictly inside.
-  bool is_inside(const Point_3& p) const { return (*m_side)(p) == CGAL::ON_BOUNDED_SIDE; }
+  bool is_inside(const Point_3& p) const { return m_faces->encloses(p); }
 
   /*!
    * returns whether the closed triangle `pqr`, which may be degenerate, lies strictly inside.
@@ -112,12 +119,30 @@ public:
     return std::sqrt(m_faces->nearest(internal::to_vector(p)).squared_distance);
   }
 
-  /// returns how far it is from `p` along the unit vector `(ux, uy, uz)` to the surface, or `limit`
+  /// returns how far it is from `p` along the unit vector `direction` to the surface, or `limit`
   /// if that is less.
-  double distance_along(const Point_3& p, double ux, double uy, double uz, double limit) const
+  double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
-    return m_faces->distance_along(internal::to_vector(p), {ux, uy, uz}, limit);
+    return m_faces->distance_along(internal::to_vector(p), internal::to_vector(direction), limit);
   }
+
+  /// \name Connected Parts
+  /// Shells that do not lie within one another bound different parts, and so do those that touch in
+  /// vertices or edges; a part may have cavities.
+  /// @{
+
+  /*!
+   * returns the number of the connected part of the inside that `p` lies in: that of the shell
+   * around it. Points of different parts have different numbers, and not every number is a part's.
+   *
+   * \pre `is_inside(p)`
+   */
+  std::size_t part(const Point_3& p) const { return m_faces->innermost_shell(p); }
+
+  /// returns a box for each number that `part()` may return; a part lies in the box of its number.
+  const std::vector<CGAL::Bbox_3>& part_boxes() const { return m_faces->shells().boxes(); }
+
+  /// @}
 
 private:
   template <typename TriangleMesh, typename NamedParameters>
@@ -139,17 +164,38 @@ private:
   static void check_faces(const Mesh& mesh)
   {
     for(const auto v : vertices(mesh))
-      if(!internal::to_vector(mesh.point(v)).allFinite())
-        throw std::invalid_argument("a coordinate is not finite");
+      internal::check_range(internal::to_vector(mesh.point(v)),
+                            "vertex " + std::to_string(static_cast<std::size_t>(v)));
     for(const auto f : faces(mesh))
       if(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh))
         throw std::invalid_argument("a face is degenerate");
   }
 
-  // Behind pointers, so that a domain can be moved: the one refers to the other.
-  std::unique_ptr<const Faces> m_faces;
-  std::unique_ptr<const Side> m_side;
+  std::unique_ptr<const Faces> m_faces; // behind a pointer, so that a domain can be moved
 };
+
+/// \cond SKIP_IN_MANUAL
+template <typename TriangleMesh,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+explicit Triangle_mesh_domain_3(const TriangleMesh&,
+                                const NamedParameters& = CGAL::parameters::default_values())
+    -> Triangle_mesh_domain_3<typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type>;
+/// \endcond
+
+namespace internal {
+
+// Returns the domain itself, or that inside a mesh.
+template <typename Traits, typename Domain, typename NamedParameters>
+decltype(auto) as_domain(const Domain& domain, const NamedParameters& np)
+{
+  using Kernel = typename Kernel_traits<typename Traits::Point_3>::Kernel;
+  if constexpr(Is_domain<Domain>::value)
+    return (domain);
+  else
+    return Triangle_mesh_domain_3<Kernel>(domain, np);
+}
+
+} // namespace internal
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

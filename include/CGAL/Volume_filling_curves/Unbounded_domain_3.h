@@ -34,6 +34,9 @@ public:
   /// the point type of the traits
   using Point_3 = typename Traits::Point_3;
 
+  /// the vector type of the traits
+  using Vector_3 = typename Traits::Vector_3;
+
   /// returns a box from minus to plus infinity.
   CGAL::Bbox_3 bbox() const
   {
@@ -51,10 +54,7 @@ public:
   double distance(const Point_3&) const { return std::numeric_limits<double>::infinity(); }
 
   /// returns `limit`.
-  double distance_along(const Point_3&, double, double, double, double limit) const
-  {
-    return limit;
-  }
+  double distance_along(const Point_3&, const Vector_3&, double limit) const { return limit; }
 };
 
 } // namespace Volume_filling_curves

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <cstddef>
+#include <ostream>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -19,15 +20,39 @@ namespace Volume_filling_curves {
 /// How curves are untangled.
 enum class Untangling_strategy
 {
-  FLOW,    ///< by the flow alone, a continuous motion of all nodes: a film
-  TIGHTEN, ///< by a random search for a polygon with as few edges as possible: an answer
-  AUTO     ///< by the search first, and then by the flow to an even, smooth shape
+  FLOW,   ///< by the flow alone, a continuous motion of all nodes: a film
+  SEARCH, ///< by a random search for a polygon with as few edges as possible: an answer
+  AUTO    ///< by the search first, and then by the flow to an even, smooth shape
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
+/// returns the name in plain English, for example "flow".
+inline const char* to_string(Untangling_strategy strategy)
+{
+  switch(strategy) {
+  case Untangling_strategy::FLOW:
+    return "flow";
+  case Untangling_strategy::SEARCH:
+    return "search";
+  case Untangling_strategy::AUTO:
+    return "auto";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Untangling_strategy strategy)
+{
+  return out << to_string(strategy);
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
 /// How far a random search has got.
-struct Tightening_progress
+struct Search_progress
 {
   std::size_t sweeps = 0; ///< the number of times that a hundred moves per edge were tried
   std::size_t moves = 0;  ///< the number of moves that were tried

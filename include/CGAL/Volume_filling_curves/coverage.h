@@ -11,10 +11,9 @@
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/internal/Empty_region_search.h>
-#include <CGAL/Volume_filling_curves/internal/Segment_tree.h>
-#include <CGAL/Volume_filling_curves/internal/for_each_block.h>
-#include <CGAL/Volume_filling_curves/internal/outside_parts.h>
+#include <CGAL/Volume_filling_curves/internal/coverage/Empty_region_search.h>
+#include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 
 #include <CGAL/tags.h>
 
@@ -31,8 +30,8 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief The struct `Coverage` tells how evenly a curve fills a domain: statistics of the distances of
- * uniform samples of the domain to the curve, divided by the thickness.
+ * \brief The struct `Coverage` tells how evenly a curve fills a domain: statistics of the distances
+ * of uniform samples of the domain to the curve, divided by the thickness.
  */
 struct Coverage
 {
@@ -81,15 +80,18 @@ struct Empty_region_3
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief The struct `Containment` counts what of a curve is not strictly inside a domain.
+ * \brief The struct `Containment` lists what of a curve is not strictly inside a domain.
  */
 struct Containment
 {
-  /// the number of nodes on or beyond the boundary
-  std::size_t outside_nodes = 0;
+  /// the nodes on or beyond the boundary, in their order
+  std::vector<std::size_t> outside_nodes;
 
-  /// the number of edges with any point on or beyond the boundary
-  std::size_t outside_segments = 0;
+  /// the edges with any point on or beyond the boundary, in their order
+  std::vector<std::size_t> outside_edges;
+
+  /// returns whether the whole curve is strictly inside.
+  bool is_inside() const { return outside_nodes.empty() && outside_edges.empty(); }
 };
 
 namespace internal {
@@ -111,14 +113,36 @@ inline double quantile(const std::vector<double>& sorted, double share)
   return sorted[(std::max)(static_cast<std::size_t>(rank), std::size_t(1)) - 1];
 }
 
+// As empty_regions(), for those who know the distances of the samples to the boundary.
+template <typename Traits, typename Domain, typename Thickness>
+std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
+    const Curve_network_3<Traits>& curve,
+    const Domain_samples_3<Traits, Domain>& samples,
+    const std::vector<double>& distances,
+    const std::vector<double>* boundary_distances,
+    const Thickness& thickness)
+{
+  const auto thickness_at = thickness_function(thickness);
+  const double sample_volume = samples.volume() / static_cast<double>(samples.points().size());
+  const Distance_to_curve tree(curve);
+  Empty_region_search<Traits, Domain, decltype(thickness_at)> search(
+      tree, samples.domain(), thickness_at, samples.points(), distances, boundary_distances,
+      std::cbrt(sample_volume), samples.traits());
+  std::vector<Empty_region_3<typename Traits::Point_3>> regions;
+  for(const auto& region : search.run())
+    regions.push_back({to_point(region.center, samples.traits()), region.radius,
+                       sample_volume * static_cast<double>(region.number_of_samples)});
+  return regions;
+}
+
 } // namespace internal
 
 /// \addtogroup PkgVolumeFillingCurvesMeasures
 /// @{
 
 /*!
- * returns the distance of every sample to the nearest point of the curve; infinity if the curve has no
- * edges. \cgalBigO{(n + m) \log n} time for `n` edges and `m` samples for most curves.
+ * returns the distance of every sample to the nearest point of the curve; infinity if the curve has
+ * no edges. \cgalBigO{(n + m) \log n} time for `n` edges and `m` samples for most curves.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -129,7 +153,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits, typen
                                                    const Domain_samples_3<Traits, Domain>& samples)
 {
   const std::size_t block = 256;
-  const internal::Segment_tree tree(curve);
+  const internal::Distance_to_curve tree(curve);
   std::vector<double> distances(samples.points().size());
   internal::for_each_block<ConcurrencyTag>(
       distances.size(), block, [&](std::size_t begin, std::size_t end) {
@@ -175,6 +199,31 @@ template <typename Traits, typename Domain, typename Thickness>
 }
 
 /*!
+ * returns the share of the samples that are farther than 2 r from the curve: a curve that fills the
+ * domain leaves at most 1 %.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3`
+ * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
+ *
+ * \param samples the samples
+ * \param distances the distances of the samples to the curve, from `sample_distances()`
+ * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ */
+template <typename Traits, typename Domain, typename Thickness>
+[[nodiscard]] double unfilled_fraction(const Domain_samples_3<Traits, Domain>& samples,
+                                       const std::vector<double>& distances,
+                                       const Thickness& thickness)
+{
+  if(distances.empty()) return 0;
+  const auto thickness_at = internal::thickness_function(thickness);
+  std::size_t unfilled = 0;
+  for(std::size_t i = 0; i < distances.size(); ++i)
+    if(distances[i] > 2 * thickness_at(samples.points()[i])) ++unfilled;
+  return static_cast<double>(unfilled) / static_cast<double>(distances.size());
+}
+
+/*!
  * returns the regions of the domain that the curve did not get to, the largest first.
  *
  * A region is a set of samples that are farther than 2 r from the curve, connected by straight ways
@@ -197,22 +246,12 @@ template <typename Traits, typename Domain, typename Thickness>
     const std::vector<double>& distances,
     const Thickness& thickness)
 {
-  const auto thickness_at = internal::thickness_function(thickness);
-  const double sample_volume = samples.volume() / static_cast<double>(samples.points().size());
-  const internal::Segment_tree tree(curve);
-  internal::Empty_region_search<Traits, Domain, decltype(thickness_at)> search(
-      tree, samples.domain(), thickness_at, samples.points(), distances, std::cbrt(sample_volume),
-      samples.traits());
-  std::vector<Empty_region_3<typename Traits::Point_3>> regions;
-  for(const auto& region : search.run())
-    regions.push_back({internal::to_point(region.center, samples.traits()), region.radius,
-                       sample_volume * static_cast<double>(region.number_of_samples)});
-  return regions;
+  return internal::find_empty_regions(curve, samples, distances, nullptr, thickness);
 }
 
 /*!
- * counts the nodes and the edges of the curve that are not strictly inside the domain; as exact as the
- * domain is. The time of one triangle test and two point tests of the domain per edge.
+ * finds the nodes and the edges of the curve that are not strictly inside the domain; as exact as
+ * the domain is. The time of one triangle test and two point tests of the domain per edge.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -220,8 +259,18 @@ template <typename Traits, typename Domain, typename Thickness>
 template <typename Traits, typename Domain>
 [[nodiscard]] Containment containment(const Curve_network_3<Traits>& curve, const Domain& domain)
 {
-  const internal::Outside_parts outside = internal::outside_parts(curve, domain);
-  return {outside.nodes.size(), outside.edges.size()};
+  Containment result;
+  std::vector<bool> is_inside(curve.number_of_nodes());
+  for(std::size_t v = 0; v < is_inside.size(); ++v) {
+    is_inside[v] = domain.is_inside(curve.point(v));
+    if(!is_inside[v]) result.outside_nodes.push_back(v);
+  }
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
+    const std::size_t v = curve.source(e), w = curve.target(e);
+    if(!is_inside[v] || !domain.is_triangle_inside(curve.point(v), curve.point(w), curve.point(w)))
+      result.outside_edges.push_back(e);
+  }
+  return result;
 }
 
 /// @}

@@ -10,12 +10,16 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/Doubly_critical_distance.h>
-#include <CGAL/Volume_filling_curves/internal/Least_clearance.h>
-#include <CGAL/Volume_filling_curves/internal/Linking_numbers.h>
-#include <CGAL/Volume_filling_curves/internal/average_crossing_number.h>
-#include <CGAL/Volume_filling_curves/internal/bending.h>
-#include <CGAL/Volume_filling_curves/internal/strands.h>
+#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/curve/turning.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
+#include <CGAL/Volume_filling_curves/internal/in_place/network_of_polylines.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Linking_numbers.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
+#include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/parameters.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -23,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -80,19 +85,14 @@ struct Curve_measures
 template <typename Traits>
 [[nodiscard]] std::vector<double> component_lengths(const Curve_network_3<Traits>& curve)
 {
-  std::vector<double> lengths(curve.number_of_components(), 0);
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
-    lengths[curve.component(curve.source(e))] += internal::edge_vector(curve, e).norm();
-  return lengths;
+  return internal::lengths_of_components(curve);
 }
 
 /// returns the length of all components together. Linear time.
 template <typename Traits>
 [[nodiscard]] double length(const Curve_network_3<Traits>& curve)
 {
-  double sum = 0;
-  for(double component_length : component_lengths(curve)) sum += component_length;
-  return sum;
+  return internal::total_length(curve);
 }
 
 /*!
@@ -106,12 +106,9 @@ template <typename Traits>
 [[nodiscard]] std::vector<double> total_curvatures(const Curve_network_3<Traits>& curve)
 {
   std::vector<double> sums(curve.number_of_components(), 0);
-  for(std::size_t c = 0; c < sums.size(); ++c) {
-    internal::for_each_corner(curve, c, [&](const auto& in, const auto& out) {
-      sums[c] += internal::turning_angle(in, out);
-    });
-    if(internal::has_junction(curve, c)) sums[c] = std::numeric_limits<double>::quiet_NaN();
-  }
+  for(std::size_t c = 0; c < sums.size(); ++c)
+    sums[c] = internal::has_junction(curve, c) ? std::numeric_limits<double>::quiet_NaN()
+                                               : internal::total_curvature(curve, c);
   return sums;
 }
 
@@ -119,9 +116,9 @@ template <typename Traits>
  * returns the least bend radius of the curve's corners; infinity if there are none. Linear time.
  *
  * The bend radius of a corner with the turning angle \f$\theta\f$ is
- * \f$\min(l_1, l_2) / (2 \tan(\theta/2))\f$, the radius of the arc that is tangent to both edges, of
- * lengths \f$l_1\f$ and \f$l_2\f$, and touches the shorter one in its middle (Rawdon's MinRad). A
- * regular polygon has the radius of its inscribed circle. Components with junctions are left out.
+ * \f$\min(l_1, l_2) / (2 \tan(\theta/2))\f$, the radius of the arc that is tangent to both edges,
+ * of lengths \f$l_1\f$ and \f$l_2\f$, and touches the shorter one in its middle (Rawdon's MinRad).
+ * A regular polygon has the radius of its inscribed circle. Components with junctions are left out.
  */
 template <typename Traits>
 [[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
@@ -143,13 +140,13 @@ template <typename Traits>
 
 /*!
  * returns the radius of the thickest tube around the curve that neither kinks nor runs into itself:
- * the smaller one of `min_bend_radius()` and half of the length of the shortest doubly critical chord
- * (Rawdon's polygonal injectivity radius). NaN if the curve has a junction.
+ * the smaller one of `min_bend_radius()` and half of the length of the shortest doubly critical
+ * chord (Rawdon's polygonal injectivity radius). NaN if the curve has a junction.
  *
- * A chord is doubly critical if at both of its ends the distance to the other end turns from growing
- * to shrinking or back; it may join two components. An end of an open curve counts as such a place if
- * the distance to the other end shrinks towards it. Near linear in the number of nodes for curves
- * whose nodes are spaced evenly.
+ * A chord is doubly critical if at both of its ends the distance to the other end turns from
+ * growing to shrinking or back; it may join two components. An end of an open curve counts as such
+ * a place if the distance to the other end shrinks towards it. Near linear in the number of nodes
+ * for curves whose nodes are spaced evenly.
  */
 template <typename Traits>
 [[nodiscard]] double polygonal_thickness(const Curve_network_3<Traits>& curve)
@@ -172,13 +169,13 @@ template <typename Traits>
 /*!
  * returns the least distance of two segments that are not neighbors; infinity if all are.
  *
- * Segments are neighbors if they share a node or if, along their component, less than \f$\pi r\f$ of
- * the curve lies between them. Segments of different components never are. Near linear in the number
- * of nodes for curves whose nodes are spaced evenly.
+ * Segments are neighbors if they share a node or if, along their component, less than \f$\pi r\f$
+ * of the curve lies between them. Segments of different components never are. Near linear in the
+ * number of nodes for curves whose nodes are spaced evenly.
  *
  * \param curve the curve
- * \param r the radius that the curve is meant to keep, in the input's unit; with 0 only segments that
- * share a node are neighbors
+ * \param r the radius that the curve is meant to keep, in the input's unit; with 0 only segments
+ * that share a node are neighbors
  */
 template <typename Traits>
 [[nodiscard]] double min_clearance(const Curve_network_3<Traits>& curve, double r = 0)
@@ -190,8 +187,8 @@ template <typename Traits>
  * returns the mean number of crossings that the curve shows, over 100 fixed directions that are
  * spread evenly. Crossings between components and within them count alike.
  *
- * Takes \f$O(n \log n + k)\f$ time per direction for \f$n\f$ nodes and \f$k\f$ pairs of segments whose
- * projections come close.
+ * Takes \f$O(n \log n + k)\f$ time per direction for \f$n\f$ nodes and \f$k\f$ pairs of segments
+ * whose projections come close.
  */
 template <typename Traits>
 [[nodiscard]] double average_crossing_number(const Curve_network_3<Traits>& curve)
@@ -241,6 +238,31 @@ template <typename Traits>
   result.average_crossing_number = average_crossing_number(curve);
   result.linking_matrix = linking_matrix(curve);
   return result;
+}
+
+/*!
+ * computes all measures of a polyline, or of several together.
+ *
+ * \param polylines a range of points, or a range of such ranges
+ * \param r as for `min_clearance()`
+ * \param np an optional sequence of the named parameters of the constructor of `Curve_network_3`
+ * from polylines
+ *
+ * \throws std::invalid_argument as that constructor
+ */
+template <typename PolylineRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::is_range_of_items<PolylineRange>, int> = 0
+#endif
+          >
+[[nodiscard]] Curve_measures measure(const PolylineRange& polylines,
+                                     double r = 0,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  return measure(internal::network_of_polylines_t<PolylineRange, NamedParameters>(polylines, np),
+                 r);
 }
 
 /// @}

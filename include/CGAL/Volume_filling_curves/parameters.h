@@ -14,15 +14,67 @@
 // The named parameters of this package and those of CGAL that its functions take, in one chain in
 // any order: `parameters::thickness(0.1).visitor(my_visitor).tolerance(1e-3)`. CGAL's class of
 // parameters knows CGAL's names only; this one derives from it and adds ours, so that CGAL's
-// machinery finds both.
+// machinery finds both. What they mean is said at the members of the structs that they fill, such
+// as Untangling_parameters.
+
+// Applies a macro to the name of each parameter: of those that are this package's, and of all.
+#define CGAL_VFC_OWN_PARAMETERS(X) \
+  X(certificate)                   \
+  X(clearance)                     \
+  X(closure)                       \
+  X(coupling)                      \
+  X(junctions)                     \
+  X(keep_length)                   \
+  X(length)                        \
+  X(max_displacement)              \
+  X(max_distance)                  \
+  X(max_radius)                    \
+  X(medial_weight)                 \
+  X(number_of_chains)              \
+  X(number_of_directions)          \
+  X(origins)                       \
+  X(preconditioner)                \
+  X(screening)                     \
+  X(spacing)                       \
+  X(stop_at_proof)                 \
+  X(strategy)                      \
+  X(thickness)                     \
+  X(time_limit)                    \
+  X(time_step)                     \
+  X(tolerance)                     \
+  X(wall)
+
+#define CGAL_VFC_PARAMETERS(X) \
+  CGAL_VFC_OWN_PARAMETERS(X)   \
+  X(number_of_iterations)      \
+  X(point_map)                 \
+  X(random_seed)               \
+  X(vertex_point_map)          \
+  X(visitor)
 
 namespace CGAL {
 namespace Volume_filling_curves {
 
+// The tags, each the type `name_t`.
 namespace internal_np {
 
 #define CGAL_VFC_PARAMETER(name) enum name##_t{name};
-#include <CGAL/Volume_filling_curves/internal/parameters_interface.h>
+CGAL_VFC_OWN_PARAMETERS(CGAL_VFC_PARAMETER)
+#undef CGAL_VFC_PARAMETER
+
+using CGAL::internal_np::number_of_iterations_t;
+using point_map_t = CGAL::internal_np::point_t;
+using CGAL::internal_np::random_seed_t;
+using vertex_point_map_t = CGAL::internal_np::vertex_point_t;
+using CGAL::internal_np::visitor_t;
+
+// The name that a message gives a parameter.
+#define CGAL_VFC_PARAMETER(name)          \
+  constexpr const char* name_of(name##_t) \
+  {                                       \
+    return #name;                         \
+  }
+CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 #undef CGAL_VFC_PARAMETER
 
 } // namespace internal_np
@@ -40,19 +92,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {                                                                            \
     return Named_parameters<Value, internal_np::name##_t, Pack>(value, *this); \
   }
-#include <CGAL/Volume_filling_curves/internal/parameters_interface.h>
-#undef CGAL_VFC_PARAMETER
-
-#define CGAL_VFC_PARAMETER(name, tag)                                           \
-  template <typename Value>                                                     \
-  auto name(const Value& value) const                                           \
-  {                                                                             \
-    return Named_parameters<Value, CGAL::internal_np::tag, Pack>(value, *this); \
-  }
-  CGAL_VFC_PARAMETER(number_of_iterations, number_of_iterations_t)
-  CGAL_VFC_PARAMETER(point_map, point_t)
-  CGAL_VFC_PARAMETER(random_seed, random_seed_t)
-  CGAL_VFC_PARAMETER(visitor, visitor_t)
+  CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 #undef CGAL_VFC_PARAMETER
 };
 /// \endcond
@@ -67,19 +107,7 @@ namespace parameters {
   {                                                               \
     return Named_parameters<Value, internal_np::name##_t>(value); \
   }
-#include <CGAL/Volume_filling_curves/internal/parameters_interface.h>
-#undef CGAL_VFC_PARAMETER
-
-#define CGAL_VFC_PARAMETER(name, tag)                              \
-  template <typename Value>                                        \
-  auto name(const Value& value)                                    \
-  {                                                                \
-    return Named_parameters<Value, CGAL::internal_np::tag>(value); \
-  }
-CGAL_VFC_PARAMETER(number_of_iterations, number_of_iterations_t)
-CGAL_VFC_PARAMETER(point_map, point_t)
-CGAL_VFC_PARAMETER(random_seed, random_seed_t)
-CGAL_VFC_PARAMETER(visitor, visitor_t)
+CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 #undef CGAL_VFC_PARAMETER
 /// \endcond
 
@@ -92,5 +120,8 @@ inline auto default_values()
 } // namespace parameters
 } // namespace Volume_filling_curves
 } // namespace CGAL
+
+#undef CGAL_VFC_OWN_PARAMETERS
+#undef CGAL_VFC_PARAMETERS
 
 #endif // CGAL_VOLUME_FILLING_CURVES_PARAMETERS_H

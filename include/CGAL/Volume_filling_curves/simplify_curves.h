@@ -11,35 +11,60 @@
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/internal/Curve_simplifier.h>
-#include <CGAL/Volume_filling_curves/internal/check_embedded.h>
-#include <CGAL/Volume_filling_curves/internal/named_parameters.h>
+#include <CGAL/Volume_filling_curves/Simplification_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/in_place/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/remeshing/Curve_simplifier.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
 
 #include <CGAL/assertions.h>
 
 #include <cstddef>
-#include <limits>
-#include <stdexcept>
+#include <type_traits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// simplifies curves, with a struct of parameters in place of named ones.
+template <typename Traits>
+std::size_t simplify_curves(Curve_network_3<Traits>& curves,
+                            const Simplification_parameters& parameters)
+{
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  internal::check_parameters(parameters);
+  internal::check_embedded(curves);
+  Isotopy_guard_3<Traits> guard(curves);
+  if(parameters.certificate) guard.start_recording();
+  guard.set_clearance(parameters.clearance);
+  const std::size_t count =
+      internal::Curve_simplifier<Isotopy_guard_3<Traits>>(guard, parameters.max_distance).run();
+  guard.collect_garbage();
+  if(parameters.certificate) *parameters.certificate = guard.certificate();
+  return count;
+}
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
  * \brief simplifies curves: removes every node that can be removed by a certified operation.
  *
- * A node is removed if the triangle that it spans with its two neighbors meets the rest of the curves
- * in nothing but these neighbors, so that the result is ambient isotopic to the input. In the end no
- * further node can be removed under the same conditions. Nodes that stay do not move. Pinned nodes,
- * ends of open curves and junctions stay, and a closed curve keeps 3 nodes at least.
+ * A node is removed if the triangle that it spans with its two neighbors meets the rest of the
+ * curves in nothing but these neighbors, so that the result is ambient isotopic to the input. In
+ * the end no further node can be removed under the same conditions. Nodes that stay do not move.
+ * Pinned nodes, ends of open curves and junctions stay, and a closed curve keeps 3 nodes at least.
  * `Curve_network_3::origin()` tells which node of the input a node was.
  *
  * With a `max_distance` every edge of the result stays within that Fréchet distance of the part of
  * the input that it stands for: both can be run through from end to end, without turning back, such
- * that they are never farther apart. In particular, every point of the input is within that distance
- * of the result, and every point of the result of the input. Distances are computed with `double`s.
+ * that they are never farther apart. In particular, every point of the input is within that
+ * distance of the result, and every point of the result of the input. Distances are computed with
+ * `double`s.
  *
  * Nodes that change the curve least are removed first. A tangled curve of 100,000 nodes takes a few
  * seconds.
@@ -48,47 +73,69 @@ namespace Volume_filling_curves {
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
- * \param np an optional sequence of named parameters among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{max_distance}
- *     \cgalParamDescription{the largest Fréchet distance between an edge of the result and the part
- *       of the input that it stands for, in the input's unit}
- *     \cgalParamType{`double`, not negative}
- *     \cgalParamDefault{infinity}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{clearance}
- *     \cgalParamDescription{the distance that edges without a common node keep, see
- *       `Isotopy_guard_3::set_clearance()`, in the input's unit}
- *     \cgalParamType{`double`, not negative and finite}
- *     \cgalParamDefault{`0`, for no clearance}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np an optional sequence of the named parameters `max_distance`, `clearance` and
+ * `certificate`, see `Simplification_parameters`
  *
  * \returns the number of nodes that were removed
  *
  * \pre the network has no garbage
  *
  * \throws std::invalid_argument if the curves are not embedded, with the nodes in the message, if a
- * coordinate is beyond 1e150 or the size below 1e-150, or if a parameter is out of range
+ * coordinate is beyond 1e150 or the size below 1e-150, or if a parameter has a value that it must
+ * not have, with its name in the message
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::size_t simplify_curves(Curve_network_3<Traits>& curves,
                             const NamedParameters& np = parameters::default_values())
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double max_distance = internal::parameter_or(np, internal_np::max_distance, infinity);
-  const double clearance = internal::parameter_or(np, internal_np::clearance, 0.);
-  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  if(!(max_distance >= 0)) throw std::invalid_argument("the largest distance must not be negative");
-  if(!(clearance >= 0 && clearance < infinity))
-    throw std::invalid_argument("the clearance must not be negative, and finite");
-  internal::check_embedded(curves);
-  Isotopy_guard_3<Traits> guard(curves);
-  guard.set_clearance(clearance);
-  const std::size_t count =
-      internal::Curve_simplifier<Isotopy_guard_3<Traits>>(guard, max_distance).run();
-  guard.collect_garbage();
+  return simplify_curves(curves, internal::get_parameters<internal::Simplify_signature>(np));
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief simplifies a polyline, or several.
+ *
+ * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
+ * the result. See the overload for `Curve_network_3`.
+ *
+ * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param polylines the polylines, replaced by the result
+ * \param np an optional sequence of the named parameters of the overload for networks, and of
+ * `point_map` and `closure` of the constructor of `Curve_network_3` from polylines, where the map
+ * must be writable, and
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{origins}
+ *     \cgalParamDescription{receives the places in the input that the points of the result come
+ *       from, see `curve_origins()`; pass `std::ref()` of it}
+ *     \cgalParamType{for a polyline `std::vector<Curve_origin>`, for a container of polylines a
+ *       `std::vector` of them}
+ *     \cgalParamDefault{nothing is given out}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \returns the number of points that were removed
+ *
+ * \throws std::invalid_argument as that overload and that constructor. The polylines are unchanged
+ * then.
+ */
+template <typename Polylines,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::is_range_of_items<Polylines>, int> = 0
+#endif
+          >
+std::size_t simplify_curves(Polylines& polylines,
+                            const NamedParameters& np = parameters::default_values())
+{
+  const auto parameters = internal::get_parameters<internal::Simplify_polylines_signature>(np);
+  internal::Polylines_in_place<Polylines, NamedParameters> in_place(polylines, np);
+  const std::size_t count = simplify_curves(in_place.curves(), parameters);
+  in_place.store();
   return count;
 }
 

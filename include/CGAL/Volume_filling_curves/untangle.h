@@ -11,30 +11,110 @@
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
 #include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/Untangling_result.h>
-#include <CGAL/Volume_filling_curves/internal/Strategic_untangler.h>
-#include <CGAL/Volume_filling_curves/internal/Tails.h>
-#include <CGAL/Volume_filling_curves/internal/certificate/Recording.h>
-#include <CGAL/Volume_filling_curves/internal/check_embedded.h>
-#include <CGAL/Volume_filling_curves/internal/named_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/rescale_to_length.h>
+#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/in_place/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Strategic_untangler.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Tails.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/keep_tighter_input.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <iterator>
-#include <stdexcept>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <type_traits>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
+
+namespace internal {
+
+// Throws std::invalid_argument if curves cannot be untangled with the parameters.
+template <typename Network>
+void check_untangling(const Untangling_parameters& parameters, const Network& curves)
+{
+  check_parameters(parameters);
+  check_embedded(curves);
+  check_thickness(parameters.thickness, box_diagonal(curves), "the curves");
+  if(!parameters.keep_length) return;
+  for(std::size_t v = 0; v < curves.number_of_nodes(); ++v)
+    if(curves.is_pinned(v))
+      refuse_value(internal_np::keep_length_t(), "true",
+                   "node " + std::to_string(v) + " is pinned, so the curves cannot be scaled");
+}
+
+// Untangles by `run`, and does what belongs to every run: the record, the length, the statistics.
+template <typename Guard, typename Run>
+Untangling_result recorded_untangling(Guard& guard,
+                                      const Untangling_parameters& parameters,
+                                      const Run& run)
+{
+  const double length = total_length(guard.curve());
+  if(parameters.certificate) guard.start_recording();
+  Untangling_result result = run();
+  if(parameters.keep_length) result.thickness *= rescale_to_length(guard, length);
+  result.statistics.certified_changes = guard.number_of_certified_changes();
+  result.statistics.refused_changes = guard.number_of_refused_changes();
+  if(parameters.certificate) *parameters.certificate = guard.certificate();
+  return result;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief untangles curves, with a struct of parameters in place of named ones.
+ *
+ * \tparam ConcurrencyTag enables parallel algorithms
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Traits,
+          typename Visitor = Default_curve_flow_visitor>
+Untangling_result untangle(Curve_network_3<Traits>& curves,
+                           const Untangling_parameters& parameters,
+                           Visitor visitor = Visitor())
+{
+  using Flow = Curve_flow_3<Traits, Unbounded_domain_3<Traits>, ConcurrencyTag>;
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  Real_timer timer;
+  timer.start();
+  internal::check_untangling(parameters, curves);
+  Curve_network_3<Traits> input = curves;
+  std::optional<Isotopy_guard_3<Traits>> guard(std::in_place, curves);
+  Untangling_result result = internal::recorded_untangling(*guard, parameters, [&] {
+    Untangling_parameters run_parameters = parameters; // tails need the thickness before the flow
+    internal::Tails<Isotopy_guard_3<Traits>> tails(*guard);
+    tails.template grow<ConcurrencyTag>(run_parameters);
+    auto& unwrapped_visitor = internal::unwrapped(visitor);
+    internal::Strategic_untangler<Flow, ConcurrencyTag,
+                                  std::remove_reference_t<decltype(unwrapped_visitor)>>
+        run(*guard, tails, run_parameters, timer, unwrapped_visitor);
+    Untangling_result of_run = run();
+    of_run.is_closure_kept = tails.can_turn_outwards();
+    return of_run;
+  });
+  guard.reset(); // which the curves must not be assigned to
+  internal::keep_tighter_input(std::move(input), parameters, curves, result);
+  return result;
+}
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
@@ -43,22 +123,28 @@ namespace Volume_filling_curves {
  * simple shape.
  *
  * With the strategy `AUTO` (default) a random search brings the curves to polygons with as few
- * edges as it finds, and then they flow, as `Curve_flow_3` moves them, until they are tight, or are
- * proved to be unknots and smooth. With `FLOW` they do nothing but flow, until they are proved to be
- * unknots, are tight, or get nowhere. With `TIGHTEN` they stay the polygons that the search ends
- * with: of at most 5 edges per component if they are unknots, and else as short of edges as the
- * search got. Every change is certified with exact predicates, hence the result is ambient isotopic
- * to the input, whatever the status that is returned. Nodes are removed and inserted on the way;
- * `Curve_network_3::origin()` tells which node of the input a node was. Components keep their order
- * and orientation; pinned nodes stay where they are.
+ * edges as it finds, for at most a quarter of the time limit, and then they flow, as
+ * `Curve_flow_3` moves them, from there or, if that is as simple, from where they were, until
+ * they are tight, or are proved to be unknots, of which a single one becomes round. If closed
+ * curves were tighter before, and no thickness is given, they are the result. With `FLOW` they
+ * do nothing but flow, until they are proved to be unknots, are tight, or get nowhere. With
+ * `SEARCH` they stay the polygons that the search ends with: of at most 5 edges per component if
+ * they are unknots, and else as short of edges as the search got. Every change is certified with
+ * exact predicates, hence the result is ambient isotopic to the input, whatever the status that
+ * is returned. Nodes are removed and inserted on the way; `Curve_network_3::origin()` tells
+ * which node of the input a node was. Components keep their order and orientation; pinned nodes
+ * stay where they are.
  *
  * A component with ends keeps its knot if all of its ends are pinned: no strand slips off them. The
  * type of an open knot is that of its closure by straight lines from the ends away from the mean of
  * all nodes, and these lines are part of the curve while it flows, as pinned nodes whose `origin()`
- * is null; a visitor sees them. A component with a free end has no knot to be kept.
+ * is null; a visitor sees them. `Untangling_result::is_closure_kept` tells whether the closure of
+ * the result, whose mean is another, has that type as well: always where the run has converged. A
+ * component with a free end has no knot to be kept.
  *
  * The result does not depend on the number of threads. An iteration takes near-linear time; tangled
- * knots of a thousand nodes take about a hundred iterations and 0.15 seconds (236 knots, 2026-11-21).
+ * knots of a thousand nodes take about a hundred iterations and 0.15 seconds (236 knots,
+ * 2026-11-21).
  *
  * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
@@ -66,198 +152,87 @@ namespace Volume_filling_curves {
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
- * \param np an optional sequence of named parameters among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{strategy}
- *     \cgalParamDescription{how the curves are untangled. Open curves with pinned ends flow, whatever
- *       the strategy.}
- *     \cgalParamType{`Untangling_strategy`}
- *     \cgalParamDefault{`Untangling_strategy::AUTO`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{number_of_chains}
- *     \cgalParamDescription{the number of independent searches, of which the first that succeeds, in
- *       number of moves, is taken. They run on threads of their own if `ConcurrencyTag` allows.}
- *     \cgalParamType{an integral type}
- *     \cgalParamDefault{`2`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{random_seed}
- *     \cgalParamDescription{the seed of the searches, on which the result depends}
- *     \cgalParamType{an integral type}
- *     \cgalParamDefault{`0`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{thickness}
- *     \cgalParamDescription{the distance r that strands keep from the medial surface between them, in
- *       the input's unit. A curve that is too thick jams, a thinner one is slower but gets further.}
- *     \cgalParamType{`double`}
- *     \cgalParamDefault{the 25th percentile of the medial radii of the input, or with `AUTO` of the
- *       polygon that the search ends with; a fortieth of its length if that is a proved unknot}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{tolerance}
- *     \cgalParamDescription{the curve is tight if `Curve_flow_3::gradient_norm()` is less}
- *     \cgalParamType{`double`, dimensionless}
- *     \cgalParamDefault{`0.007`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{number_of_iterations}
- *     \cgalParamDescription{the largest number of iterations of the flow; of the sweeps of
- *       `Tightening_progress` with `Untangling_strategy::TIGHTEN`}
- *     \cgalParamType{an integral type}
- *     \cgalParamDefault{`5000`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{time_limit}
- *     \cgalParamDescription{the longest time to run, checked between iterations}
- *     \cgalParamType{`double`, in seconds}
- *     \cgalParamDefault{infinity}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{stop_at_proof}
- *     \cgalParamDescription{whether to stop once the curves are proved to be unknots and unlinked and
- *       are short, 8 thicknesses per component, which is at most 50 iterations later. Otherwise a
- *       single curve ends as a regular polygon of that length, of 64 nodes or more, and several
- *       flow on until they are tight, as small loops.}
- *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`true`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{keep_length}
- *     \cgalParamDescription{whether to scale the result, by certified steps, to the length of the
- *       input. The thickness that is returned is scaled likewise.}
- *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`false`}
- *     \cgalParamPrecondition{no node is pinned, hence no polyline is open}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{certificate}
- *     \cgalParamDescription{receives the record of the whole run, which `verify_certificate()`
- *       verifies; pass `std::ref()` of it. It takes some 26 bytes per node and iteration.}
- *     \cgalParamType{`Isotopy_certificate`}
- *     \cgalParamDefault{nothing is recorded}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{number_of_directions}
- *     \cgalParamDescription{the number of medial spheres per node}
- *     \cgalParamType{an integral type}
- *     \cgalParamDefault{`16`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{max_radius}
- *     \cgalParamDescription{the largest radius of a medial sphere}
- *     \cgalParamType{`double`, in units of the thickness}
- *     \cgalParamDefault{`0.9`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{spacing}
- *     \cgalParamDescription{the least length h of an edge; edges longer than 2h are split}
- *     \cgalParamType{`double`, in units of the thickness}
- *     \cgalParamDefault{`0.2`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{screening}
- *     \cgalParamDescription{the weight lambda of the mass matrix in the preconditioner}
- *     \cgalParamType{`double`, in units of 1 / thickness^2}
- *     \cgalParamDefault{`0.3`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{coupling}
- *     \cgalParamDescription{the weight beta of the medial spheres in the preconditioner}
- *     \cgalParamType{`double`, dimensionless}
- *     \cgalParamDefault{`0.01`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{preconditioner}
- *     \cgalParamDescription{the preconditioner}
- *     \cgalParamType{`Preconditioner`}
- *     \cgalParamDefault{`Preconditioner::MEDIAL`}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{time_step}
- *     \cgalParamDescription{the fixed time step tau of the paper instead of an adaptive step}
- *     \cgalParamType{`double`, dimensionless}
- *     \cgalParamDefault{`0`, for an adaptive step}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{a visitor that follows the progress and can stop it; pass `std::ref()` of
- *       it to keep its state}
- *     \cgalParamType{a class model of `CurveFlowVisitor`}
- *     \cgalParamDefault{`Default_curve_flow_visitor`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np an optional sequence of the named parameters `strategy`, `number_of_chains`,
+ * `tolerance`, `stop_at_proof`, `keep_length` (see `Untangling_parameters`),
+ * `number_of_iterations`, `time_limit`, `random_seed`, `certificate` (see `Curve_run_parameters`),
+ * `thickness`, `number_of_directions`, `max_radius`, `spacing`, `screening`, `medial_weight`,
+ * `coupling`, `preconditioner`, `max_displacement`, `time_step` (see `Curve_flow_parameters`), and
+ * `visitor`, a model of `CurveFlowVisitor`, or `std::ref()` of one
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded, with the nodes in the message, if a
- * coordinate is beyond 1e150 or the size below 1e-150, or if a parameter is not positive and finite
+ * \throws std::invalid_argument if the curves are not embedded, if a coordinate is beyond 1e150 or
+ * the size below 1e-150, if a pinned end is shut in such that no straight line leads from it to the
+ * outside, or a node is pinned although the length is to be kept, with the nodes in the message;
+ * and if a parameter has a value that it must not have, with its name in the message. The curves
+ * are unchanged then. What a visitor throws is passed on.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Are_named_parameters<NamedParameters>::value, int> = 0
+#endif
+          >
 Untangling_result untangle(Curve_network_3<Traits>& curves,
                            const NamedParameters& np = parameters::default_values())
 {
-  using Flow = Curve_flow_3<Traits, ConcurrencyTag>;
-  using Visitor_reference = typename CGAL::internal_np::Lookup_named_param_def<
-      CGAL::internal_np::visitor_t, NamedParameters, Default_curve_flow_visitor>::reference;
-  Default_curve_flow_visitor default_visitor;
-  Visitor_reference visitor = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
-
-  Isotopy_certificate no_certificate;
-  Isotopy_certificate& certificate = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter_reference(np, internal_np::certificate), no_certificate);
-
-  const bool keeps_length = internal::parameter_or(np, internal_np::keep_length, false);
-  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  CGAL_precondition_msg(!keeps_length || !internal::has_pinned_node(curves), "no node is pinned");
-  Real_timer timer;
-  timer.start();
-  internal::check_embedded(curves);
-  const double length = internal::length(curves);
-  const bool is_recorded = &certificate != &no_certificate;
-  const internal::Recording<Traits> recording(curves, is_recorded);
-  Curve_flow_parameters flow_parameters = internal::get_flow_parameters(np);
-  Untangling_result result;
-  {
-    internal::Tails<Curve_network_3<Traits>> tails(curves);
-    tails.template grow<ConcurrencyTag>(flow_parameters);
-    internal::Strategic_untangler<Flow, ConcurrencyTag, std::remove_reference_t<Visitor_reference>>
-        run(curves, tails, internal::get_strategy_parameters(np), flow_parameters,
-            internal::get_stop_rules(np), timer, visitor);
-    result = run();
-  }
-  if(keeps_length) result.thickness *= internal::rescale_to_length(curves, length);
-  if(is_recorded) certificate = recording.certificate();
-  return result;
+  return untangle<ConcurrencyTag>(curves,
+                                  internal::get_parameters<internal::Untangle_signature>(np),
+                                  internal::get_visitor(np));
 }
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles polylines.
+ * \brief untangles a polyline, or several.
  *
- * A polyline whose last point repeats its first is closed; the ends of the others are pinned.
- * See the overload for `Curve_network_3`, whose named parameters can be passed, too.
+ * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
+ * the result; the ends of the others are pinned. See the overload for `Curve_network_3`.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
- * \tparam Point_3 the point type of a \cgal kernel with exact predicates
+ * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
- * \param np an optional sequence of named parameters
+ * \param np an optional sequence of the named parameters of the overload for networks, and of
+ * `point_map` and `closure` of the constructor of `Curve_network_3` from polylines, where the map
+ * must be writable, and
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{origins}
+ *     \cgalParamDescription{receives the places in the input that the points of the result come
+ *       from, see `curve_origins()`; pass `std::ref()` of it}
+ *     \cgalParamType{for a polyline `std::vector<Curve_origin>`, for a container of polylines a
+ *       `std::vector` of them}
+ *     \cgalParamDefault{nothing is given out}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
- * \throws std::invalid_argument if the polylines are not embedded curves
+ * \throws std::invalid_argument as that overload and that constructor. The polylines are unchanged
+ * then.
  */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename Point_3,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Untangling_result untangle(std::vector<std::vector<Point_3>>& polylines,
+          typename Polylines,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::is_range_of_items<Polylines>, int> = 0
+#endif
+          >
+Untangling_result untangle(Polylines& polylines,
                            const NamedParameters& np = parameters::default_values())
 {
-  using Traits = Curve_flow_traits_3<typename Kernel_traits<Point_3>::Kernel>;
-  Curve_network_3<Traits> curves;
-  std::vector<Curve_defect> defects;
-  if(!polylines_to_curve_network(polylines, curves, defects, Junctions::FORBIDDEN, np))
-    throw std::invalid_argument(
-        to_string(*std::find_if(defects.begin(), defects.end(),
-                                [](const Curve_defect& d) { return is_error(d.kind); }),
-                  "polylines"));
-  curves.pin_ends();
-  const Untangling_result result = untangle<ConcurrencyTag>(curves, np);
-  polylines.clear();
-  curve_network_to_polylines(curves, std::back_inserter(polylines));
+  const auto parameters = internal::get_parameters<internal::Untangle_polylines_signature>(np);
+  internal::Polylines_in_place<Polylines, NamedParameters> in_place(polylines, np);
+  const Untangling_result result =
+      untangle<ConcurrencyTag>(in_place.curves(), parameters, internal::get_visitor(np));
+  in_place.store();
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
-#include <CGAL/Volume_filling_curves/internal/certificate/Certificate_verifier.h>
+#include <CGAL/Volume_filling_curves/internal/replay/Certificate_verifier.h>
 
 #include <cstddef>
 #include <string>
@@ -34,6 +34,23 @@ struct Certificate_verdict
   std::size_t number_of_operations = 0; ///< how many operations were verified
 };
 
+namespace internal {
+
+template <typename Curve>
+Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
+                               const Curve& start,
+                               const Curve& end)
+{
+  Certificate_verdict verdict;
+  verdict.is_valid = verifier(Canonical_curve(start), Canonical_curve(end));
+  verdict.operation = verifier.wrong_operation();
+  verdict.message = verifier.message();
+  verdict.number_of_operations = verifier.number_of_operations();
+  return verdict;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
@@ -46,12 +63,13 @@ struct Certificate_verdict
  * forged, with hashes that fit, unless what it tells is a proof in spite of that.
  *
  * How the nodes of the curves are numbered, the direction of edges and pins do not matter.
- * Nodes need not be pinned where they were, and a domain is not considered.
+ * Nodes need not be pinned where they were, and a domain is not considered: the overload in
+ * `verify_certificate_in_domain.h` does that.
  *
  * Takes constant time per operation if edges have similar lengths: a microsecond or two.
  *
- * \tparam Curve a class with the functions `number_of_nodes()`, `number_of_edges()`, `point()`,
- * `source()`, `target()`, `is_removed_node()` and `is_removed_edge()` of `Curve_network_3`
+ * \tparam Curve a class with the functions `nodes()`, `edges()`, `point()`, `source()` and
+ * `target()` of `Curve_network_3`
  *
  * \param certificate the certificate
  * \param start the curve at the start
@@ -65,12 +83,7 @@ Certificate_verdict verify_certificate(const Isotopy_certificate& certificate,
                                        const Curve& end)
 {
   internal::replay::Certificate_verifier verifier(certificate.bytes());
-  Certificate_verdict verdict;
-  verdict.is_valid = verifier(internal::Canonical_curve(start), internal::Canonical_curve(end));
-  verdict.operation = verifier.wrong_operation();
-  verdict.message = verifier.message();
-  verdict.number_of_operations = verifier.number_of_operations();
-  return verdict;
+  return internal::verdict_of(verifier, start, end);
 }
 
 } // namespace Volume_filling_curves

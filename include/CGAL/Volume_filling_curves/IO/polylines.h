@@ -9,43 +9,38 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/IO/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/internal/IO/Curve_file.h>
-#include <CGAL/Volume_filling_curves/internal/IO/Curve_format.h>
-#include <CGAL/Volume_filling_curves/internal/IO/Curve_strands.h>
-#include <CGAL/Volume_filling_curves/internal/IO/Polylines_to_curve_file.h>
-#include <CGAL/Volume_filling_curves/internal/IO/make_network.h>
-#include <CGAL/Volume_filling_curves/internal/IO/whole_files.h>
+#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_format.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_network.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+#include <CGAL/Volume_filling_curves/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
-#include <boost/range/value_type.hpp>
-
-#include <cstddef>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
+
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief constructs a curve network from polylines.
+ * \brief constructs a curve network from polylines, and lists everything that is wrong with them.
  *
- * By \cgal's habit a polyline is closed if its last point repeats the first. The repeated point is
- * no new node; all others are numbered in the order of the range, and `origin()` of the network
- * gives this number. If junctions are allowed, equal end points of polylines are one node.
+ * As the constructor of `Curve_network_3` from polylines, but it treats polylines as
+ * `IO::read_curve_network()` treats those of a file: nothing is thrown, an edge that is given twice
+ * is dropped with a warning, and so on. Whether edges meet is not tested. Takes \cgalBigO{n \log n}
+ * time for `n` points.
  *
- * The network is constructed only if it is embedded, that is, if no two edges meet elsewhere than
- * in a common node; this is decided with exact predicates. The time is
- * \cgalBigO{n \log^2 n} for `n` points unless many edges have intersecting bounding boxes.
- *
- * \tparam PolylineRange a model of `ConstRange` whose value type is a model of `ConstRange`
+ * \tparam PolylineRange a model of `ConstRange` whose items are points, or ranges of points
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of Named Parameters
  *
@@ -53,17 +48,8 @@ namespace Volume_filling_curves {
  * \param network receives the network; it does not change if there is an error
  * \param defects receives all errors and warnings; their `line` is the number of the polyline,
  * counted from 1
- * \param junctions tells whether nodes may have more than two edges
- * \param np optional named parameters
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{point_map}
- *     \cgalParamDescription{a property map that gives the points of a polyline}
- *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the
- *                    polylines and whose value type is a 3D point of a \cgal kernel}
- *     \cgalParamDefault{`CGAL::Identity_property_map`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np an optional sequence of the named parameters `point_map`, `closure` and `junctions` of
+ * that constructor
  *
  * \return whether there is no error
  */
@@ -73,58 +59,12 @@ template <typename PolylineRange,
 bool polylines_to_curve_network(const PolylineRange& polylines,
                                 Curve_network_3<Traits>& network,
                                 std::vector<Curve_defect>& defects,
-                                Junctions junctions = Junctions::FORBIDDEN,
-                                const NamedParameters& np = CGAL::parameters::default_values())
+                                const NamedParameters& np = parameters::default_values())
 {
-  using Polyline = typename boost::range_value<PolylineRange>::type;
-  using Item = typename boost::range_value<Polyline>::type;
-  const auto point_map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::point_map),
-      CGAL::Identity_property_map<Item>());
-  internal::Polylines_to_curve_file converter(junctions);
-  std::vector<internal::Polylines_to_curve_file::Point> points;
-  std::size_t line = 0;
-  for(const Polyline& polyline : polylines) {
-    ++line;
-    points.clear();
-    for(const Item& item : polyline) {
-      const auto& p = get(point_map, item);
-      points.push_back(
-          {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}, line});
-    }
-    converter.add(points, line);
-  }
-  return internal::make_network(converter.file(), network, defects, junctions);
-}
-
-/*!
- * \ingroup PkgVolumeFillingCurvesIO
- *
- * \brief writes the curves of a network as polylines.
- *
- * There is one polyline for every component without junctions; it repeats its first point at the
- * end if the component is closed. Components with junctions are cut there. Takes linear time.
- *
- * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam OutputIterator a model of `OutputIterator` that accepts
- * `std::vector<Traits::Point_3>`
- *
- * \param network the network
- * \param polylines receives the polylines
- *
- * \return the output iterator behind the last polyline
- */
-template <typename Traits, typename OutputIterator>
-OutputIterator curve_network_to_polylines(const Curve_network_3<Traits>& network,
-                                          OutputIterator polylines)
-{
-  for(const auto& strand : internal::Curve_strands(network).strands) {
-    std::vector<typename Traits::Point_3> polyline;
-    polyline.reserve(strand.size());
-    for(const std::size_t v : strand) polyline.push_back(network.point(v));
-    *polylines++ = std::move(polyline);
-  }
-  return polylines;
+  const Junctions junctions = internal::junctions_of(np);
+  internal::Polylines_to_curve_draft converter(junctions, internal::closure_of(np));
+  internal::add_polylines(polylines, internal::point_map_of<PolylineRange>(np), converter);
+  return internal::draft_to_network(converter.draft(), network, defects, junctions);
 }
 
 } // namespace Volume_filling_curves
@@ -145,14 +85,23 @@ namespace IO {
  * - `.polylines.txt`: one polyline per line, the number of its points followed by their
  *   coordinates. A polyline that repeats its first point at the end is closed. If junctions are
  *   allowed, equal end points of polylines are one node.
+ * - `.vect`: Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner. A negative number of
+ *   vertices tells that a polyline is closed. Colors are ignored.
+ * - `.xyz`, `.txt`, `.dat`: lists of points, one in a line: three coordinates, which the number of
+ *   the point or the symbol of an atom may precede. An empty line, the word `END` and a line with
+ *   nothing but the number of the points that follow begin another polyline. A polyline that
+ *   repeats its first point at the end is closed.
+ *
+ * An `.obj` file without any `l` may have a single face, with five corners or more, whose boundary
+ * is taken for a closed curve, with a warning.
  *
  * `origin()` of the network gives the place of a node among the vertices of the file, from 0; the
  * repeated points of `.polylines.txt` do not count. An edge that is given twice is dropped and an
  * edge of length zero contracted, with a warning.
  *
- * The network is constructed only if it is embedded, that is, if no two edges meet elsewhere than
- * in a common node; this is decided with exact predicates. The time is
- * \cgalBigO{n \log^2 n} for `n` vertices unless many edges have intersecting bounding boxes.
+ * Whether the network is embedded, that is, whether edges meet elsewhere than in a common node, is
+ * not tested here: functions that need it test it themselves, and `read_embedded_curve_network()`
+ * lists where they meet. Takes \cgalBigO{n \log n} time for `n` vertices.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
@@ -170,33 +119,16 @@ bool read_curve_network(
     std::vector<Volume_filling_curves::Curve_defect>& defects,
     Volume_filling_curves::Junctions junctions = Volume_filling_curves::Junctions::FORBIDDEN)
 {
-  using Volume_filling_curves::Curve_defect_kind;
   namespace internal = Volume_filling_curves::internal;
-  defects.clear();
-  std::string text;
-  const auto* const format = internal::Curve_format::of(filename);
-  if(format == nullptr)
-    defects.push_back(
-        {Curve_defect_kind::UNKNOWN_FORMAT, "curves are .obj or .polylines.txt files"});
-  else if(const std::error_code error = internal::read_whole_file(filename, text))
-    defects.push_back({Curve_defect_kind::UNREADABLE_FILE, error.message()});
-  if(!defects.empty()) return false;
-  internal::Curve_file file = format->read(text, junctions);
-  return internal::make_network(file, network, defects, junctions);
+  internal::Curve_draft draft = internal::read_curve_draft(filename, junctions);
+  return internal::draft_to_network(draft, network, defects, junctions);
 }
 
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief reads a curve network from a file.
- *
- * As the overload above, for those who need not know what is wrong.
- *
- * \tparam Traits a model of `CurveFlowTraits_3`
- *
- * \param filename the name of the file
- * \param network receives the network; it does not change if there is an error
- * \param junctions tells whether nodes may have more than two edges
+ * \brief reads a curve network from a file, as the overload above, for those who need not know what
+ * is wrong.
  *
  * \return whether there is no error
  */
@@ -217,8 +149,8 @@ bool read_curve_network(
  *
  * The extension tells the format as in `read_curve_network()`. Coordinates have 17 significant
  * digits, so that reading the file gives the very same network, down to the numbers of its nodes.
- * `.polylines.txt` does not hold which nodes are pinned, and of a network with junctions not the
- * numbers of its nodes.
+ * The other formats than `.obj` do not hold which nodes are pinned, and of a network with junctions
+ * not the numbers of its nodes.
  *
  * The network is written to a new file in the same folder, which replaces an existing one when it
  * is complete: no other program sees a part of it, and an error leaves the old file as it was.
@@ -239,24 +171,17 @@ bool write_curve_network(const std::string& filename,
 {
   namespace internal = Volume_filling_curves::internal;
   const auto* const format = internal::Curve_format::of(filename);
-  error =
-      format == nullptr
-          ? std::make_error_code(std::errc::invalid_argument)
-          : internal::write_whole_file(filename, format->write(internal::Curve_strands(network)));
+  error = format == nullptr
+              ? std::make_error_code(std::errc::invalid_argument)
+              : internal::write_whole_file(filename, format->write(internal::Curve_paths(network)));
   return !error;
 }
 
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief writes a curve network to a file.
- *
- * As the overload above, for those who need not know what went wrong.
- *
- * \tparam Traits a model of `CurveFlowTraits_3`
- *
- * \param filename the name of the file
- * \param network the network
+ * \brief writes a curve network to a file, as the overload above, for those who need not know what
+ * went wrong.
  *
  * \return whether the file was written
  */

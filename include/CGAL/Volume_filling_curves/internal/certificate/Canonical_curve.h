@@ -9,14 +9,15 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/Sha256.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/format.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/little_endian.h>
+#include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -34,20 +35,20 @@ class Canonical_curve
 public:
   using Edge = std::array<std::uint64_t, 2>;
 
-  // `Curve` has the reading functions of a Curve_network_3.
+  // `Curve` has the functions nodes(), edges(), point(), source() and target() of a
+  // Curve_network_3.
   template <typename Curve>
   explicit Canonical_curve(const Curve& curve)
   {
     std::vector<Position> points;
     std::vector<std::size_t> nodes;
-    for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
-      if(curve.is_removed_node(v)) continue;
+    for(const std::size_t v : curve.nodes()) {
       points.push_back(to_position(curve.point(v)));
       for(double& x : points.back())
         if(x == 0) x = 0; // there is only one zero
       nodes.push_back(v);
     }
-    m_ranks.resize(curve.number_of_nodes());
+    m_ranks.resize(nodes.empty() ? 0 : nodes.back() + 1);
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(),
@@ -56,8 +57,8 @@ public:
       m_ranks[nodes[i]] = m_points.size();
       m_points.push_back(points[i]);
     }
-    for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
-      if(!curve.is_removed_edge(e)) add_edge(m_ranks[curve.source(e)], m_ranks[curve.target(e)]);
+    for(const std::size_t e : curve.edges())
+      add_edge(m_ranks[curve.source(e)], m_ranks[curve.target(e)]);
     std::sort(m_edges.begin(), m_edges.end());
   }
 
@@ -69,35 +70,22 @@ public:
 
   std::uint64_t number_of_components() const
   {
-    std::vector<std::uint64_t> parents(m_points.size());
-    std::iota(parents.begin(), parents.end(), std::uint64_t(0));
-    const auto root = [&](std::uint64_t v) {
-      while(parents[v] != v) v = parents[v] = parents[parents[v]];
-      return v;
-    };
+    Disjoint_sets components(m_points.size());
     std::uint64_t count = m_points.size();
-    for(const Edge& edge : m_edges) {
-      const std::uint64_t v = root(edge[0]), w = root(edge[1]);
-      if(v == w) continue;
-      parents[w] = v;
-      --count;
-    }
+    for(const Edge& edge : m_edges)
+      if(components.unite(edge[0], edge[1])) --count;
     return count;
   }
 
   Sha256::Digest digest() const
   {
     std::string bytes;
-    append(bytes, m_points.size());
-    append(bytes, m_edges.size());
+    append_little_endian(bytes, std::uint64_t(m_points.size()));
+    append_little_endian(bytes, std::uint64_t(m_edges.size()));
     for(const Position& p : m_points)
-      for(const double x : p) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &x, sizeof bits);
-        append(bytes, bits);
-      }
+      for(const double x : p) append_little_endian(bytes, x);
     for(const Edge& edge : m_edges)
-      for(const std::uint64_t v : edge) append(bytes, v);
+      for(const std::uint64_t v : edge) append_little_endian(bytes, v);
     return sha256(bytes);
   }
 
@@ -105,12 +93,6 @@ private:
   void add_edge(std::uint64_t v, std::uint64_t w)
   {
     m_edges.push_back({(std::min)(v, w), (std::max)(v, w)});
-  }
-
-  // little-endian
-  static void append(std::string& bytes, std::uint64_t x)
-  {
-    for(int k = 0; k < 8; ++k) bytes += static_cast<char>(x >> 8 * k & 0xff);
   }
 
   std::vector<Position> m_points;

@@ -40,7 +40,8 @@ public:
     const std::uint64_t version = integer(4);
     if(version != certificate_version)
       throw Certificate_format_error("version " + std::to_string(version) +
-                                     " of the format is not known");
+                                     " of the format is not supported, only version " +
+                                     std::to_string(certificate_version));
     Certificate_header header;
     header.nodes = integer(8);
     header.edges = integer(8);
@@ -53,13 +54,11 @@ public:
   {
     const std::uint64_t word = varint(), code = word & 3, rest = word >> 2;
     Certificate_operation operation;
-    if(code == 3) {
-      if(rest > 1) throw Certificate_format_error("an operation of an unknown kind");
-      operation.kind = rest == 0 ? Kind::END : Kind::SCALE;
-      if(rest == 1) operation.exponent = from_zigzag(varint());
+    operation.kind = static_cast<Kind>(code);
+    if(operation.kind == Kind::END) {
+      if(rest > 0) throw Certificate_format_error("an operation of an unknown kind");
       return operation;
     }
-    operation.kind = static_cast<Kind>(code);
     operation.node = m_last_node = m_last_node + static_cast<std::uint64_t>(from_zigzag(rest));
     if(operation.kind == Kind::INSERT)
       operation.other = operation.node + static_cast<std::uint64_t>(from_zigzag(varint()));

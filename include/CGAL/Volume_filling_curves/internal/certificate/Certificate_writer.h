@@ -10,10 +10,10 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/certificate/format.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/little_endian.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 namespace CGAL {
@@ -32,22 +32,17 @@ public:
   void write(const Certificate_header& header)
   {
     m_bytes += certificate_magic;
-    append_integer(certificate_version, 4);
-    append_integer(header.nodes, 8);
-    append_integer(header.edges, 8);
-    append_integer(header.components, 8);
+    append_little_endian(m_bytes, certificate_version, 4);
+    append_little_endian(m_bytes, header.nodes);
+    append_little_endian(m_bytes, header.edges);
+    append_little_endian(m_bytes, header.components);
     append(header.curve);
   }
 
   void write(const Certificate_operation& operation)
   {
     ++m_number_of_operations;
-    if(operation.kind == Kind::SCALE) {
-      append_code(1, 3);
-      append_varint(zigzag(operation.exponent));
-      return;
-    }
-    append_code(difference(operation.node, m_last_node), static_cast<unsigned>(operation.kind));
+    append_code(difference(operation.node, m_last_node), operation.kind);
     if(operation.kind == Kind::INSERT) append_varint(difference(operation.other, operation.node));
     if(operation.kind != Kind::REMOVE) append(operation.position);
     m_last_node = operation.node;
@@ -56,10 +51,10 @@ public:
   // Everything of the trailer but the record's own hash.
   void write_end(std::uint64_t nodes, std::uint64_t edges, const Sha256::Digest& curve)
   {
-    append_code(0, 3);
-    append_integer(m_number_of_operations, 8);
-    append_integer(nodes, 8);
-    append_integer(edges, 8);
+    append_code(0, Kind::END);
+    append_little_endian(m_bytes, m_number_of_operations);
+    append_little_endian(m_bytes, nodes);
+    append_little_endian(m_bytes, edges);
     append(curve);
   }
 
@@ -74,12 +69,6 @@ private:
     return zigzag(static_cast<std::int64_t>(node - from));
   }
 
-  // little-endian
-  void append_integer(std::uint64_t x, int size)
-  {
-    for(int k = 0; k < size; ++k) m_bytes += static_cast<char>(x >> 8 * k & 0xff);
-  }
-
   // seven bits per byte, the low ones first; all bytes but the last have their highest bit set
   void append_varint(std::uint64_t x)
   {
@@ -87,7 +76,10 @@ private:
     m_bytes += static_cast<char>(x);
   }
 
-  void append_code(std::uint64_t x, unsigned code) { append_varint(x << 2 | code); }
+  void append_code(std::uint64_t x, Kind kind)
+  {
+    append_varint(x << 2 | static_cast<std::uint64_t>(kind));
+  }
 
   void append(const Sha256::Digest& digest)
   {
@@ -96,11 +88,7 @@ private:
 
   void append(const Position& position)
   {
-    for(const double x : position) {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &x, sizeof bits);
-      append_integer(bits, 8);
-    }
+    for(const double x : position) append_little_endian(m_bytes, x);
   }
 
   std::string m_bytes;

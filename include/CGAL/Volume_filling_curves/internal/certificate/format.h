@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/Sha256.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
 
 #include <CGAL/number_utils.h>
 
@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What a certificate consists of. The page "Format of Certificates" of the manual describes how this
-// is encoded, for those who want to write a reader of their own.
+// What a certificate consists of. The page "Format of Certificates" of the manual describes how
+// this is encoded, for those who want to write a reader of their own.
 
 constexpr std::string_view certificate_magic = "VFC-CERT";
-constexpr std::uint32_t certificate_version = 1;
+constexpr std::uint32_t certificate_version = 2;
 
 using Position = std::array<double, 3>;
 
@@ -57,14 +57,12 @@ struct Certificate_operation
     MOVE = 0,   // `node` goes to `position` along a straight line
     INSERT = 1, // a new node at `position` splits the edge between `node` and `other`
     REMOVE = 2, // `node` goes, and its two neighbors are joined by an edge
-    SCALE = 3,  // all coordinates are multiplied by two to the power of `exponent`
-    END = 4     // nothing more happens
+    END = 3     // nothing more happens
   };
 
   Kind kind = Kind::END;
   std::uint64_t node = 0, other = 0;
   Position position{};
-  std::int64_t exponent = 0;
 };
 
 // The curve at the end. The record is the SHA-256 of all bytes that stand before it.

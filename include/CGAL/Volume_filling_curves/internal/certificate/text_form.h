@@ -11,8 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Certificate_reader.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Certificate_writer.h>
+#include <CGAL/Volume_filling_curves/internal/text/append_number.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -75,8 +75,6 @@ private:
       return add("insert", operation.node, operation.other, p[0], p[1], p[2]);
     case Kind::REMOVE:
       return add("remove", operation.node);
-    case Kind::SCALE:
-      return add("scale", operation.exponent);
     case Kind::END:
       return;
     }
@@ -92,16 +90,11 @@ private:
 
   void add_word(const std::string& word) { m_text += ' ' + word; }
   void add_word(std::uint64_t number) { m_text += ' ' + std::to_string(number); }
-  void add_word(std::int64_t number) { m_text += ' ' + std::to_string(number); }
 
   void add_word(double number)
   {
-    const int number_of_digits = 17;
-    std::array<char, 32> buffer; // sign, point, 17 digits, e-308
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                                   std::chars_format::general, number_of_digits);
     m_text += ' ';
-    m_text.append(buffer.data(), end.ptr);
+    append_number(m_text, number);
   }
 
   std::string m_text;
@@ -119,8 +112,9 @@ public:
   std::string operator()()
   {
     read_line();
-    require(m_words.size() == 3 && m_words[2] == std::to_string(certificate_version),
-            "this version of the format is not known");
+    if(m_words.size() != 3 || m_words[2] != std::to_string(certificate_version))
+      fail("this version of the format is not supported, only version " +
+           std::to_string(certificate_version));
     read_line();
     require(m_words.size() == 5 && m_words[0] == "start", "the line of the start is wrong");
     m_writer.write(Certificate_header{number(1), number(2), number(3), digest(4)});
@@ -136,9 +130,14 @@ public:
   }
 
 private:
+  [[noreturn]] void fail(const std::string& message) const
+  {
+    throw std::invalid_argument("line " + std::to_string(m_line) + ": " + message);
+  }
+
   void require(bool condition, const char* message) const
   {
-    if(!condition) throw std::invalid_argument("line " + std::to_string(m_line) + ": " + message);
+    if(!condition) fail(message);
   }
 
   // Lines have at least one word.
@@ -164,13 +163,11 @@ private:
       return m_words[0] == keyword && m_words.size() == size;
     };
     if(is("move", 5))
-      operation = {Kind::MOVE, number(1), 0, position(2), 0};
+      operation = {Kind::MOVE, number(1), 0, position(2)};
     else if(is("insert", 6))
-      operation = {Kind::INSERT, number(1), number(2), position(3), 0};
+      operation = {Kind::INSERT, number(1), number(2), position(3)};
     else if(is("remove", 2))
-      operation = {Kind::REMOVE, number(1), 0, {}, 0};
-    else if(is("scale", 2))
-      operation = {Kind::SCALE, 0, 0, {}, parsed<std::int64_t>(1)};
+      operation = {Kind::REMOVE, number(1), 0, {}};
     else
       require(false, "there is no such operation");
     return operation;

@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -51,8 +51,8 @@ inline std::vector<int> parse_braid_word(const std::string& text)
 
 // The closure of a braid, around the z-axis. Strands run side by side on circles whose radii differ
 // by 1; a letter turns two of them around each other by a half turn within its sector, so that they
-// stay at distance 1 of each other and of all others. Letters without a common strand share a sector.
-// Positive letters make positive crossings.
+// stay at distance 1 of each other and of all others. Letters without a common strand share a
+// sector. Positive letters make positive crossings.
 class Braid_closure
 {
 public:
@@ -143,7 +143,8 @@ private:
 };
 
 /* returns the closure of a braid, see `parse_braid_word()` and `Braid_closure`. `number_of_strands`
- * asks for more strands than the word uses: an empty word with n strands is the unlink of n circles.
+ * asks for more strands than the word uses: an empty word with n strands is the unlink of n
+ * circles.
  * \throws std::invalid_argument if the nodes are too few
  */
 inline Polygons braid_closure(const std::vector<int>& word,

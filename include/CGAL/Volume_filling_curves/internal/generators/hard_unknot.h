@@ -10,8 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
+#include <CGAL/Volume_filling_curves/internal/generators/regular_polygon.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <cmath>
 #include <cstddef>
@@ -30,8 +31,9 @@ template <typename Traits>
 class Random_tangler
 {
 public:
-  Random_tangler(Curve_network_3<Traits>& curve, std::uint64_t seed)
-      : m_curve(curve), m_guard(curve), m_random(seed)
+  // Sets the clearance of the guard.
+  Random_tangler(Isotopy_guard_3<Traits>& guard, std::uint64_t seed)
+      : m_guard(guard), m_curve(guard.curve()), m_random(seed)
   {
     m_guard.set_clearance(clearance);
   }
@@ -63,8 +65,8 @@ public:
 private:
   static constexpr double clearance = 0.01; // of the ball's radius
 
-  Curve_network_3<Traits>& m_curve;
-  Isotopy_guard_3<Traits> m_guard;
+  Isotopy_guard_3<Traits>& m_guard;
+  const Curve_network_3<Traits>& m_curve;
   Random_source m_random;
 };
 
@@ -80,13 +82,9 @@ inline Polygons hard_unknot(std::size_t number_of_nodes,
   if(number_of_nodes < 3) throw std::invalid_argument("an unknot needs at least 3 nodes");
   std::size_t coarse_nodes = number_of_nodes, number_of_levels = 1;
   for(; coarse_nodes > most_coarse_nodes; coarse_nodes = (coarse_nodes + 1) / 2) ++number_of_levels;
-  Polygon circle;
-  for(std::size_t k = 0; k < coarse_nodes; ++k) {
-    const auto [x, y] = cos_sin(static_cast<double>(k) / static_cast<double>(coarse_nodes));
-    circle.push_back({radius * x, radius * y, 0});
-  }
-  Curve_network_3<> curve = make_network(Polygons(1, circle));
-  Random_tangler<Curve_flow_traits_3<>> tangler(curve, seed);
+  Curve_network_3<> curve = closed_network({regular_polygon(coarse_nodes, radius)});
+  Isotopy_guard_3<> guard(curve);
+  Random_tangler<Curve_flow_traits_3<>> tangler(guard, seed);
   double reach = 2 * radius;
   for(std::size_t level = 0; level < number_of_levels; ++level, reach /= 2) {
     if(level > 0) tangler.refine(number_of_nodes);

@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <array>
 #include <cstddef>
@@ -25,9 +25,9 @@ namespace internal {
 
 // A random self-avoiding polygon on the cubic lattice, grown from a unit square: a random edge is
 // pushed sideways by one, if both new sites are free (the growing move of Berg, Foerster, Aragao de
-// Carvalho, Caracciolo and Froehlich, 1981-83). Every move is an isotopy, so the polygon is an unknot;
-// nodes, edges and planes coincide in all ways that arithmetic with doubles gets wrong. Expected time
-// O(n log n).
+// Carvalho, Caracciolo and Froehlich, 1981-83). Every move is an isotopy, so the polygon is an
+// unknot; nodes, edges and planes coincide in all ways that arithmetic with doubles gets wrong.
+// Expected time O(n log n).
 class Lattice_polygon
 {
 public:

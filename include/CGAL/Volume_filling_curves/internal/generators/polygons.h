@@ -10,12 +10,13 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
+#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/parameters.h>
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What the generators make: closed polygons, one per component, and what they share: spreading nodes
-// evenly along a finely sampled curve, and turning it by a random rotation.
+// What the generators make: closed polygons, one per component, and what they share: spreading
+// nodes evenly along a finely sampled curve, and turning it by a random rotation.
 using Polygon = std::vector<Vector>;
 using Polygons = std::vector<Polygon>;
 
@@ -37,18 +38,9 @@ using Polygons = std::vector<Polygon>;
 constexpr std::size_t samples_per_node = 8;
 
 template <typename Traits = Curve_flow_traits_3<>>
-Curve_network_3<Traits> make_network(const Polygons& polygons, const Traits& traits = Traits())
+Curve_network_3<Traits> closed_network(const Polygons& polygons, const Traits& traits = Traits())
 {
-  std::vector<typename Traits::Point_3> points;
-  std::vector<std::array<std::size_t, 2>> edges;
-  for(const Polygon& polygon : polygons) {
-    const std::size_t first = points.size(), n = polygon.size();
-    for(std::size_t i = 0; i < n; ++i) {
-      points.push_back(to_point(polygon[i], traits));
-      edges.push_back({first + i, first + (i + 1) % n});
-    }
-  }
-  return Curve_network_3<Traits>(points, edges, traits);
+  return Curve_network_3<Traits>(polygons, parameters::closure(Closure::CLOSED), traits);
 }
 
 inline double perimeter(const Polygon& polygon)
@@ -77,8 +69,8 @@ inline Polygon equally_spaced(const Polygon& polygon, std::size_t n)
   return result;
 }
 
-/* returns polygons with `number_of_nodes` equally spaced nodes together, each component with a share
- * in proportion to its length.
+/* returns polygons with `number_of_nodes` equally spaced nodes together, each component with a
+ * share in proportion to its length.
  * \throws std::invalid_argument if that spaces them wider than `max_spacing`, so that strands might
  * cut through each other
  */

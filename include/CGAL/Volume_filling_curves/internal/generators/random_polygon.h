@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/generators/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <cmath>
 #include <cstddef>
@@ -41,9 +41,9 @@ inline void turn_pair(Vector& u, Vector& v, Random_source& random)
 
 /* returns a random closed polygon with edges of length 1: edge vectors that sum to 0 (pairs of
  * opposite ones, and a triangle if their number is odd) are shuffled, and random pairs are turned
- * around their sum, which mixes them in O(n log n) (the hedgehog method, Klenin et al. 1988; Alvarado,
- * Calvo and Millett 2011). It is embedded with probability 1, and mostly knotted if it has several
- * hundred nodes.
+ * around their sum, which mixes them in O(n log n) (the hedgehog method, Klenin et al. 1988;
+ * Alvarado, Calvo and Millett 2011). It is embedded with probability 1, and mostly knotted if it
+ * has several hundred nodes.
  * \throws std::invalid_argument if there are less than 3 nodes
  */
 inline Polygons random_polygon(std::size_t number_of_nodes, std::uint64_t seed)

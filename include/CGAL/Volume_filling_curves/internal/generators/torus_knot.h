@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -27,8 +27,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 /* returns the torus knot T(p, q), a link of gcd(p, q) components if that is not 1: on a torus with
- * the radii 2 and 1 it runs p times around the axis and |q| times around the core. Its crossings are
- * positive if q is, so that T(2, 3) is the right-handed trefoil and T(2, -3) the left-handed one.
+ * the radii 2 and 1 it runs p times around the axis and |q| times around the core. Its crossings
+ * are positive if q is, so that T(2, 3) is the right-handed trefoil and T(2, -3) the left-handed
+ * one.
  * \throws std::invalid_argument if p < 1 or q = 0, or if the nodes are too few for the knot
  */
 inline Polygons torus_knot(int p, int q, std::size_t number_of_nodes, std::uint64_t seed = 0)

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// vfc check: lists every defect of a curve or a mesh, and where a curve leaves a mesh; replays the
+// record of a run.
+
+#include "commands/commands.h"
+#include "files/certificates.h"
+#include "files/curve_files.h"
+#include "files/mesh_files.h"
+#include "options/Command_line.h"
+#include "reports/containment.h"
+#include "session/Exit_status.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+struct Check_options
+{
+  std::string file, mesh; // with a certificate the curves at the start and at the end
+  std::string certificate, domain;
+  bool is_network = false;
+};
+
+template <typename Number>
+Report::Json known(const Number& number)
+{
+  return number > 0 ? Report::Json(number) : Report::Json();
+}
+
+Report::Json to_json(const Defect& defect)
+{
+  return {{"kind", defect.kind},
+          {"severity", defect.is_error ? "error" : "warning"},
+          {"file", defect.file},
+          {"line", known(defect.line)},
+          {"nodes", defect.nodes},
+          {"faces", defect.faces},
+          {"component", known(defect.component)},
+          {"message", defect.message}};
+}
+
+// Prints and reports the defects.
+void list(Session& session, const Defects& defects)
+{
+  Report::Json& listed = session.report()["defects"] = Report::Json::array();
+  for(const Defect& defect : defects) {
+    session.print_result(defect.text + '\n');
+    listed.push_back(to_json(defect));
+  }
+}
+
+void append(Defects& defects, Defects more)
+{
+  std::move(more.begin(), more.end(), std::back_inserter(defects));
+}
+
+Defects defects_of_curve(Report& report, const Check_options& options)
+{
+  Curve_and_defects curve = read_curve_and_defects(options.file, options.is_network);
+  Defects defects = std::move(curve.defects);
+  if(curve.is_valid) {
+    report["components"] = curve.curve.number_of_components();
+    report["nodes_start"] = curve.curve.number_of_nodes();
+  }
+  if(options.mesh.empty()) return defects;
+  Mesh_and_defects mesh = read_mesh_and_defects(options.mesh);
+  append(defects, std::move(mesh.defects));
+  if(!curve.is_valid || !mesh.is_valid) return defects;
+  const Containment found = containment(curve.curve, Domain(mesh.mesh));
+  report_containment(report, found);
+  append(defects, to_defects(found, curve.curve, options.file));
+  return defects;
+}
+
+Defects find_defects(Session& session, const Check_options& options)
+{
+  const bool has_second = !options.mesh.empty();
+  if(!options.certificate.empty()) {
+    if(!has_second) throw Usage_error("--certificate: needs two curves, START and END");
+    return defects_of_certificate(session,
+                                  {options.certificate, options.file, options.mesh, options.domain},
+                                  options.is_network);
+  }
+  if(!options.domain.empty())
+    throw Usage_error("--domain: is for --certificate; a curve is checked with FILE MESH");
+  const bool is_mesh = is_mesh_file(options.file);
+  if(is_mesh && has_second)
+    throw Usage_error("FILE: " + options.file + ": is a surface, but " + options.mesh +
+                      " takes a curve to check");
+  return is_mesh ? read_mesh_and_defects(options.file).defects
+                 : defects_of_curve(session.report(), options);
+}
+
+int check(Session& session, const Check_options& options)
+{
+  Report& report = session.report();
+  report["input"] = options.file;
+  session.add_input(options.file);
+  if(!options.mesh.empty()) session.add_input(options.mesh);
+  Defects defects = find_defects(session, options);
+  session.end_stage("checking");
+  list(session, defects);
+  const auto errors = std::count_if(defects.begin(), defects.end(),
+                                    [](const Defect& defect) { return defect.is_error; });
+  const std::string& checked = options.certificate.empty() ? options.file : options.certificate;
+  session.console().note(checked + ": errors: " + std::to_string(errors) + ", warnings: " +
+                         std::to_string(defects.size() - static_cast<std::size_t>(errors)));
+  if(errors > 0) {
+    report.set_error(Input_error(std::move(defects), "valid"));
+    return INVALID_INPUT;
+  }
+  report["status"] = "done";
+  return GOAL_REACHED;
+}
+
+} // namespace
+
+void add_check_command(Command_line& command_line)
+{
+  const auto options = std::make_shared<Check_options>();
+  CLI::App& command =
+      command_line.add_command("check", "list every defect of a curve or a mesh",
+                               [options](Session& session) { return check(session, *options); });
+  add_file(command, "FILE", options->file,
+           "a curve, .obj with lines, .polylines.txt, .vect, .xyz, .txt or .dat, or a surface, "
+           ".off, .obj with faces, .ply, "
+           ".stl or .vtp")
+      .required();
+  add_mesh(command, options->mesh)
+      .description("a surface; the curve FILE must lie strictly inside of it");
+  add_network_flag(command, options->is_network);
+  add_file(command, "--certificate", options->certificate,
+           "the record of a run: replay it, with the curves at its start and its end for FILE and "
+           "MESH");
+  add_file(command, "--domain", options->domain,
+           "a surface that the curve must not have left while it moved; with --certificate");
+  command.footer("Prints a line per defect: FILE:LINE: error|warning: KIND: message (nodes i j).\n"
+                 "Exit status: 0 no error found, 4 errors found or the certificate rejected.");
+}
+
+} // namespace vfc

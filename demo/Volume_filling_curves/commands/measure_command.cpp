@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// vfc measure: what a curve is like.
+
+#include "commands/commands.h"
+#include "files/curve_files.h"
+#include "files/mesh_files.h"
+#include "options/Command_line.h"
+#include "options/numbers.h"
+#include "options/shared_options.h"
+#include "reports/containment.h"
+#include "reports/coverage_report.h"
+#include "reports/shape.h"
+#include "session/Exit_status.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace vfc {
+namespace {
+
+struct Measure_options
+{
+  std::string file, mesh;
+  double thickness = 0;
+  std::size_t seed = 0;
+  bool is_network = false;
+};
+
+std::string cell(const Report::Json& value)
+{
+  if(value.is_number_float() && std::isfinite(double(value))) return to_text(double(value));
+  if(value.is_null() || value.is_number_float()) return "-";
+  if(!value.is_array()) return value.dump();
+  std::string text;
+  for(const Report::Json& item : value)
+    text += (text.empty() ? "" : " ") + (item.is_array() ? '[' + cell(item) + ']' : cell(item));
+  return text;
+}
+
+std::string row(const std::string& key, const Report::Json& value)
+{
+  constexpr std::size_t width = 28;
+  return key + std::string(width - key.size(), ' ') + cell(value) + '\n';
+}
+
+// One line per key of the report.
+std::string table(const Report& report)
+{
+  std::string text;
+  for(const std::string key :
+      {"components", "nodes_end", "length_end", "component_lengths", "thickness", "min_clearance",
+       "total_curvature", "component_total_curvatures", "max_curvature", "min_bend_radius",
+       "polygonal_thickness", "ropelength", "average_crossing_number", "linking_matrix",
+       "medial_radius"})
+    text += row(key, report[key]);
+  return text;
+}
+
+// What it is like in the mesh.
+std::string table_of_filling(const Report& report)
+{
+  std::string text;
+  for(const std::string key : {"outside_nodes", "outside_segments"}) text += row(key, report[key]);
+  for(const auto& [key, value] : report["coverage"].items()) text += row("coverage_" + key, value);
+  text += row("unfilled_fraction", report["unfilled_fraction"]);
+  for(const Report::Json& region : report["empty_regions"])
+    text += row("empty_region", Report::Json::array({region["point"], region["volume"]}));
+  return text;
+}
+
+void measure_filling(Session& session, const Measure_options& options, const Curve& curve)
+{
+  const Domain domain(read_mesh(session, options.mesh).mesh);
+  report_containment(session.report(), containment(curve, domain));
+  const Thickness thickness =
+      options.thickness > 0 ? constant_thickness(options.thickness) : Thickness();
+  measure_coverage(session.report(), curve, domain, thickness, options.seed);
+  session.report()["seed"] = options.seed;
+}
+
+int measure(Session& session, const Measure_options& options)
+{
+  session.add_input(options.file);
+  if(!options.mesh.empty()) session.add_input(options.mesh);
+  const Curve curve = read_curve(session, options.file, options.is_network);
+  report_shape(session.report(), curve, options.thickness);
+  if(!options.mesh.empty()) measure_filling(session, options, curve);
+  session.end_stage("measuring");
+  session.report()["status"] = "done";
+  session.print_result(table(session.report()));
+  if(!options.mesh.empty()) session.print_result(table_of_filling(session.report()));
+  return GOAL_REACHED;
+}
+
+} // namespace
+
+void add_measure_command(Command_line& command_line)
+{
+  const auto options = std::make_shared<Measure_options>();
+  CLI::App& command =
+      command_line.add_command("measure", "what a curve is like, also in a mesh",
+                               [options](Session& session) { return measure(session, *options); });
+  add_curve(command, options->file);
+  add_mesh(command, options->mesh).description("a surface that the curve is meant to fill");
+  add_number(command, "--thickness", options->thickness,
+             "r, in the input's unit: segments within pi r of each other along the curve do not "
+             "count for min_clearance; needed for medial_radius and empty_regions")
+      .type_name("R");
+  add_seed_option(command, options->seed, "of the samples in MESH");
+  add_network_flag(command, options->is_network);
+  command.footer(
+      "Prints the keys of the report, - for what does not apply. Lengths are in the input's unit,\n"
+      "curvatures in its reciprocal, angles in radians.\n"
+      "  total_curvature      sum of the turning angles; 2 pi for a circle\n"
+      "  min_bend_radius      least bend radius of a corner, 1 / max_curvature\n"
+      "  polygonal_thickness  radius of the thickest tube around the curve\n"
+      "  ropelength           length / polygonal_thickness; 2 pi for a circle\n"
+      "  min_clearance        least distance of two segments that are not neighbors\n"
+      "  medial_radius        mean of the medial radii, capped at 2 r\n"
+      "With MESH:\n"
+      "  outside_segments     segments with a point on or beyond the surface, counted exactly\n"
+      "  coverage             distances of samples of the inside to the curve, in units of r\n"
+      "  empty_region         center and volume of a part that is farther than 2 r from the curve");
+}
+
+} // namespace vfc

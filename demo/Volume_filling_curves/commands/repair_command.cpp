@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// vfc repair: makes a mesh what vfc fill accepts.
+
+#include "commands/commands.h"
+#include "files/mesh_files.h"
+#include "meshes/mesh_to_text.h"
+#include "meshes/read_mesh_soup.h"
+#include "options/Command_line.h"
+#include "repair/read_mended_mesh.h"
+#include "session/Exit_status.h"
+
+#include <memory>
+#include <string>
+
+namespace vfc {
+namespace {
+
+struct Repair_options
+{
+  std::string mesh, output;
+  double alpha = 0;
+};
+
+int repair(Session& session, const Repair_options& options)
+{
+  const std::string extension = lower_case_extension(options.output);
+  if(!is_written_mesh_extension(extension))
+    throw Usage_error("--output: " + options.output +
+                      ": meshes are written to .off, .obj or .ply files, which keep all digits");
+  session.report()["input"] = options.mesh;
+  session.add_input(options.mesh, "--output");
+  session.outputs().add("--output", options.output);
+  const Mesh_and_defects mended = read_mended_mesh(session, options.mesh, options.alpha);
+  Output_files::write(options.output, to_text(mended.mesh, extension));
+  session.end_stage("writing");
+  session.report()["faces"] = mended.mesh.number_of_faces();
+  session.report()["status"] = "done";
+  session.print_summary("wrote " + options.output + ": faces " +
+                        std::to_string(mended.mesh.number_of_faces()) + '\n');
+  return GOAL_REACHED;
+}
+
+} // namespace
+
+void add_repair_command(Command_line& command_line)
+{
+  const auto options = std::make_shared<Repair_options>();
+  CLI::App& command =
+      command_line.add_command("repair", "make a mesh closed and free of self-intersections",
+                               [options](Session& session) { return repair(session, *options); });
+  add_mesh(command, options->mesh)
+      .required()
+      ->description("a triangle mesh, .off, .obj, .ply, .stl or .vtp, with defects or without");
+  add_file(command, "-o,--output", options->output, "the mended mesh, .off, .obj or .ply")
+      .required();
+  add_number(
+      command, "--alpha", options->alpha,
+      "width of the gaps that wrapping, the last resort, does not enter, in the input's unit; "
+      "default: a fiftieth of the diagonal")
+      .type_name("A");
+  command.footer(
+      "Drops degenerate and repeated faces and small sheets, closes holes, cuts out\n"
+      "self-intersections and unites shells that overlap. Only if that is not enough, a new\n"
+      "surface is wrapped around all faces. Prints a line for each thing that was done, and how\n"
+      "far the surface has moved. Equal inputs give equal meshes.\n"
+      "Exit status: 0 the mesh is one that vfc fill accepts, 4 it cannot be mended.");
+}
+
+} // namespace vfc

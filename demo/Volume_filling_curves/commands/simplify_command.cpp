@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// vfc simplify: removes every node that can be removed.
+
+#include "commands/commands.h"
+#include "files/certificates.h"
+#include "files/curve_files.h"
+#include "files/curve_map.h"
+#include "options/Command_line.h"
+#include "options/numbers.h"
+#include "options/pins.h"
+#include "options/shared_options.h"
+#include "reports/shape.h"
+#include "session/Exit_status.h"
+
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/simplify_curves.h>
+
+#include <memory>
+#include <string>
+
+namespace vfc {
+namespace {
+
+namespace curves = CGAL::Volume_filling_curves;
+
+struct Simplify_options
+{
+  std::string file, output, certificate, map;
+  curves::Simplification_parameters parameters;
+  Curve_options curve;
+};
+
+void plan_outputs(Session& session, const Simplify_options& options)
+{
+  session.add_input(options.file, "--output");
+  add_curve_file(session.outputs(), "--output", options.output);
+  session.outputs().add("--certificate", options.certificate);
+  session.outputs().add("--map", options.map);
+}
+
+std::string summary(const Report& report)
+{
+  return "nodes " + report["nodes_start"].dump() + " -> " + report["nodes_end"].dump() +
+         ", length " + to_text(report["length_start"]) + " -> " + to_text(report["length_end"]) +
+         '\n';
+}
+
+int run(Session& session, const Simplify_options& options)
+{
+  plan_outputs(session, options);
+  Curve curve = read_curve(session, options.file, options.curve.is_network);
+  pin_nodes(curve, options.curve);
+  curves::Isotopy_certificate certificate;
+  Report& report = session.report();
+  curves::Simplification_parameters parameters = options.parameters;
+  if(!options.certificate.empty()) parameters.certificate = &certificate;
+  report["removed_nodes"] = curves::simplify_curves(curve, parameters);
+  session.end_stage("simplifying");
+  // the certificate first: no curve comes out of a run that was to be certified without one
+  if(!options.certificate.empty()) write_certificate(options.certificate, certificate);
+  if(!options.output.empty()) write_curve(options.output, curve);
+  write_map(options.map, options.output, curve);
+  session.end_stage("writing");
+  if(session.has_report()) report_shape(report, curve, 0);
+  report["nodes_end"] = curve.number_of_nodes();
+  report["length_end"] = curves::length(curve);
+  report["status"] = "done";
+  session.print_summary(summary(report));
+  return GOAL_REACHED;
+}
+
+} // namespace
+
+void add_simplify_command(Command_line& command_line)
+{
+  const auto options = std::make_shared<Simplify_options>();
+  CLI::App& command =
+      command_line.add_command("simplify", "remove every node that can be removed",
+                               [options](Session& session) { return run(session, *options); });
+  add_curve(command, options->file);
+  add_curve_output(command, options->output);
+  add_file(command, "--certificate", options->certificate,
+           "the record of all certified changes, to be verified by vfc check --certificate");
+  add_file(command, "--map", options->map,
+           "for each node of the result, a line with its number in CURVE");
+  add_number(command, "--max-distance", options->parameters.max_distance,
+             "how far the result may be from the input, in the input's unit; default: any distance",
+             not_negative)
+      .type_name("D");
+  add_number(command, "--clearance", options->parameters.clearance,
+             "what edges without a common node keep as distance, in the input's unit", not_negative)
+      .capture_default_str()
+      ->type_name("C");
+  add_curve_options(command, options->curve);
+  command.footer(
+      "Ends, junctions and pinned nodes stay. The result is the same knot or link: every\n"
+      "removal is certified.");
+}
+
+} // namespace vfc

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// vfc untangle: brings a knot or link to its simplest shape by certified motion.
+
+#include "commands/commands.h"
+#include "files/certificates.h"
+#include "files/curve_map.h"
+#include "files/mesh_files.h"
+#include "options/Command_line.h"
+#include "options/Untangle_options.h"
+#include "options/numbers.h"
+#include "options/pins.h"
+#include "options/thickness.h"
+#include "reports/containment.h"
+#include "reports/shape.h"
+#include "reports/untangle_report.h"
+#include "session/Flow_observer.h"
+#include "session/interruption.h"
+
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/default_thickness.h>
+#include <CGAL/Volume_filling_curves/untangle_in_domain.h>
+
+#include <CGAL/tags.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+namespace curves = CGAL::Volume_filling_curves;
+using curves::Untangling_result;
+using curves::Untangling_strategy;
+
+void plan_outputs(Output_files& outputs, const Untangle_options& options)
+{
+  add_curve_file(outputs, "--output", options.output);
+  outputs.add("--certificate", options.certificate);
+  outputs.add("--map", options.film.map);
+  outputs.add_folder("--frames", options.film.frames, Frames::is_frame);
+}
+
+void pin(Curve& curve, const Untangle_options& options)
+{
+  pin_nodes(curve, options.curve);
+  if(!options.parameters.keep_length) return;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.is_pinned(v))
+      throw Usage_error("--keep-length: node " + std::to_string(curve.origin(v) + 1) +
+                        " is pinned, so the result cannot be scaled");
+}
+
+// The thickness that was asked for, if it makes sense, or the default;
+// 0 where it is measured later, after a search; only a small spacing can ask for too many nodes
+// then
+double thickness(const Curve& curve, const curves::Untangling_parameters& parameters)
+{
+  constexpr double harmless_spacing = 0.01;
+  const double asked = parameters.thickness, spacing = parameters.spacing;
+  check_thickness(asked, spacing, curve);
+  const bool is_flow = parameters.strategy == Untangling_strategy::FLOW;
+  if(asked > 0 || (!is_flow && spacing >= harmless_spacing)) return asked;
+  const double found = curves::default_thickness<CGAL::Parallel_if_available_tag>(
+      curve, parameters.number_of_directions);
+  check_thickness(found, spacing, curve);
+  return is_flow ? found : asked;
+}
+
+// The domain that the curve must stay in, if there is one. \throws Input_error unless it is inside
+std::optional<Domain> read_domain(Session& session,
+                                  const Untangle_options& options,
+                                  const Curve& curve)
+{
+  if(options.domain.empty()) return std::nullopt;
+  std::optional<Domain> domain(std::in_place, read_mesh(session, options.domain).mesh);
+  Defects outside = to_defects(curves::containment(curve, *domain), curve, options.file);
+  if(!outside.empty())
+    throw Input_error(std::move(outside), "strictly inside of " + options.domain);
+  return domain;
+}
+
+Untangling_result untangle(Curve& curve,
+                           const std::optional<Domain>& domain,
+                           const Untangle_options& options,
+                           curves::Isotopy_certificate& certificate,
+                           Flow_observer& observer)
+{
+  curves::Untangling_parameters parameters = options.parameters;
+  parameters.thickness = thickness(curve, parameters);
+  if(!options.certificate.empty()) parameters.certificate = &certificate;
+  using Tag = CGAL::Parallel_if_available_tag;
+  return domain ? curves::untangle<Tag>(curve, *domain, parameters, std::ref(observer))
+                : curves::untangle<Tag>(curve, parameters, std::ref(observer));
+}
+
+void write_files(Session& session,
+                 const Untangle_options& options,
+                 const Curve& curve,
+                 const curves::Isotopy_certificate& certificate)
+{
+  // the certificate first: no curve comes out of a run that was to be certified without one
+  if(!options.certificate.empty()) write_certificate(options.certificate, certificate);
+  if(!options.output.empty()) write_curve(options.output, curve);
+  write_map(options.film.map, options.output, curve);
+  session.end_stage("writing");
+}
+
+// Strands that are in the way of the scaling end it early.
+void check_length(const Session& session,
+                  const Untangle_options& options,
+                  const Curve& curve,
+                  double wanted)
+{
+  constexpr double precision = 1e-9;
+  const double length = curves::length(curve);
+  if(options.parameters.keep_length && std::abs(length - wanted) > precision * wanted)
+    session.console().warn("--keep-length: the length is " + to_text(length) + " instead of " +
+                           to_text(wanted));
+}
+
+int run(Session& session, const Untangle_options& options)
+{
+  session.report()["seed"] = options.parameters.random_seed;
+  session.add_input(options.file, "--output");
+  if(!options.domain.empty()) {
+    session.add_input(options.domain);
+    if(options.parameters.strategy == Untangling_strategy::SEARCH)
+      throw Usage_error("--domain: only for the strategy flow, since tighten does not know it");
+  }
+  plan_outputs(session.outputs(), options);
+  poll_interruptions();
+  Curve curve = read_curve(session, options.file, options.curve.is_network);
+  const double length = curves::length(curve);
+  pin(curve, options);
+  const std::optional<Domain> domain = read_domain(session, options, curve);
+  curves::Isotopy_certificate certificate;
+  Untangling_result result;
+  {
+    Flow_observer observer(session, options.parameters, options.parameters.tolerance,
+                           Frames(options.film.frames, options.film.every));
+    result = untangle(curve, domain, options, certificate, observer);
+  }
+  check_length(session, options, curve, length);
+  report_stages(session, result.statistics);
+  write_files(session, options, curve, certificate);
+  if(session.has_report()) report_shape(session.report(), curve, result.thickness);
+  session.end_stage("measuring");
+  report_run(session.report(), result, options.parameters.strategy);
+  session.print_summary(summary(session, curve, result));
+  return exit_status(result.status);
+}
+
+} // namespace
+
+void add_untangle_command(Command_line& command_line)
+{
+  const auto options = std::make_shared<Untangle_options>();
+  CLI::App& command = command_line.add_command(
+      "untangle", "bring a knot or link to its simplest shape by certified motion",
+      [options](Session& session) { return run(session, *options); });
+  add_untangle_options(command, *options);
+  command.footer(
+      "The curve moves until it is proved to be unknotted, or is tight, or gets nowhere; it never\n"
+      "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run "
+      "and\n"
+      "write the curve as it is; a second one ends at once.\n"
+      "Exit status: 0 unknotted or converged, 2 a limit was reached, 3 stalled, 5 interrupted.");
+}
+
+} // namespace vfc

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "files/Output_files.h"
+
+#include "session/errors.h"
+
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace vfc {
+namespace {
+
+namespace fs = std::filesystem;
+namespace files = CGAL::Volume_filling_curves::internal;
+
+// Only trying tells whether a file can be created.
+std::error_code try_to_create(const fs::path& path)
+{
+  fs::path written;
+  std::error_code error = files::write_beside(path, "", written), ignored;
+  if(!error) fs::remove(written, ignored);
+  return error;
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& path, const std::string& why)
+{
+  throw Usage_error(option + ": " + path + ": " + why);
+}
+
+void check_writable(const std::string& option, const fs::path& path)
+{
+  std::error_code error;
+  const fs::path target = files::behind_links(path, error);
+  if(!error) error = try_to_create(target);
+  if(error) refuse(option, path.string(), "cannot be written: " + error.message());
+}
+
+// Also through links, hard links, and for files that do not exist yet.
+bool are_same_file(const fs::path& a, const fs::path& b)
+{
+  std::error_code error;
+  if(fs::equivalent(a, b, error)) return !fs::is_other(fs::status(a, error));
+  const auto place = [](const fs::path& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(files::behind_links(path, ignored)), ignored);
+  };
+  return !fs::exists(fs::status(a, error)) && place(a) == place(b);
+}
+
+} // namespace
+
+void Output_files::add_input(const std::string& path, const std::string& replaced_by)
+{
+  for(const Output& output : m_outputs)
+    if(output.option != replaced_by && are_same_file(output.path, path))
+      refuse(output.option, output.path, "is the input " + path);
+  m_inputs.push_back({path, replaced_by});
+}
+
+void Output_files::add(const std::string& option, const std::string& path)
+{
+  if(path.empty()) return;
+  for(const Input& input : m_inputs)
+    if(option != input.replaced_by && are_same_file(path, input.path))
+      refuse(option, path, "is the input " + input.path);
+  for(const Output& output : m_outputs)
+    if(are_same_file(path, output.path))
+      refuse(option, path, "is also the file of " + output.option);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if(fs::is_directory(status)) refuse(option, path, "is a folder");
+  if(fs::exists(status) && !fs::is_regular_file(status)) return;
+  if(fs::exists(status) && !m_may_overwrite) refuse(option, path, "exists; --force overwrites it");
+  check_writable(option, path);
+  m_outputs.push_back({option, path});
+}
+
+void Output_files::add_folder(const std::string& option,
+                              const std::string& path,
+                              bool (*is_replaced)(const fs::path& file))
+{
+  if(path.empty()) return;
+  std::error_code error;
+  const fs::path folder(path);
+  const fs::file_status status = fs::status(folder, error);
+  if(!fs::exists(status)) {
+    const bool has_name = folder.has_filename();
+    return check_writable(option, has_name ? folder : folder.parent_path());
+  }
+  if(!fs::is_directory(status)) refuse(option, path, "is no folder");
+  const auto is_there = [&](const std::string& file) {
+    return is_replaced(file) && are_same_file(folder, fs::absolute(file).parent_path());
+  };
+  for(const Input& input : m_inputs)
+    if(is_there(input.path)) refuse(option, path, "holds the input " + input.path);
+  for(const Output& output : m_outputs)
+    if(is_there(output.path)) refuse(option, path, "holds the file of " + output.option);
+  if(!fs::is_empty(folder, error) && !m_may_overwrite)
+    refuse(option, path, "is not empty; --force overwrites what is there");
+  check_writable(option, folder / "frame");
+}
+
+void Output_files::write(const std::string& path, const std::string& content)
+{
+  if(const std::error_code error = files::write_whole_file(path, content))
+    throw Usage_error(path + ": cannot be written: " + error.message());
+}
+
+} // namespace vfc

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "files/certificates.h"
+
+#include "files/Output_files.h"
+#include "files/curve_files.h"
+#include "files/mesh_files.h"
+#include "session/Session.h"
+#include "session/errors.h"
+
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+#include <CGAL/Volume_filling_curves/verify_certificate_in_domain.h>
+
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+namespace curves = CGAL::Volume_filling_curves;
+
+Defect rejection(const std::string& file, const std::string& message)
+{
+  return {"certificate rejected", file, {}, 0, message};
+}
+
+curves::Isotopy_certificate read_certificate(const std::string& file)
+{
+  std::string content;
+  const std::error_code error = curves::internal::read_whole_file(file, content);
+  if(error) throw std::invalid_argument(error.message());
+  return curves::Isotopy_certificate(std::move(content));
+}
+
+Curve read_end(Session& session, const std::string& file, bool is_network)
+{
+  Curve_and_defects read = read_curve_and_defects(file, is_network);
+  if(!read.is_valid) throw Input_error(std::move(read.defects), "a valid curve");
+  session.report()["nodes_end"] = read.curve.number_of_nodes();
+  session.report()["length_end"] = curves::length(read.curve);
+  return std::move(read.curve);
+}
+
+bool is_text_file(const std::string& file)
+{
+  constexpr std::string_view ending = ".txt";
+  return file.size() > ending.size() &&
+         file.compare(file.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+} // namespace
+
+void write_certificate(const std::string& file, const curves::Isotopy_certificate& certificate)
+{
+  Output_files::write(file, is_text_file(file) ? certificate.text() : certificate.bytes());
+}
+
+Defects defects_of_certificate(Session& session, const Certificate_files& files, bool is_network)
+{
+  session.add_input(files.certificate);
+  if(!files.domain.empty()) session.add_input(files.domain);
+  const Curve start = read_curve(session, files.start, is_network);
+  const Curve end = read_end(session, files.end, is_network);
+  session.report()["input"] = files.start;
+  Mesh domain;
+  if(!files.domain.empty()) domain = read_mesh(session, files.domain).mesh;
+  try {
+    const curves::Isotopy_certificate certificate = read_certificate(files.certificate);
+    const curves::Certificate_verdict verdict =
+        files.domain.empty() ? curves::verify_certificate(certificate, start, end)
+                             : curves::verify_certificate(certificate, start, end, domain);
+    session.report()["moves_certified"] = verdict.number_of_operations;
+    if(verdict.is_valid) return {};
+    const std::string place =
+        verdict.operation > 0 ? "operation " + std::to_string(verdict.operation) + ": " : "";
+    return {rejection(files.certificate, place + verdict.message)};
+  } catch(const std::invalid_argument& error) {
+    return {rejection(files.certificate, error.what())};
+  }
+}
+
+} // namespace vfc

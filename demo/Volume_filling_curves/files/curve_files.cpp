@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "files/curve_files.h"
+
+#include "files/mesh_files.h"
+#include "session/Session.h"
+
+#include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+
+#include <numeric>
+#include <system_error>
+#include <utility>
+
+namespace vfc {
+
+namespace curves = CGAL::Volume_filling_curves;
+
+Curve_and_defects read_curve_and_defects(const std::string& file, bool is_network)
+{
+  Curve_and_defects result;
+  const auto junctions = is_network ? curves::Junctions::ALLOWED : curves::Junctions::FORBIDDEN;
+  std::vector<curves::Curve_defect> defects;
+  result.is_valid = CGAL::IO::read_embedded_curve_network(file, result.curve, defects, junctions);
+  result.defects = make_defects(defects, file);
+  return result;
+}
+
+Curve read_curve(Session& session, const std::string& file, bool is_network)
+{
+  Report& report = session.report();
+  report["input"] = file;
+  Curve_and_defects read = read_curve_and_defects(file, is_network);
+  if(!read.is_valid)
+    throw Input_error(std::move(read.defects),
+                      is_mesh_file(file) ? "a valid curve; it holds a surface" : "a valid curve");
+  print_defects(session.console(), read.defects);
+  report["components"] = read.curve.number_of_components();
+  report["nodes_start"] = read.curve.number_of_nodes();
+  report["length_start"] = curves::length(read.curve);
+  session.end_stage("reading");
+  return std::move(read.curve);
+}
+
+void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file)
+{
+  if(!file.empty() && curves::internal::Curve_format::of(file) == nullptr)
+    throw Usage_error(option + ": " + file + ": curves are " +
+                      curves::internal::Curve_format::extensions + " files");
+  outputs.add(option, file);
+}
+
+void write_curve(const std::string& file, const Curve& curve)
+{
+  std::error_code error;
+  if(!CGAL::IO::write_curve_network(file, curve, error))
+    throw Usage_error(file + ": cannot be written: " + error.message());
+}
+
+// Where polylines are listed one by one, those that meet in junctions leave the network's order.
+std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curve& curve)
+{
+  std::vector<std::size_t> nodes(curve.number_of_nodes());
+  std::iota(nodes.begin(), nodes.end(), std::size_t(0));
+  const auto* const format = curves::internal::Curve_format::of(file);
+  if(format == nullptr || format->extension == ".obj") return nodes;
+  nodes.clear();
+  std::vector<bool> is_listed(curve.number_of_nodes(), false);
+  for(const auto& path : curves::internal::Curve_paths(curve).paths)
+    for(const std::size_t v : path) {
+      if(!is_listed[v]) nodes.push_back(v);
+      is_listed[v] = true;
+    }
+  return nodes;
+}
+
+} // namespace vfc

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_CURVE_FILES_H
+#define VFC_CURVE_FILES_H
+
+#include "session/errors.h"
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+using Curve = CGAL::Volume_filling_curves::Curve_network_3<>;
+
+class Output_files;
+class Session;
+
+// What is in a file. The curve is empty if one of the defects is an error.
+struct Curve_and_defects
+{
+  Curve curve;
+  Defects defects;
+  bool is_valid = false;
+};
+
+Curve_and_defects read_curve_and_defects(const std::string& file, bool is_network);
+
+// Reads a curve, prints the warnings, and reports the start. \throws Input_error
+Curve read_curve(Session& session, const std::string& file, bool is_network);
+
+// Plans to write a curve, if the name is not empty. \throws Usage_error
+void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file);
+
+// \throws Usage_error
+void write_curve(const std::string& file, const Curve& curve);
+
+// returns the nodes in the order in which they stand in a file of this name
+std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curve& curve);
+
+} // namespace vfc
+
+#endif // VFC_CURVE_FILES_H

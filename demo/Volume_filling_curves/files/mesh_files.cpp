@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "files/mesh_files.h"
+
+#include "meshes/examine_mesh.h"
+#include "meshes/read_mesh_soup.h"
+#include "session/Session.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace vfc {
+namespace {
+
+struct Obj_records
+{
+  bool has_lines = false, has_faces = false;
+};
+
+Obj_records records_of(const std::string& file)
+{
+  Obj_records records;
+  std::ifstream lines(file);
+  for(std::string line, keyword; std::getline(lines, line);) {
+    std::istringstream words(line);
+    if(!(words >> keyword)) continue;
+    records.has_lines = records.has_lines || keyword == "l";
+    records.has_faces = records.has_faces || keyword == "f";
+  }
+  return records;
+}
+
+bool is_curve_file(const std::string& file)
+{
+  const std::string polylines = ".polylines.txt";
+  const bool has_polylines =
+      file.size() > polylines.size() &&
+      file.compare(file.size() - polylines.size(), polylines.size(), polylines) == 0;
+  return has_polylines || (lower_case_extension(file) == ".obj" && records_of(file).has_lines);
+}
+
+// What a file should be, and what to do if it is not.
+std::string expected(const Mesh_findings& findings)
+{
+  if(findings.is_mendable()) return "a valid mesh; vfc repair, or fill with --repair, mends it";
+  if(is_curve_file(findings.file())) return "a valid mesh; it holds a curve";
+  return "a valid mesh";
+}
+
+} // namespace
+
+Mesh_and_defects read_mesh_and_defects(const std::string& file)
+{
+  Mesh_findings findings(file);
+  Mesh_and_defects result = examine(read_mesh_soup(file, findings), findings);
+  result.defects = findings.list();
+  return result;
+}
+
+void accept(Session& session, const Mesh_findings& findings)
+{
+  if(findings.has_error()) throw Input_error(findings.summary(), expected(findings));
+  print_defects(session.console(), findings.list());
+}
+
+Mesh_and_defects read_mesh(Session& session, const std::string& file)
+{
+  Mesh_findings findings(file);
+  Mesh_and_defects result = examine(read_mesh_soup(file, findings), findings);
+  accept(session, findings);
+  session.end_stage("reading");
+  return result;
+}
+
+bool is_mesh_file(const std::string& file)
+{
+  const std::string extension = lower_case_extension(file);
+  if(extension != ".obj") return is_mesh_extension(extension);
+  const Obj_records records = records_of(file);
+  return records.has_faces && !records.has_lines;
+}
+
+} // namespace vfc

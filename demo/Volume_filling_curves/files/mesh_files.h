@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_MESH_FILES_H
+#define VFC_MESH_FILES_H
+
+#include "session/errors.h"
+
+#include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+// The inside of a mesh.
+using Domain = CGAL::Volume_filling_curves::Triangle_mesh_domain_3<>;
+
+class Session;
+class Mesh_findings;
+
+// What is in the file of a closed surface. The mesh is empty if one of the defects is an error.
+struct Mesh_and_defects
+{
+  Mesh mesh;
+  std::vector<std::size_t> origins;           // the places of the vertices in the file, from 0
+  std::size_t number_of_vertices_in_file = 0; // some may have been merged or left out
+  Defects defects;
+  bool is_valid = false;
+};
+
+Mesh_and_defects read_mesh_and_defects(const std::string& file);
+
+// Prints the warnings about a mesh. \throws Input_error with a line for every kind of error
+void accept(Session& session, const Mesh_findings& findings);
+
+// Reads a mesh and accepts it. \throws Input_error
+Mesh_and_defects read_mesh(Session& session, const std::string& file);
+
+// returns whether a file holds a surface rather than a curve: that of the extension, and an OBJ
+// file if it has faces and no lines
+bool is_mesh_file(const std::string& file);
+
+} // namespace vfc
+
+#endif // VFC_MESH_FILES_H

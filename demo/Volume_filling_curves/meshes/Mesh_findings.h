@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_MESH_FINDINGS_H
+#define VFC_MESH_FINDINGS_H
+
+#include "reports/Defect.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace vfc {
+
+// The defects of one mesh file, as they are found: errors, which make the mesh unusable, and
+// warnings of what was repaired. Of each kind the first 1000 are listed, the others counted, up to
+// a million.
+class Mesh_findings
+{
+public:
+  explicit Mesh_findings(const std::string& file) : m_file(file) {}
+
+  void add_error(const std::string& kind, const std::string& message, const Mesh_place& place = {});
+  void add_warning(const std::string& kind,
+                   const std::string& message,
+                   const Mesh_place& place = {});
+
+  const std::string& file() const { return m_file; }
+
+  bool has_error() const { return m_has_error; }
+
+  // returns whether there are errors, all of kinds that repair_mesh() knows to mend
+  bool is_mendable() const;
+
+  // returns what was found, and the total of every kind that is not listed completely
+  Defects list() const;
+
+  // returns one defect for every kind: the first, with the number of others and, if it is an error,
+  // what would mend it
+  Defects summary() const;
+
+  static constexpr std::size_t most_counted = 1000000;
+
+private:
+  void add(const Defect& defect);
+
+  struct Kind
+  {
+    std::size_t number = 0;
+    std::size_t first = 0; // of the defects
+    bool is_error = false;
+  };
+
+  static std::string to_text(std::size_t number);
+
+  std::string m_file;
+  Defects m_defects;
+  std::map<std::string, Kind> m_kinds;
+  bool m_has_error = false;
+};
+
+} // namespace vfc
+
+#endif // VFC_MESH_FINDINGS_H

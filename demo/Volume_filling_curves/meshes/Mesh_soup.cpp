@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "meshes/Mesh_soup.h"
+
+#include "options/numbers.h"
+
+namespace vfc {
+
+void Mesh_soup::number_points()
+{
+  place_of.clear();
+  for(std::size_t v = 0; v < points.size(); ++v) place_of.insert({points[v], v});
+}
+
+std::vector<std::size_t> Mesh_soup::numbers(const std::vector<std::size_t>& vertices) const
+{
+  std::vector<std::size_t> result;
+  for(const std::size_t v : vertices) result.push_back(place(v) + 1);
+  return result;
+}
+
+std::string near(const Kernel::Point_3& p)
+{
+  return " near (" + to_text(p.x()) + ", " + to_text(p.y()) + ", " + to_text(p.z()) + ')';
+}
+
+} // namespace vfc

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_MESH_SOUP_H
+#define VFC_MESH_SOUP_H
+
+#include "files/mesh_files.h"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+// The triangles of a mesh file, and where in the file they and their corners are. Points may be
+// merged, left out and doubled; their coordinates tell where they come from.
+struct Mesh_soup
+{
+  using Point = Kernel::Point_3;
+  using Face = std::array<std::size_t, 3>;
+
+  // Notes the points as those of the file; the first one of equal points counts.
+  void number_points();
+
+  // the place of a point in the file, from 0
+  std::size_t place(std::size_t v) const { return place_of.at(points[v]); }
+
+  // the numbers in the file, from 1
+  std::vector<std::size_t> numbers(const std::vector<std::size_t>& vertices) const;
+
+  std::vector<Point> points;
+  std::vector<Face> faces;
+  std::vector<std::size_t> face_numbers; // in the file, from 1; polygons become several triangles
+  std::map<Point, std::size_t> place_of;
+};
+
+// for messages: where a point is
+std::string near(const Kernel::Point_3& p);
+
+} // namespace vfc
+
+#endif // VFC_MESH_SOUP_H

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_CHECK_SOUP_H
+#define VFC_CHECK_SOUP_H
+
+#include "meshes/Mesh_findings.h"
+#include "meshes/Mesh_soup.h"
+
+namespace vfc {
+
+// Finds what is wrong with single points and triangles, merges equal points and leaves out those
+// without a face. Degenerate triangles are errors, but are taken out for the checks that come next.
+// All decisions are exact. O(n log n).
+void check_soup(Mesh_soup& soup, Mesh_findings& findings);
+
+} // namespace vfc
+
+#endif // VFC_CHECK_SOUP_H

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_CLOSED_SURFACE_H
+#define VFC_CLOSED_SURFACE_H
+
+#include "meshes/Mesh_findings.h"
+#include "meshes/Mesh_soup.h"
+
+namespace vfc {
+
+// Makes a mesh of triangles, which bounds a domain, and finds what keeps it from that: edges of one
+// or of more than two faces, and faces that meet elsewhere than in a common vertex or edge. Where
+// the surface touches itself in a vertex the mesh has several. Faces are turned so that the normals
+// point out of the domain; a shell within an odd number of others bounds a cavity. All decisions
+// are exact. O(n log^2 n) unless many faces have intersecting boxes. \pre no triangle is degenerate
+Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings);
+
+} // namespace vfc
+
+#endif // VFC_CLOSED_SURFACE_H

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_EXAMINE_MESH_H
+#define VFC_EXAMINE_MESH_H
+
+#include "files/mesh_files.h"
+#include "meshes/Mesh_findings.h"
+#include "meshes/Mesh_soup.h"
+
+namespace vfc {
+
+// Finds out whether triangles bound a domain, with findings that may have errors of the file's text
+// already. The result lacks the defects.
+Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings);
+
+// returns the faces of a mesh, numbered as they are in a file of it
+Mesh_soup soup_of(const Mesh& mesh);
+
+// returns whether a mesh bounds a domain as it is
+bool is_sound(const Mesh& mesh);
+
+} // namespace vfc
+
+#endif // VFC_EXAMINE_MESH_H

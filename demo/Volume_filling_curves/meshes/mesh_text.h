@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_MESH_TEXT_H
+#define VFC_MESH_TEXT_H
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vfc {
+
+// What is wrong in the text of a mesh file.
+struct Text_problem
+{
+  std::string kind, message;
+  std::size_t line = 0;          // 0 in a binary file
+  bool is_about_amounts = false; // more is announced than the file can hold
+};
+
+// Do the lines of an OFF file hold what they announce? CGAL's reader refuses files without a
+// reason, and allocates whatever a file announces. A face and a vertex per line is what the format
+// asks for.
+std::vector<Text_problem> problems_of_off(std::string_view text);
+
+// As above, for the amounts in a PLY file, ASCII or binary.
+std::vector<Text_problem> problems_of_ply(std::string_view text);
+
+// returns a part of a text as it may stand in a message: short, and without bytes that are not
+// ASCII
+std::string in_quotes(std::string_view text);
+
+// returns the number of the line, from 1, that a place in the text belongs to
+std::size_t line_at(std::string_view text, std::size_t place);
+
+} // namespace vfc
+
+#endif // VFC_MESH_TEXT_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "meshes/read_mesh_soup.h"
+
+#include "meshes/binary_off.h"
+#include "meshes/mesh_text.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace vfc {
+namespace {
+
+using Polygons = std::vector<std::vector<std::size_t>>;
+
+void add_problems(const std::vector<Text_problem>& problems, Mesh_findings& findings)
+{
+  for(const Text_problem& problem : problems)
+    findings.add_error(problem.kind, problem.message, {problem.line});
+}
+
+// Adds what is wrong with a text that CGAL's reader has refused.
+void add_reasons(const std::string& extension,
+                 const std::vector<Text_problem>& problems,
+                 Mesh_findings& findings)
+{
+  add_problems(problems, findings);
+  if(findings.has_error()) return;
+  if(extension == ".vtp")
+    findings.add_error("unknown format",
+                       "reading .vtp files needs a program that was built with VTK");
+  else
+    findings.add_error("unreadable file",
+                       "this is no complete " + extension + " file of a surface");
+}
+
+// Replaces what continues a line, a backslash at its end, by blanks; all else keeps its place.
+std::string with_continued_lines(std::string text)
+{
+  for(std::size_t i = text.find('\\'); i != std::string::npos; i = text.find('\\', i + 1)) {
+    const std::size_t end = text.compare(i + 1, 2, "\r\n") == 0 ? i + 3 : i + 2;
+    if(end <= text.size() && text[end - 1] == '\n')
+      std::fill(text.begin() + static_cast<std::ptrdiff_t>(i),
+                text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+  }
+  return text;
+}
+
+// CGAL's reader stops after the line that it does not understand.
+void read_obj(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh_findings& findings)
+{
+  std::istringstream in(with_continued_lines(text));
+  if(CGAL::IO::read_OBJ(in, soup.points, polygons) || in.eof()) return; // bad indices show later
+  in.clear();
+  const auto end = static_cast<std::size_t>(in.tellg());
+  const std::size_t line_end = text.find_last_not_of('\n', end - 1);
+  const std::size_t before = text.find_last_of('\n', line_end);
+  const std::size_t start = before == std::string::npos ? 0 : before + 1;
+  findings.add_error("unreadable file",
+                     "this line does not belong in a surface: " +
+                         in_quotes(std::string_view(text).substr(start, line_end + 1 - start)),
+                     {line_at(text, start)});
+}
+
+// \pre the file is not an OBJ file
+void read_with_cgal(const std::string& file,
+                    const std::string& text,
+                    Mesh_soup& soup,
+                    Polygons& polygons,
+                    Mesh_findings& findings)
+{
+  const std::string extension = lower_case_extension(file);
+  std::vector<Text_problem> problems;
+  if(extension == ".off") problems = problems_of_off(text);
+  if(extension == ".ply") problems = problems_of_ply(text);
+  const auto are_amounts = [](const Text_problem& problem) { return problem.is_about_amounts; };
+  if(std::any_of(problems.begin(), problems.end(), are_amounts))
+    return add_problems(problems, findings);
+  bool is_read = false;
+  try {
+    is_read =
+        CGAL::IO::read_polygon_soup(file, soup.points, polygons, CGAL::parameters::verbose(false));
+  } catch(const std::exception&) { // such as no memory for what a header announces
+  }
+  if(!is_read) add_reasons(extension, problems, findings);
+}
+
+void cut_into_triangles(const Polygons& polygons, Mesh_soup& soup, Mesh_findings& findings)
+{
+  std::vector<std::size_t> cut;
+  for(std::size_t f = 0; f < polygons.size(); ++f) {
+    const auto& polygon = polygons[f];
+    if(polygon.size() < 3)
+      findings.add_error("degenerate face", "a face has fewer than three corners",
+                         {0, {}, {f + 1}});
+    if(polygon.size() > 3) cut.push_back(f + 1);
+    for(std::size_t i = 2; i < polygon.size(); ++i) {
+      soup.faces.push_back({polygon[0], polygon[i - 1], polygon[i]});
+      soup.face_numbers.push_back(f + 1);
+    }
+  }
+  if(!cut.empty())
+    findings.add_warning("polygonal face",
+                         std::to_string(cut.size()) + " faces were cut into triangles",
+                         {0, {}, cut});
+}
+
+// \throws std::system_error
+std::string read_text(const std::string& file)
+{
+  errno = 0;
+  std::ifstream in(file, std::ios::binary);
+  if(!in) throw std::system_error(errno, std::generic_category());
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+} // namespace
+
+std::string lower_case_extension(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  for(char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+bool is_mesh_extension(const std::string& extension)
+{
+  for(const char* known : {".off", ".obj", ".ply", ".stl", ".ts", ".wrl", ".vtp"})
+    if(extension == known) return true;
+  return false;
+}
+
+Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings)
+{
+  Mesh_soup soup;
+  Polygons polygons;
+  const std::string extension = lower_case_extension(file);
+  if(!is_mesh_extension(extension)) {
+    findings.add_error("unknown format", "meshes are .off, .obj, .ply, .stl or .vtp files");
+    return soup;
+  }
+  try {
+    const std::string text = read_text(file);
+    if(text.find_first_not_of(" \t\r\n") == std::string::npos)
+      findings.add_error("no geometry", "the file is empty");
+    else if(extension == ".obj")
+      read_obj(text, soup, polygons, findings);
+    else if(extension == ".off" && is_binary_off(text))
+      read_binary_off(text, soup.points, polygons, findings);
+    else
+      read_with_cgal(file, text, soup, polygons, findings);
+  } catch(const std::system_error& error) {
+    findings.add_error("unreadable file", error.code().message());
+  }
+  if(!findings.has_error()) cut_into_triangles(polygons, soup, findings);
+  return soup;
+}
+
+} // namespace vfc

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_VERTEX_VALUES_H
+#define VFC_VERTEX_VALUES_H
+
+#include "meshes/Mesh_findings.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+// Reads one positive number per vertex of a mesh, in the order of the mesh's file. A PLY file has
+// them in a vertex property of type float or double; any other file is read as text with one number
+// per line, of which the first may be a header. Blank lines and those that start with # do not
+// count.
+std::vector<double> read_vertex_values(const std::string& file,
+                                       const std::string& property,
+                                       std::size_t number_of_vertices,
+                                       Mesh_findings& findings);
+
+} // namespace vfc
+
+#endif // VFC_VERTEX_VALUES_H

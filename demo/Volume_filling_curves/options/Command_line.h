@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_COMMAND_LINE_H
+#define VFC_COMMAND_LINE_H
+
+#include "session/Session.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vfc {
+
+// The command line and what it asks for. Each command has a file that adds it, with its options.
+struct Command_line
+{
+  using Command = std::function<int(Session&)>; // returns the exit status
+
+  Command_line();
+
+  // Adds a command that runs the function, and the options that all commands have.
+  CLI::App& add_command(const std::string& name, const std::string& description, Command command);
+
+  CLI::App program;
+  std::string name; // of the command that was given, empty before parsing
+  Command command;
+  Common_options options;
+};
+
+// Options and arguments with the name of a file, which is not empty.
+CLI::Option& add_file(CLI::App& command,
+                      const std::string& name,
+                      std::string& file,
+                      const std::string& description);
+CLI::Option& add_curve(CLI::App& command, std::string& file);
+CLI::Option& add_mesh(CLI::App& command, std::string& file);
+CLI::Option& add_curve_output(CLI::App& command, std::string& file);
+
+void add_network_flag(CLI::App& command, bool& is_network);
+
+// The numbers that an option takes, both ends included. Ratios far from 1 are slips of the pen, and
+// beyond these ends their products with lengths would overflow or be rounded away.
+struct Range
+{
+  double least, most;
+};
+constexpr Range positive = {(std::numeric_limits<double>::min)(),
+                            (std::numeric_limits<double>::max)()};
+constexpr Range not_negative = {0, (std::numeric_limits<double>::max)()};
+constexpr Range positive_ratio = {1e-9, 1e6};
+constexpr Range ratio = {0, 1e6};
+
+// Options with a number; they refuse everything else, and tell their name.
+CLI::Option& add_number(CLI::App& command,
+                        const std::string& name,
+                        double& number,
+                        const std::string& description,
+                        Range range = positive);
+CLI::Option& add_whole_number(CLI::App& command,
+                              const std::string& name,
+                              std::size_t& number,
+                              const std::string& description,
+                              std::size_t least,
+                              std::size_t most = std::numeric_limits<std::size_t>::max());
+
+// An option whose value is one of some names; the first is the default.
+template <typename Choice>
+CLI::Option& add_choice(CLI::App& command,
+                        const std::string& name,
+                        Choice& choice,
+                        const std::vector<std::pair<std::string, Choice>>& choices,
+                        const std::string& description)
+{
+  const std::map<std::string, Choice> by_name(choices.begin(), choices.end());
+  const auto set = [&choice, by_name](const std::string& text) { choice = by_name.at(text); };
+  return *command.add_option_function<std::string>(name, set, description)
+              ->check(CLI::IsMember(by_name).description(""))
+              ->default_str(choices.front().first)
+              ->type_name("NAME");
+}
+
+} // namespace vfc
+
+#endif // VFC_COMMAND_LINE_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "options/Fill_options.h"
+
+#include "options/Command_line.h"
+
+namespace vfc {
+namespace {
+
+using CGAL::Volume_filling_curves::Wall;
+
+// The three ways to say how dense the curve is.
+void add_density_options(CLI::App& command, Fill_options& options)
+{
+  CLI::Option& thickness = add_number(
+      command, "--thickness", options.parameters.thickness,
+      "r, the radius with which the curve fills, in the input's unit; default: a quarter "
+      "of the widest inscribed ball's radius");
+  thickness.type_name("R");
+  CLI::Option& field =
+      add_file(command, "--thickness-field", options.thickness_field,
+               "r that varies: a PLY file with the vertex property thickness, or a CSV file with a "
+               "value per vertex of MESH");
+  CLI::Option& length =
+      add_number(command, "--length", options.parameters.length,
+                 "length of the curve, instead of a thickness, which is found within 2 %");
+  length.type_name("L");
+  field.excludes(&thickness);
+  length.excludes(&thickness)->excludes(&field);
+}
+
+// What to start from.
+void add_start_options(CLI::App& command, Fill_options& options)
+{
+  CLI::Option& curve =
+      add_file(command, "--curve", options.start,
+               "the curve to start from, inside MESH; default: a small circle at the widest place");
+  add_curve_options(command, options.curve);
+  for(const char* option : {"--network", "--pin", "--free-ends"})
+    command.get_option(option)->needs(&curve);
+}
+
+} // namespace
+
+void add_fill_options(CLI::App& command, Fill_options& options)
+{
+  add_mesh(command, options.mesh).required();
+  CLI::Option& repair = *command.add_flag(
+      "--repair", options.may_repair, "mend MESH first, as vfc repair does, and say what was done");
+  add_curve_output(command, options.output);
+  add_file(
+      command, "--certificate", options.certificate,
+      "the record of all certified changes, to be verified by vfc check --certificate with MESH "
+      "for --domain; without --curve the circles that it starts from go to FILE.start.obj");
+  add_film_options(command, options.film);
+  add_start_options(command, options);
+  add_density_options(command, options);
+  repair.excludes(command.get_option("--thickness-field")); // whose vertices would be others
+  add_choice(
+      command, "--wall", options.parameters.wall,
+      {{"cover", Wall::COVER}, {"keep-clear", Wall::KEEP_CLEAR}},
+      "cover: strands up to the wall; keep-clear: the curve keeps away from it as from itself");
+  add_stop_options(command, options.parameters);
+  add_seed_option(command, options.parameters.random_seed,
+                  "of the samples that coverage is measured with");
+  add_flow_options(command, options.parameters);
+  command.get_option("--lambda")
+      ->description("locality of the flow, in units of 1/r^2; 30 times that while the curve grows");
+}
+
+} // namespace vfc

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_FILL_OPTIONS_H
+#define VFC_FILL_OPTIONS_H
+
+#include "options/shared_options.h"
+
+#include <CGAL/Volume_filling_curves/Filling_parameters.h>
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace vfc {
+
+// The options of vfc fill; defaults are those of the package.
+struct Fill_options
+{
+  std::string mesh, output, certificate;
+  std::string start;           // a curve file, or empty for a circle at the widest place
+  std::string thickness_field; // a file
+  bool may_repair = false;     // the mesh
+  Film_options film;
+  Curve_options curve;
+  CGAL::Volume_filling_curves::Filling_parameters<> parameters;
+};
+
+void add_fill_options(CLI::App& command, Fill_options& options);
+
+} // namespace vfc
+
+#endif // VFC_FILL_OPTIONS_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "options/Untangle_options.h"
+
+#include "options/Command_line.h"
+
+namespace vfc {
+
+using CGAL::Volume_filling_curves::Untangling_strategy;
+
+void add_untangle_options(CLI::App& command, Untangle_options& options)
+{
+  constexpr std::size_t most_chains = 1024;
+  auto& parameters = options.parameters;
+  add_curve(command, options.file);
+  add_curve_output(command, options.output);
+  add_file(
+      command, "--certificate", options.certificate,
+      "the record of all certified changes, to be verified by vfc check --certificate; as text "
+      "if the name ends with .txt");
+  add_file(
+      command, "--domain", options.domain,
+      "a closed triangle mesh that the curve stays inside of; obstacles are shells within it. The "
+      "curve flows, since the search does not know the mesh");
+  add_film_options(command, options.film);
+  add_curve_options(command, options.curve);
+  command.add_flag("--keep-length", parameters.keep_length,
+                   "scale the result to the length of the input");
+  command.add_flag_callback(
+      "--finish", [&parameters] { parameters.stop_at_proof = false; },
+      "after a proof that nothing is knotted go on until the curve is round; several get tight");
+  add_stop_options(command, parameters);
+  command.get_option("--max-iterations")
+      ->description("the largest number of iterations of the flow; with tighten, of sweeps");
+  add_number(command, "--tolerance", parameters.tolerance,
+             "converged if gradient_norm is less; dimensionless", not_negative)
+      .capture_default_str();
+  add_choice(command, "--strategy", parameters.strategy,
+             {{"auto", Untangling_strategy::AUTO},
+              {"flow", Untangling_strategy::FLOW},
+              {"tighten", Untangling_strategy::SEARCH}},
+             "flow: continuous motion, for a film; tighten: a random search for a polygon with few "
+             "edges; auto: the search first, then the flow to an even, smooth shape");
+  command
+      .add_option("--chains", parameters.number_of_chains,
+                  "independent random searches, of which the fastest wins; they share the threads")
+      ->check(CLI::Range(std::size_t(1), most_chains).description(""))
+      ->capture_default_str()
+      ->type_name("N");
+  add_seed_option(command, parameters.random_seed, "of the random search");
+  add_number(command, "--thickness", parameters.thickness,
+             "r, the distance that strands keep from the medial surface between them, in the "
+             "input's unit; default: the 25th percentile of the medial radii")
+      .type_name("R");
+  add_flow_options(command, parameters);
+}
+
+} // namespace vfc

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "options/shared_options.h"
+
+#include "options/Command_line.h"
+
+namespace vfc {
+using CGAL::Volume_filling_curves::Curve_flow_parameters;
+using CGAL::Volume_filling_curves::Curve_run_parameters;
+using CGAL::Volume_filling_curves::Preconditioner;
+
+void add_film_options(CLI::App& command, Film_options& options)
+{
+  add_file(command, "--map", options.map,
+           "for each node of the result, a line with its number in CURVE, 0 if it is new");
+  CLI::Option& frames =
+      add_file(command, "--frames", options.frames, "folder for the curve of every K-th iteration");
+  frames.type_name("DIR");
+  add_whole_number(command, "--every", options.every, "K, the iterations between two frames", 1)
+      .capture_default_str()
+      ->needs(&frames);
+}
+
+void add_curve_options(CLI::App& command, Curve_options& options)
+{
+  add_network_flag(command, options.is_network);
+  add_file(command, "--pin", options.pin,
+           "nodes that stay: ends, or numbers i,j,k in file order from 1; OBJ lines 'fixed i j k' "
+           "add to them")
+      .type_name("NODES");
+  command.add_flag("--free-ends", options.has_free_ends,
+                   "let the ends of open curves move; otherwise they are pinned");
+}
+
+void add_stop_options(CLI::App& command, Curve_run_parameters& parameters)
+{
+  add_number(command, "--time-limit", parameters.time_limit, "default: none", not_negative)
+      .type_name("SECONDS");
+  add_whole_number(command, "--max-iterations", parameters.number_of_iterations,
+                   "the largest number of iterations", 0)
+      .capture_default_str();
+}
+
+void add_seed_option(CLI::App& command, std::size_t& seed, const std::string& description)
+{
+  add_whole_number(command, "--seed", seed, description, 0).capture_default_str();
+}
+
+void add_flow_options(CLI::App& command, Curve_flow_parameters& parameters)
+{
+  const std::size_t most_directions = 1024;
+  add_whole_number(command, "--directions", parameters.number_of_directions,
+                   "medial spheres per node", 1, most_directions)
+      .capture_default_str();
+  add_number(command, "--rmax", parameters.max_radius, "largest medial radius, in units of r",
+             positive_ratio)
+      .capture_default_str();
+  add_number(command, "--spacing", parameters.spacing,
+             "least length h of an edge, in units of r; edges longer than 2 h are split",
+             positive_ratio)
+      .capture_default_str();
+  add_number(command, "--lambda", parameters.screening, "locality of the flow, in units of 1/r^2",
+             positive_ratio)
+      .capture_default_str();
+  add_number(command, "--beta", parameters.coupling, "coupling along medial spheres, dimensionless",
+             ratio)
+      .capture_default_str();
+  add_number(command, "--tau", parameters.time_step,
+             "the paper's fixed time step, dimensionless; default: adaptive, moves up to 0.5 r",
+             positive_ratio);
+  add_choice(command, "--preconditioner", parameters.preconditioner,
+             {{"medial", Preconditioner::MEDIAL},
+              {"h1", Preconditioner::H1},
+              {"l2", Preconditioner::L2},
+              {"quasi-newton", Preconditioner::QUASI_NEWTON}},
+             "medial, h1, l2 or quasi-newton");
+}
+
+} // namespace vfc

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_SHARED_OPTIONS_H
+#define VFC_SHARED_OPTIONS_H
+
+#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace vfc {
+
+// Groups of options that several commands have; defaults are those of the package.
+
+// What is written, but for the curve.
+struct Film_options
+{
+  std::string map, frames;
+  std::size_t every = 1;
+};
+
+// What the curve is allowed to be, and to do.
+struct Curve_options
+{
+  std::string pin;
+  bool is_network = false, has_free_ends = false;
+};
+
+void add_film_options(CLI::App& command, Film_options& options);
+void add_curve_options(CLI::App& command, Curve_options& options);
+// All but the tolerance, which not every command has.
+void add_stop_options(CLI::App& command,
+                      CGAL::Volume_filling_curves::Curve_run_parameters& parameters);
+void add_seed_option(CLI::App& command, std::size_t& seed, const std::string& description);
+
+// All but the thickness, whose default differs.
+void add_flow_options(CLI::App& command,
+                      CGAL::Volume_filling_curves::Curve_flow_parameters& parameters);
+
+} // namespace vfc
+
+#endif // VFC_SHARED_OPTIONS_H

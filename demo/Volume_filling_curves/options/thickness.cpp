@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "options/thickness.h"
+
+#include "options/numbers.h"
+
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/filling_estimates.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <cmath>
+
+namespace vfc {
+namespace {
+
+namespace curves = CGAL::Volume_filling_curves;
+
+double diagonal(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+constexpr double most_nodes = 2e7; // some 20 GB
+
+} // namespace
+
+void check_thickness(double thickness, double spacing, const Curve& curve)
+{
+  const double length = curves::length(curve);
+  const double size = diagonal(curve.bbox());
+  if(thickness > size)
+    throw Usage_error("--thickness " + to_text(thickness) +
+                      " is larger than the curve, whose box " + "has a diagonal of " +
+                      to_text(size));
+  if(thickness > 0 && length / most_nodes > spacing * thickness)
+    throw Usage_error("--thickness " + to_text(thickness) + " and --spacing " + to_text(spacing) +
+                      " are too small for a curve of length " + to_text(length) +
+                      ": there would be more than " + to_text(most_nodes) + " nodes");
+}
+
+void check_filling(double thickness, double length, double spacing, const Mesh& mesh)
+{
+  namespace pmp = CGAL::Polygon_mesh_processing;
+  const double volume = std::abs(pmp::volume(mesh));
+  const double size = diagonal(pmp::bbox(mesh));
+  if(thickness > size)
+    throw Usage_error("--thickness " + to_text(thickness) + " is larger than the mesh, whose box " +
+                      "has a diagonal of " + to_text(size));
+  const double r = length > 0 ? curves::thickness_of_filling(volume, length) : thickness;
+  if(r > 0 && curves::length_of_filling(volume, r) / (r * spacing) > most_nodes)
+    throw Usage_error((length > 0 ? "--length " + to_text(length) : "--thickness " + to_text(r)) +
+                      " and --spacing " + to_text(spacing) + ": there would be more than " +
+                      to_text(most_nodes) + " nodes in a volume of " + to_text(volume));
+}
+
+} // namespace vfc

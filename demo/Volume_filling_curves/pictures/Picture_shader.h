@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_PICTURE_SHADER_H
+#define VFC_PICTURE_SHADER_H
+
+#include "pictures/Scene_raster.h"
+#include "pictures/picture_colors.h"
+#include "pictures/png_file.h"
+
+#include <cstddef>
+#include <limits>
+
+namespace vfc {
+
+// Turns what is seen at each sample into the colors of pixels, the mean of the samples of a pixel.
+// The light comes from the upper left, over the viewer's shoulder; what is far away is pale, and
+// tubes are darker at their outlines, so that strands stand out from each other.
+class Picture_shader
+{
+public:
+  // A pixel has `samples_per_side` times as many samples.
+  Picture_shader(const Scene_raster& raster, std::size_t samples_per_side);
+
+  Rgb_image operator()() const;
+
+private:
+  Color pixel(std::size_t x, std::size_t y) const;
+  Color shade(const Scene_raster::Sample& sample) const;
+  Color tube_color(const Scene_raster::Sample& sample) const;
+
+  const Scene_raster& m_raster;
+  std::size_t m_side;
+  float m_back = std::numeric_limits<float>::infinity(), m_front = -m_back;
+};
+
+} // namespace vfc
+
+#endif // VFC_PICTURE_SHADER_H

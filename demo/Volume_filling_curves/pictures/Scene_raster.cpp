@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "pictures/Scene_raster.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace vfc {
+namespace {
+
+// The capsule is a union of balls around the points a + t (b - a); t is that of the ball whose
+// surface is nearest to the viewer at (x, y), a concave function of t.
+void add_to(Scene_raster::Sample& sample,
+            double x,
+            double y,
+            const Vector& a,
+            const Vector& b,
+            double radius,
+            std::size_t component)
+{
+  const Vector d = b - a;
+  const Eigen::Vector2d q(x - a.x(), y - a.y());
+  const double flat2 = d.head<2>().squaredNorm();
+  double t = d.z() > 0 ? 1 : 0;
+  if(flat2 > 0) {
+    const double foot = q.dot(d.head<2>()) / flat2;
+    const double height2 = radius * radius - (q - foot * d.head<2>()).squaredNorm();
+    if(height2 < 0) return;
+    t = std::clamp(foot + d.z() * std::sqrt(height2 / (flat2 * d.squaredNorm())), 0., 1.);
+  }
+  const Eigen::Vector2d offset = q - t * d.head<2>();
+  const double rise2 = radius * radius - offset.squaredNorm();
+  if(rise2 < 0) return;
+  const double rise = std::sqrt(rise2), depth = a.z() + t * d.z() + rise;
+  if(!(depth > sample.depth)) return;
+  sample.depth = static_cast<float>(depth);
+  sample.normal[0] = static_cast<float>(offset.x() / radius);
+  sample.normal[1] = static_cast<float>(offset.y() / radius);
+  sample.normal[2] = static_cast<float>(rise / radius);
+  sample.component = component;
+}
+
+// More where the surface is seen at a grazing angle, as that of a soap bubble.
+float optical_depth(double cosine)
+{
+  constexpr double facing = 0.07, grazing = 0.6;
+  const double sine = 1 - (std::min)(cosine, 1.);
+  return static_cast<float>(facing + grazing * sine * sine * sine);
+}
+
+} // namespace
+
+void Scene_raster::add_capsule(const Vector& a,
+                               const Vector& b,
+                               double radius,
+                               std::size_t component)
+{
+  const Vector margin(radius, radius, 0);
+  for_each_sample(
+      a.cwiseMin(b) - margin, a.cwiseMax(b) + margin,
+      [&](double x, double y, Sample& sample) { add_to(sample, x, y, a, b, radius, component); });
+}
+
+void Scene_raster::add_surface(const Triangle_soup& soup, const std::vector<Vector>& corner_normals)
+{
+  for(std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const auto [a, b, c] = soup.triangles[t];
+    add_triangle({soup.points[a], soup.points[b], soup.points[c]}, &corner_normals[3 * t]);
+  }
+}
+
+void Scene_raster::add_triangle(const std::array<Vector, 3>& p, const Vector* normals)
+{
+  const auto area = [](const Vector& a, const Vector& b, double x, double y) {
+    return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
+  };
+  const double total = area(p[0], p[1], p[2].x(), p[2].y());
+  if(total == 0) return;
+  for_each_sample(p[0].cwiseMin(p[1]).cwiseMin(p[2]), p[0].cwiseMax(p[1]).cwiseMax(p[2]),
+                  [&](double x, double y, Sample& sample) {
+                    const double u = area(p[1], p[2], x, y) / total;
+                    const double v = area(p[2], p[0], x, y) / total, w = 1 - u - v;
+                    if(u < 0 || v < 0 || w < 0) return;
+                    const double depth = u * p[0].z() + v * p[1].z() + w * p[2].z();
+                    const Vector n = u * normals[0] + v * normals[1] + w * normals[2];
+                    const float opacity = optical_depth(std::abs(n.z()) / n.norm());
+                    (depth > sample.depth ? sample.in_front : sample.behind) += opacity;
+                  });
+}
+
+// Samples lie in the middle of unit squares.
+template <typename Function>
+void Scene_raster::for_each_sample(const Vector& min, const Vector& max, const Function& function)
+{
+  const auto first = [](double x) { return static_cast<std::size_t>((std::max)(0., x + 0.5)); };
+  const auto last = [&](double x, std::size_t size) {
+    return static_cast<std::size_t>(std::clamp(x + 0.5, 0., static_cast<double>(size)));
+  };
+  for(std::size_t y = first(min.y()); y < last(max.y(), m_height); ++y)
+    for(std::size_t x = first(min.x()); x < last(max.x(), m_width); ++x)
+      function(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5,
+               m_samples[m_width * y + x]);
+}
+
+} // namespace vfc

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_SCENE_RASTER_H
+#define VFC_SCENE_RASTER_H
+
+#include "pictures/Triangle_soup.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace vfc {
+
+// What is seen at each sample of a picture: the nearest point of a tube around the curve, and how
+// much of a translucent surface lies in front of it and behind. The viewer looks along the z axis
+// from far above (x to the right, y downwards, z towards the viewer). Tubes are chains of capsules,
+// which are met exactly. The order of the surface's layers does not matter: their optical depths
+// are added. Takes time linear in the number of samples covered.
+class Scene_raster
+{
+public:
+  struct Sample
+  {
+    float depth = -std::numeric_limits<float>::infinity(); // z of the tube
+    float normal[3] = {0, 0, 0};                           // of the tube
+    float in_front = 0, behind = 0;                        // optical depth of the surface
+    std::size_t component = 0;
+
+    bool has_tube() const { return std::isfinite(depth); }
+  };
+
+  Scene_raster(std::size_t width, std::size_t height)
+      : m_width(width), m_height(height), m_samples(width * height)
+  {}
+
+  std::size_t width() const { return m_width; }
+  std::size_t height() const { return m_height; }
+  const Sample& sample(std::size_t x, std::size_t y) const { return m_samples[m_width * y + x]; }
+
+  // Adds the points within `radius` of the segment ab.
+  void add_capsule(const Vector& a, const Vector& b, double radius, std::size_t component);
+
+  // Adds a surface, with the normals at the corners of its triangles. \pre all tubes are there
+  void add_surface(const Triangle_soup& soup, const std::vector<Vector>& corner_normals);
+
+private:
+  template <typename Function>
+  void for_each_sample(const Vector& min, const Vector& max, const Function& function);
+
+  void add_triangle(const std::array<Vector, 3>& corners, const Vector* normals);
+
+  std::size_t m_width, m_height;
+  std::vector<Sample> m_samples;
+};
+
+} // namespace vfc
+
+#endif // VFC_SCENE_RASTER_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "pictures/Stroke_layers.h"
+
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/squared_distance_2.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+constexpr double max_piece_length = 12; // picture units; smooth depth shading
+
+Kernel::Segment_2 in_the_plane(const Stroke_piece& piece)
+{
+  return {{piece.source.x(), piece.source.y()}, {piece.target.x(), piece.target.y()}};
+}
+
+// returns how far a lies over b where they cross in the picture, or else between their middles
+double height_over(const Stroke_piece& a, const Stroke_piece& b)
+{
+  const Vector u = a.target - a.source, v = b.target - b.source, w = b.source - a.source;
+  const auto cross = [](const Vector& p, const Vector& q) { return p.x() * q.y() - p.y() * q.x(); };
+  const double area = cross(u, v), s = cross(w, v) / area, t = cross(w, u) / area;
+  if(s >= 0 && s <= 1 && t >= 0 && t <= 1) return s * u.z() - w.z() - t * v.z();
+  return (a.depth() - b.depth()) / 2;
+}
+
+} // namespace
+
+Stroke_layers::Stroke_layers(const Curve& curve, const Curve_view& view)
+    : m_reach(view.width() * (1 + 2 * gap_share))
+{
+  for(const Strand& strand : strands_of(curve)) cut_into_pieces(curve, view, strand);
+  find_order();
+  assign_layers();
+  join_layers();
+}
+
+void Stroke_layers::cut_into_pieces(const Curve& curve,
+                                    const Curve_view& view,
+                                    const Strand& strand)
+{
+  const std::size_t first = m_pieces.size(), number = m_total.size();
+  double length = 0;
+  for(const std::size_t e : strand.edges) {
+    const Vector &p = view.point(curve.source(e)), &q = view.point(curve.target(e));
+    const double edge_length = (q - p).norm();
+    const int n = 1 + static_cast<int>(edge_length / max_piece_length);
+    for(int i = 0; i < n; ++i)
+      m_pieces.push_back({p + (q - p) * i / n, p + (q - p) * (i + 1) / n, number,
+                          curve.component(curve.source(e)), length + edge_length * i / n,
+                          length + edge_length * (i + 1) / n});
+    length += edge_length;
+  }
+  for(std::size_t i = first; i + 1 < m_pieces.size(); ++i) link(i, i + 1);
+  if(strand.is_closed) link(m_pieces.size() - 1, first);
+  m_total.push_back(strand.is_closed ? length : std::numeric_limits<double>::infinity());
+}
+
+void Stroke_layers::link(std::size_t i, std::size_t j)
+{
+  m_pieces[i].next = j;
+  m_pieces[j].previous = i;
+}
+
+// Neighbors along a strand have nothing between them that could be crossed.
+bool Stroke_layers::are_neighbors(const Stroke_piece& a, const Stroke_piece& b) const
+{
+  if(a.strand != b.strand) return false;
+  const double first = (std::min)(a.end, b.end), second = (std::max)(a.begin, b.begin);
+  const double whole = (std::max)(a.end, b.end) - (std::min)(a.begin, b.begin);
+  return (std::min)(second - first, m_total[a.strand] - whole) < 1.5 * m_reach;
+}
+
+void Stroke_layers::find_order()
+{
+  using Flat_box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Index>;
+  std::vector<Flat_box> boxes;
+  for(Index i = 0; i < m_pieces.size(); ++i) {
+    const Vector &p = m_pieces[i].source, &q = m_pieces[i].target;
+    Vector low = p.cwiseMin(q).array() - m_reach / 2, high = p.cwiseMax(q).array() + m_reach / 2;
+    boxes.emplace_back(low.data(), high.data(), i);
+  }
+  m_below.resize(m_pieces.size());
+  m_above.resize(m_pieces.size());
+  CGAL::box_self_intersection_d(
+      boxes.begin(), boxes.end(), [&](const Flat_box& a, const Flat_box& b) {
+        compare((std::min)(a.info(), b.info()), (std::max)(a.info(), b.info()));
+      });
+}
+
+void Stroke_layers::compare(Index i, Index j)
+{
+  const Stroke_piece &a = m_pieces[i], &b = m_pieces[j];
+  const double squared_distance = CGAL::squared_distance(in_the_plane(a), in_the_plane(b));
+  if(squared_distance >= m_reach * m_reach || are_neighbors(a, b)) return;
+  if(height_over(a, b) > 0) std::swap(i, j);
+  m_pieces[j].is_over = true;
+  m_above[i].push_back(j);
+  m_below[j].push_back(i);
+}
+
+// Ranks in the order of the layers, the lowest piece first; a cycle, which three strokes that
+// merely come close can form, is broken at its lowest piece.
+void Stroke_layers::assign_layers()
+{
+  const auto is_lower = [&](Index i, Index j) {
+    return std::make_pair(m_pieces[i].depth(), i) < std::make_pair(m_pieces[j].depth(), j);
+  };
+  const auto is_higher = [&](Index i, Index j) { return is_lower(j, i); };
+  std::vector<Index> by_depth(m_pieces.size());
+  std::iota(by_depth.begin(), by_depth.end(), Index(0));
+  std::sort(by_depth.begin(), by_depth.end(), is_lower);
+  std::vector<std::size_t> open(m_pieces.size());
+  std::vector<bool> is_done(m_pieces.size(), false);
+  std::priority_queue<Index, std::vector<Index>, decltype(is_higher)> ready(is_higher);
+  for(Index i = 0; i < m_pieces.size(); ++i) {
+    open[i] = m_below[i].size();
+    if(open[i] == 0) ready.push(i);
+  }
+  for(auto next = by_depth.begin(); next != by_depth.end();) {
+    const Index i = ready.empty() ? *next++ : ready.top();
+    if(!ready.empty()) ready.pop();
+    if(is_done[i]) continue;
+    is_done[i] = true;
+    for(Index j : m_above[i]) {
+      if(is_done[j]) continue;
+      m_pieces[j].layer = (std::max)(m_pieces[j].layer, m_pieces[i].layer + 1);
+      if(--open[j] == 0) ready.push(j);
+    }
+  }
+}
+
+void Stroke_layers::join_layers()
+{
+  for(Index i = 0; i < m_pieces.size(); ++i) follow(i, m_pieces[i].previous);
+  for(Index i = static_cast<Index>(m_pieces.size()); i-- > 0;) follow(i, m_pieces[i].next);
+}
+
+// Moves piece i to the layer of its neighbor if everything below and above it stays so.
+void Stroke_layers::follow(Index i, std::size_t neighbor)
+{
+  if(neighbor == Stroke_piece::none) return;
+  const std::size_t layer = m_pieces[neighbor].layer, old = m_pieces[i].layer;
+  const auto is_kept = [&](Index below, std::size_t lower, Index above, std::size_t upper) {
+    return lower < upper || m_pieces[below].layer >= m_pieces[above].layer; // or was not so before
+  };
+  if(layer == old) return;
+  for(Index j : m_below[i])
+    if(!is_kept(j, m_pieces[j].layer, i, layer)) return;
+  for(Index j : m_above[i])
+    if(!is_kept(i, layer, j, m_pieces[j].layer)) return;
+  m_pieces[i].layer = layer;
+}
+
+} // namespace vfc

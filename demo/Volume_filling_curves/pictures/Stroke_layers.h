@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_STROKE_LAYERS_H
+#define VFC_STROKE_LAYERS_H
+
+#include "pictures/Curve_view.h"
+#include "pictures/strands.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vfc {
+
+// A short piece of a curve in the picture.
+struct Stroke_piece
+{
+  Vector source, target;
+  std::size_t strand, component;
+  double begin, end;                        // along the strand
+  std::size_t previous = none, next = none; // along the strand
+  std::size_t layer = 0;
+  bool is_over = false; // whether anything lies below it
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  double depth() const { return source.z() + target.z(); }
+};
+
+// Puts the pieces of a curve into layers, so that drawing one layer over the other shows at every
+// crossing which strand passes over which. Wherever the strokes of two pieces come close in the
+// picture the upper one, at the place where they are closest, has to be in a higher layer; the
+// layers are the ranks of this partial order, and pieces then move to the layer of their neighbor
+// along the strand where the order permits, so that strands fall into few runs. O(n log n + k) for
+// n pieces and k close pairs.
+class Stroke_layers
+{
+public:
+  Stroke_layers(const Curve& curve, const Curve_view& view);
+
+  const std::vector<Stroke_piece>& pieces() const { return m_pieces; }
+
+  // The white gap beside the upper strand, in stroke widths.
+  static constexpr double gap_share = 0.3;
+
+private:
+  using Index = std::uint32_t;
+
+  void cut_into_pieces(const Curve& curve, const Curve_view& view, const Strand& strand);
+  void link(std::size_t i, std::size_t j);
+  bool are_neighbors(const Stroke_piece& a, const Stroke_piece& b) const;
+  void find_order();
+  void compare(Index i, Index j);
+  void assign_layers();
+  void join_layers();
+  void follow(Index i, std::size_t neighbor);
+
+  const double m_reach; // strokes with middle lines farther apart than that do not touch
+  std::vector<Stroke_piece> m_pieces;
+  std::vector<double> m_total; // length per strand, infinite if it is open
+  std::vector<std::vector<Index>> m_below, m_above;
+};
+
+} // namespace vfc
+
+#endif // VFC_STROKE_LAYERS_H

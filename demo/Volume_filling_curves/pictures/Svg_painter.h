@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_SVG_PAINTER_H
+#define VFC_SVG_PAINTER_H
+
+#include "pictures/Stroke_layers.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+// Writes layers of strokes as SVG. A tube is a dark stroke, a lighter one over it and a light line
+// in the middle; white strokes below them leave the gaps at crossings. Runs of one layer, component
+// and shade are one path element, which the three strokes share. Shades go from pale in the back to
+// full in the front.
+class Svg_painter
+{
+public:
+  Svg_painter(const Stroke_layers& layers, double width, std::ostream& out);
+
+  void operator()(const Curve& curve, const Curve_view& view);
+
+private:
+  using Key = std::array<std::size_t, 4>; // layer, component, shade, and 1 for ends
+
+  struct Run
+  {
+    Key key;
+    std::string path, overlaps, gaps;
+  };
+
+  enum class Tint
+  {
+    DARK,
+    PLAIN,
+    LIGHT
+  };
+
+  Key key_of(const Stroke_piece& piece) const;
+  void collect_runs();
+  void append_overlaps(std::size_t first, std::size_t last, double extent, std::string& path) const;
+  void append_gaps(std::size_t first, std::size_t last, std::string& path) const;
+  void append_points(std::size_t first, std::size_t last, std::string& path) const;
+  void collect_ends(const Curve& curve, const Curve_view& view);
+  void define_runs() const;
+  void paint_layer(std::size_t first, std::size_t last) const;
+  void stroke(std::size_t first, std::size_t last, double width, Tint tint) const;
+  static std::string color(const Key& key, Tint tint);
+
+  const std::vector<Stroke_piece>& m_pieces;
+  const double m_width;
+  std::ostream& m_out;
+  double m_back = std::numeric_limits<double>::infinity();
+  double m_front = -std::numeric_limits<double>::infinity();
+  std::vector<Run> m_runs;
+};
+
+} // namespace vfc
+
+#endif // VFC_SVG_PAINTER_H

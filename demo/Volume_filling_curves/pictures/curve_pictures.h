@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_CURVE_PICTURES_H
+#define VFC_CURVE_PICTURES_H
+
+#include "files/mesh_files.h"
+#include "pictures/Vector.h"
+
+#include <string>
+
+namespace vfc {
+
+// Pictures of a curve as the bytes of a file. Each component is a tube of its own color, paler the
+// farther it is away. They do not depend on the size and position of the curve, nor on any display
+// or graphics card. With a mesh, which is empty for none, the surface is drawn around the curve.
+
+// PNG of 800 by 800 pixels: tubes are shaded, the surface is translucent.
+std::string png_picture(const Curve& curve, const Mesh& mesh = Mesh());
+
+// SVG: strands that pass under others are interrupted, the outline of the surface is drawn behind
+// them. O(n log n + k) for n nodes and k places where strands come close in the picture.
+std::string svg_picture(const Curve& curve, const Mesh& mesh = Mesh());
+
+} // namespace vfc
+
+#endif // VFC_CURVE_PICTURES_H

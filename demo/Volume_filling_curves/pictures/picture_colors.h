@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_PICTURE_COLORS_H
+#define VFC_PICTURE_COLORS_H
+
+#include <array>
+#include <cstddef>
+
+namespace vfc {
+
+// The colors of pictures, with channels from 0 to 255.
+using Color = std::array<double, 3>;
+
+Color mix(const Color& a, const Color& b, double share_of_b);
+
+Color component_color(std::size_t component);
+
+// of what is far away
+inline constexpr Color fog_color{206, 214, 224};
+
+} // namespace vfc
+
+#endif // VFC_PICTURE_COLORS_H

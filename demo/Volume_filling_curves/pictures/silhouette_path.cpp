@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "pictures/silhouette_path.h"
+
+#include "pictures/svg_number.h"
+
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+using Edges = std::set<std::pair<std::size_t, std::size_t>>;
+
+// The edges of faces that are turned to the viewer, but those between two such faces.
+Edges outline_of(const Triangle_soup& surface)
+{
+  Edges front_edges, outline;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if(!(surface.area_normal(t).z() < 0)) continue; // y points downwards
+    const auto& [a, b, c] = surface.triangles[t];
+    front_edges.insert({{a, b}, {b, c}, {c, a}});
+  }
+  for(const auto& [v, w] : front_edges)
+    if(front_edges.count({w, v}) == 0) outline.insert({v, w});
+  return outline;
+}
+
+} // namespace
+
+std::string silhouette_path(const Triangle_soup& surface)
+{
+  Edges outline = outline_of(surface);
+  std::string path;
+  while(!outline.empty()) {
+    const std::size_t start = outline.begin()->first;
+    path += 'M' + svg_coordinates(surface.points[start]);
+    std::size_t v = start;
+    do {
+      const auto edge = outline.lower_bound({v, 0});
+      if(edge == outline.end() || edge->first != v) break; // the surface is open
+      v = edge->second;
+      outline.erase(edge);
+      if(v != start) path += 'L' + svg_coordinates(surface.points[v]);
+    } while(v != start);
+    path += 'Z';
+  }
+  return path;
+}
+
+} // namespace vfc

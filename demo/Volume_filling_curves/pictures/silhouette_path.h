@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_SILHOUETTE_PATH_H
+#define VFC_SILHOUETTE_PATH_H
+
+#include "pictures/Triangle_soup.h"
+
+#include <string>
+
+namespace vfc {
+
+// The outline of a surface in picture coordinates, as the path of an SVG file: closed loops of the
+// edges between a face that is turned to the viewer and one that is not. The loops run around the
+// faces that are turned to the viewer, so that they wind around each point of the picture as often
+// as layers of these lie there, and a fill with the rule "nonzero" paints just what the surface
+// covers. O(n log n).
+std::string silhouette_path(const Triangle_soup& surface);
+
+} // namespace vfc
+
+#endif // VFC_SILHOUETTE_PATH_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_STRANDS_H
+#define VFC_STRANDS_H
+
+#include "files/curve_files.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vfc {
+
+// A part of a curve that is drawn in one go: edges, each one starting where the one before ends.
+struct Strand
+{
+  std::vector<std::size_t> edges;
+  bool is_closed;
+};
+
+// returns the components of the curve; of those with junctions every edge is a strand of its own
+std::vector<Strand> strands_of(const Curve& curve);
+
+} // namespace vfc
+
+#endif // VFC_STRANDS_H

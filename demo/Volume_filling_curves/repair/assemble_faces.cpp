@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "repair/repair_steps.h"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace vfc {
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+std::size_t drop_faces_without_three_corners(std::vector<Mesh_soup::Face>& faces)
+{
+  const auto has_two = [](const Mesh_soup::Face& f) {
+    return f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
+  };
+  const auto end = std::remove_if(faces.begin(), faces.end(), has_two);
+  const auto number = static_cast<std::size_t>(faces.end() - end);
+  faces.erase(end, faces.end());
+  return number;
+}
+
+} // namespace
+
+std::string assemble_faces(const Mesh_soup& soup, Mesh& mesh)
+{
+  auto points = soup.points;
+  auto faces = soup.faces;
+  PMP::merge_duplicate_points_in_polygon_soup(points, faces);
+  const std::size_t degenerate = drop_faces_without_three_corners(faces);
+  const std::size_t repeated = PMP::merge_duplicate_polygons_in_polygon_soup(points, faces);
+  PMP::orient_polygon_soup(points, faces);
+  mesh.clear();
+  PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
+  PMP::stitch_borders(mesh);
+  std::string done;
+  if(degenerate > 0) done = std::to_string(degenerate) + " faces without three corners dropped";
+  if(repeated > 0)
+    done += (done.empty() ? "" : ", ") + std::to_string(repeated) + " repeated faces dropped";
+  return done;
+}
+
+} // namespace vfc

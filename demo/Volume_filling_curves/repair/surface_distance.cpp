@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "repair/surface_distance.h"
+
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/tags.h>
+
+namespace vfc {
+
+double surface_distance(const Mesh& from, const Mesh& to)
+{
+  return CGAL::Polygon_mesh_processing::approximate_Hausdorff_distance<CGAL::Sequential_tag>(
+      from, to,
+      CGAL::parameters::number_of_points_on_faces(8000).number_of_points_on_edges(2000).random_seed(
+          0));
+}
+
+} // namespace vfc

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_SURFACE_DISTANCE_H
+#define VFC_SURFACE_DISTANCE_H
+
+#include "files/mesh_files.h"
+
+namespace vfc {
+
+// Returns the greatest distance of a point of one surface from another one, as the vertices and
+// some 10,000 random points of it tell, so never too much. O((n + 10,000) log m) as a rule.
+double surface_distance(const Mesh& from, const Mesh& to);
+
+} // namespace vfc
+
+#endif // VFC_SURFACE_DISTANCE_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_FILL_REPORT_H
+#define VFC_FILL_REPORT_H
+
+#include "files/curve_files.h"
+#include "files/mesh_files.h"
+#include "session/Exit_status.h"
+
+#include <CGAL/Volume_filling_curves/Filling_result.h>
+
+#include <string>
+
+namespace vfc {
+
+class Report;
+class Session;
+
+// What a run of vfc fill tells: its exit status, its part of the report, and its summary.
+
+using Filling_result = CGAL::Volume_filling_curves::Filling_result<Curve::Point_3>;
+
+Exit_status exit_status(CGAL::Volume_filling_curves::Filling_status status);
+
+void report_filling(Report& report,
+                    const Curve& curve,
+                    const Domain& domain,
+                    const Filling_result& result);
+
+std::string summary(const Session& session, const Curve& curve, const Filling_result& result);
+
+} // namespace vfc
+
+#endif // VFC_FILL_REPORT_H

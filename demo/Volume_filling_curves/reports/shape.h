@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_SHAPE_H
+#define VFC_SHAPE_H
+
+#include "files/curve_files.h"
+
+namespace vfc {
+
+class Report;
+
+// Reports what the curve is like at the end of a command. A thickness of 0 stands for none.
+void report_shape(Report& report, const Curve& curve, double thickness);
+
+} // namespace vfc
+
+#endif // VFC_SHAPE_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "session/Session.h"
+
+#include "reports/resources.h"
+#include "reports/versions.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+Verbosity verbosity(const Common_options& options)
+{
+  if(options.is_quiet) return Verbosity::QUIET;
+  return options.is_verbose ? Verbosity::VERBOSE : Verbosity::NORMAL;
+}
+
+double seconds_between(std::chrono::steady_clock::time_point from,
+                       std::chrono::steady_clock::time_point to)
+{
+  return std::chrono::duration<double>(to - from).count();
+}
+
+} // namespace
+
+Session::Session(const std::string& command, const Common_options& options)
+    : m_options(options),
+      m_console(verbosity(options)),
+      m_outputs(options.may_overwrite),
+      m_threads(options.threads)
+{
+  m_report["command"] = command;
+  m_report["version"] = package_version();
+  m_report["threads"] = m_threads.number();
+  m_report["seconds_by_stage"] = Report::Json::object();
+}
+
+void Session::start_report()
+{
+  if(m_options.report != "-") m_outputs.add("--report", m_options.report);
+  m_has_report = !m_options.report.empty();
+}
+
+// An error that the report cannot tell of: it would replace the input.
+void Session::add_input(const std::string& file, const std::string& replaced_by)
+{
+  const bool had_report = std::exchange(m_has_report, false);
+  m_outputs.add_input(file, replaced_by);
+  m_has_report = had_report;
+}
+
+void Session::print_result(const std::string& text) const
+{
+  if(m_options.report != "-") std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void Session::print_summary(const std::string& text) const
+{
+  if(!m_console.is_quiet()) print_result(text);
+}
+
+double Session::end_stage(const std::string& stage)
+{
+  const Clock::time_point now = Clock::now();
+  const double seconds = seconds_between(m_stage_start, now);
+  m_report["seconds_by_stage"][stage] = seconds;
+  m_stage_start = now;
+  return seconds;
+}
+
+double Session::seconds() const
+{
+  return seconds_between(m_start, Clock::now());
+}
+
+void Session::write_report()
+{
+  if(!m_has_report) return;
+  m_has_report = false; // is tried once
+  m_report["seconds"] = seconds();
+  m_report["cpu_seconds"] = cpu_seconds();
+  if(peak_memory_bytes() > 0) m_report["peak_memory_bytes"] = peak_memory_bytes();
+  const std::string text = m_report.to_string();
+  if(m_options.report == "-")
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  else
+    Output_files::write(m_options.report, text);
+}
+
+} // namespace vfc

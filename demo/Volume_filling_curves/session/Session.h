@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_SESSION_H
+#define VFC_SESSION_H
+
+#include "files/Output_files.h"
+#include "reports/Report.h"
+#include "session/Console.h"
+#include "session/Thread_limit.h"
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace vfc {
+
+// The options that all commands have.
+struct Common_options
+{
+  std::string report;      // a file, "-" for standard output, or empty
+  std::size_t threads = 0; // 0 for all
+  bool is_quiet = false;
+  bool is_verbose = false;
+  bool may_overwrite = false;
+};
+
+// One run of a command: where its messages, its results and its files go.
+class Session
+{
+public:
+  Session(const std::string& command, const Common_options& options);
+
+  const Console& console() const { return m_console; }
+  Report& report() { return m_report; }
+  Output_files& outputs() { return m_outputs; }
+
+  // Checks whether the report can be written, and promises it. \throws Usage_error
+  void start_report();
+
+  bool has_report() const { return m_has_report; }
+
+  // Tells of a file that is read, and of the option that may replace it, if any; a report never
+  // does. \throws Usage_error
+  void add_input(const std::string& file, const std::string& replaced_by = "");
+
+  // Prints what the command found out, unless the report takes its place.
+  void print_result(const std::string& text) const;
+
+  // Prints what the command did, unless the report takes its place or the user wants quiet.
+  void print_summary(const std::string& text) const;
+
+  // Reports the time since the end of the stage before, and returns it.
+  double end_stage(const std::string& stage);
+
+  double seconds() const;
+
+  // Writes the report if it was promised. \throws Usage_error if that is impossible
+  void write_report();
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  Common_options m_options;
+  Console m_console;
+  Report m_report;
+  Output_files m_outputs;
+  Thread_limit m_threads;
+  Clock::time_point m_start = Clock::now(), m_stage_start = m_start;
+  bool m_has_report = false;
+};
+
+} // namespace vfc
+
+#endif // VFC_SESSION_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_FILLING_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_FILLING_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
+#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief The parameters of `fill()`.
+ *
+ * Of the flow's some are not the same from the start to the end. While the curve grows, `screening`
+ * is 30 times larger; `max_radius`, whose default is 6 here, is the speed of the growth, and at
+ * most 2 in the end; `max_displacement` shrinks from at most 0.1 in the end. With a `medial_weight`
+ * of 3.15^2, the default here, the curve settles with a mean medial radius of r.
+ *
+ * The default of the `thickness` is a quarter of the radius of the widest ball inside. With a
+ * `length` the thickness is the one that leads to it.
+ *
+ * Each member, those of the base classes included, can be set by the named parameter of the same
+ * name; the named parameter `thickness` takes a function, too, and sets `thickness_field` then.
+ *
+ * \tparam Point_3 the type of points
+ */
+template <typename Point_3 = Curve_flow_traits_3<>::Point_3>
+struct Filling_parameters : Curve_run_parameters
+{
+  Filling_parameters()
+  {
+    medial_weight = 3.15 * 3.15;
+    max_radius = 6; // 12 is as fast on the bunny
+  }
+
+  /// A thickness that varies in space, instead of `thickness`: a function of the point, which must
+  /// be positive and safe to call concurrently. None by default.
+  std::function<double(const Point_3&)> thickness_field;
+
+  /// The length that the result is to have, within 2 %, in the input's unit, instead of a
+  /// thickness. 0 (default) stands for none.
+  double length = 0;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_FILLING_PARAMETERS_H

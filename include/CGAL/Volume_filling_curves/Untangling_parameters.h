@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_UNTANGLING_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_UNTANGLING_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
+#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief The parameters of `untangle()`.
+ *
+ * With `AUTO` the default thickness is measured at the polygon that the search ends with; if that
+ * is a proved unknot, it is a fortieth of its length.
+ *
+ * Each member, those of the base classes included, can be set by the named parameter of the same
+ * name.
+ */
+struct Untangling_parameters : Curve_run_parameters
+{
+  /// How the curves are untangled. Open curves with pinned ends flow, whatever the strategy.
+  Untangling_strategy strategy = Untangling_strategy::AUTO;
+
+  /// The number of independent searches, of which the first that succeeds, in number of moves, is
+  /// taken. They run on threads of their own if the `ConcurrencyTag` allows.
+  std::size_t number_of_chains = 2;
+
+  /// The curve is tight if `Curve_flow_3::gradient_norm()`, which is dimensionless, is less.
+  double tolerance = 7e-3;
+
+  /// Whether to stop once the curves are proved to be unknots and unlinked and are short, 8
+  /// thicknesses per component, which is at most 50 iterations later. Otherwise a single curve ends
+  /// as a regular polygon of that length, of 64 nodes or more, and several flow on until they are
+  /// tight, as small loops.
+  bool stop_at_proof = true;
+
+  /// Whether to scale the result, by certified steps, to the length of the input. The thickness
+  /// that is returned is scaled likewise. Not with pinned nodes, hence not with open polylines.
+  bool keep_length = false;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_UNTANGLING_PARAMETERS_H

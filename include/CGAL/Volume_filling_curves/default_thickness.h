@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_DEFAULT_THICKNESS_H
+#define CGAL_VOLUME_FILLING_CURVES_DEFAULT_THICKNESS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief returns the thickness with which `untangle()` moves a curve if none is given.
+ *
+ * This is the 25th percentile of the medial radii of all points and directions, those of spheres
+ * that touch nothing counting as infinite. It is a length in the input's unit, scales with the
+ * curve, does not depend on how it is divided into edges, and is 0 for a curve without extent.
+ * Near-linear time for most curves.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \param curve the curve
+ * \param number_of_directions how many medial spheres every point has
+ */
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
+[[nodiscard]] double default_thickness(const Curve_network_3<Traits>& curve,
+                                       std::size_t number_of_directions = 16)
+{
+  using Thickness = internal::Default_thickness<Curve_network_3<Traits>, ConcurrencyTag>;
+  return Thickness(curve, number_of_directions)();
+}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_DEFAULT_THICKNESS_H

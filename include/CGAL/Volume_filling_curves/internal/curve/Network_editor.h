@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_NETWORK_EDITOR_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_NETWORK_EDITOR_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/Network_observer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The only one who changes points and edges of a network. It does what it is told to, whether or
+// not that is an isotopy: Isotopy_guard_3 owns an editor and asks first. Observers that registered
+// hear of every change. (After mutation_manager of geometry-central, where everything that belongs
+// to a mesh registers with the one object that changes it.) Constant time for changes of one node.
+template <typename Network>
+class Network_editor
+{
+public:
+  using Point_3 = typename Network::Point_3;
+  using Observer = Network_observer<Network>;
+
+  // The network must outlive the editor. Throws std::logic_error if it has another one.
+  explicit Network_editor(Network& network) : m_network(network)
+  {
+    m_network.m_editor_claim.take();
+  }
+
+  ~Network_editor() { m_network.m_editor_claim.give_back(); }
+
+  Network_editor(const Network_editor&) = delete;
+  Network_editor& operator=(const Network_editor&) = delete;
+
+  // Observers must outlive the editor or be removed before.
+  void add(Observer& observer) { m_observers.push_back(&observer); }
+
+  void remove(Observer& observer)
+  {
+    m_observers.erase(std::find(m_observers.begin(), m_observers.end(), &observer));
+  }
+
+  void move_node(std::size_t v, const Point_3& target)
+  {
+    m_network.m_points[v] = target;
+    tell([&](Observer& observer) { observer.on_move(v); });
+  }
+
+  // \pre there is a round, and each of them has a position per node
+  void move_nodes(const typename Observer::Rounds& rounds)
+  {
+    const std::vector<Point_3> before = std::exchange(m_network.m_points, rounds.positions.back());
+    tell([&](Observer& observer) { observer.on_motion(before, rounds); });
+  }
+
+  // Splits edge e = (a, c) into e = (a, b) and a new last edge (b, c); b is the new last node.
+  void insert_node(std::size_t e, const Point_3& b)
+  {
+    const std::size_t v = m_network.m_topology.insert_node(e);
+    m_network.m_points.push_back(b);
+    tell([&](Observer& observer) { observer.on_insertion(v); });
+  }
+
+  // Joins the neighbors of node v by an edge. \pre it has two that are not joined yet
+  void remove_node(std::size_t v)
+  {
+    const std::size_t e = m_network.m_topology.remove_node(v);
+    tell([&](Observer& observer) { observer.on_removal(v, e); });
+  }
+
+  // Lengthens a strand at its end by an edge to a new last node, which is pinned.
+  void append_leaf(std::size_t end, const Point_3& position)
+  {
+    const std::size_t v = m_network.m_topology.add_leaf(end);
+    m_network.m_points.push_back(position);
+    set_pinned(v);
+    tell([&](Observer& observer) { observer.on_new_leaf(v); });
+  }
+
+  // Removes a node with one edge, and this edge. \pre its neighbor has another one
+  void remove_leaf(std::size_t v) { m_network.m_topology.remove_leaf(v); }
+
+  void set_pinned(std::size_t v) { m_network.set_pinned(v); }
+
+  // Closes the gaps in the numbering; returns the former index of each node.
+  std::vector<std::uint32_t> collect_garbage()
+  {
+    std::vector<std::uint32_t> former = m_network.m_topology.compact();
+    std::vector<Point_3> points;
+    points.reserve(former.size());
+    for(const std::uint32_t v : former) points.push_back(m_network.m_points[v]);
+    m_network.m_points = std::move(points);
+    tell([&](Observer& observer) { observer.on_renumbering(former); });
+    return former;
+  }
+
+private:
+  template <typename Message>
+  void tell(const Message& message) const
+  {
+    for(Observer* observer : m_observers) message(*observer);
+  }
+
+  Network& m_network;
+  std::vector<Observer*> m_observers;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_NETWORK_EDITOR_H

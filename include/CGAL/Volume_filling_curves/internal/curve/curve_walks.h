@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_WALKS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_WALKS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Walks along curves: edges in their order, edge vectors and the corners between them.
+
+template <typename Network>
+bool has_junction(const Network& curve, std::size_t c)
+{
+  for(std::size_t v = curve.first_node(c); v < curve.first_node(c + 1); ++v)
+    if(curve.degree(v) > 2) return true;
+  return false;
+}
+
+// returns the edges of component `c` in the order of the curve; none if it has a junction
+template <typename Network>
+std::vector<std::size_t> edges_along(const Network& curve, std::size_t c)
+{
+  std::vector<std::size_t> edges;
+  if(has_junction(curve, c)) return edges;
+  const std::size_t start = curve.first_node(c);
+  std::size_t v = start;
+  do {
+    const std::size_t degree = curve.degree(v);
+    std::size_t k = 0;
+    while(k < degree && curve.source(curve.incident_edge(v, k)) != v) ++k;
+    if(k == degree) break; // the end of a path
+    edges.push_back(curve.incident_edge(v, k));
+    v = curve.target(edges.back());
+  } while(v != start);
+  return edges;
+}
+
+template <typename Network>
+Vector edge_vector(const Network& curve, std::size_t e)
+{
+  return to_vector(curve.point(curve.target(e))) - to_vector(curve.point(curve.source(e)));
+}
+
+// returns the diagonal of the box of all nodes
+template <typename Network>
+double box_diagonal(const Network& curve)
+{
+  if(curve.number_of_nodes() == 0) return 0;
+  const Vector_field x = coordinates(curve);
+  return (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+}
+
+template <typename Network>
+bool share_a_node(const Network& curve, std::size_t e, std::size_t f)
+{
+  return curve.source(e) == curve.source(f) || curve.source(e) == curve.target(f) ||
+         curve.target(e) == curve.source(f) || curve.target(e) == curve.target(f);
+}
+
+// Calls f(in, out) with the edge vectors at every node inside a curve, in the order of the curve.
+template <typename Network, typename Function>
+void for_each_corner(const Network& curve, std::size_t c, const Function& f)
+{
+  const std::vector<std::size_t> edges = edges_along(curve, c);
+  for(std::size_t i = 1; i < edges.size(); ++i)
+    f(edge_vector(curve, edges[i - 1]), edge_vector(curve, edges[i]));
+  if(curve.is_closed(c)) f(edge_vector(curve, edges.back()), edge_vector(curve, edges.front()));
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_WALKS_H

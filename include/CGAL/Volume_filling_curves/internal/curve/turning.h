@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_TURNING_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_TURNING_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// How much a curve turns at its nodes, in radians. Linear.
+
+// The sum of the turning angles at the nodes inside component c; 0 if it has a junction.
+template <typename Network>
+double total_curvature(const Network& curve, std::size_t c)
+{
+  double sum = 0;
+  for_each_corner(curve, c,
+                  [&](const Vector& in, const Vector& out) { sum += turning_angle(in, out); });
+  return sum;
+}
+
+// The largest turning angle at a node of a closed component.
+template <typename Network>
+double largest_turning_angle(const Network& curve)
+{
+  double largest = 0;
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
+    if(curve.is_closed(c))
+      for_each_corner(curve, c, [&](const Vector& in, const Vector& out) {
+        largest = (std::max)(largest, turning_angle(in, out));
+      });
+  return largest;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_TURNING_H

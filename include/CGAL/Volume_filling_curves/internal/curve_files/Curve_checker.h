@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_CHECKER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_CHECKER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+#include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Says what keeps the repaired edges of a file from being a curve that can be computed with, but
+// for contacts of edges: these are for `Contact_checker`, which takes exact predicates. Linear
+// time.
+class Curve_checker
+{
+public:
+  Curve_checker(Curve_draft& file, Junctions junctions)
+      : m_file(file),
+        m_junctions(junctions),
+        m_components(component_numbers(file.points.size(), file.edges))
+  {}
+
+  void run()
+  {
+    if(m_file.edges.empty()) return;
+    if(m_junctions == Junctions::FORBIDDEN) check_degrees();
+    check_size();
+    check_ends();
+  }
+
+private:
+  using Edge = Curve_draft::Edge;
+  using Nodes = std::vector<std::size_t>;
+
+  // the ends of a component
+  struct Ends
+  {
+    static constexpr double closeness = 1.5;      // in mean edge lengths
+    static constexpr std::size_t least_edges = 8; // an arc of fewer is close to itself anyway
+
+    bool nearly_meet(const Curve_draft& file) const
+    {
+      return nodes.size() == 2 && number_of_edges >= least_edges &&
+             distance(file, nodes[0], nodes[1]) <
+                 closeness * length / static_cast<double>(number_of_edges);
+    }
+
+    Nodes nodes;
+    double length = 0;
+    std::size_t number_of_edges = 0;
+  };
+
+  // Relative to the longest side of the bounding box: of the length of such an edge no more than
+  // four digits are certain.
+  static constexpr double short_edge = 1e-12;
+
+  void check_degrees()
+  {
+    std::vector<std::size_t> degrees(m_file.points.size(), 0);
+    Nodes junctions;
+    std::vector<std::size_t> lines; // where a node becomes a junction
+    for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
+      for(const std::size_t v : m_file.edges[e]) {
+        if(++degrees[v] != 3) continue;
+        junctions.push_back(v);
+        lines.push_back(m_file.edge_lines[e]);
+      }
+    }
+    for(std::size_t i = 0; i < junctions.size(); ++i)
+      add_defect(Curve_defect_kind::JUNCTION,
+                 "a node has " + std::to_string(degrees[junctions[i]]) + " edges", lines[i],
+                 {junctions[i]});
+  }
+
+  void check_size()
+  {
+    const double size = longest_side();
+    if(size < least_size)
+      return add_defect(Curve_defect_kind::SIZE_TOO_SMALL, "the size of the curve is below 1e-150",
+                        m_file.point_lines[m_file.edges.front()[0]], {});
+    for(const Edge& edge : m_file.edges)
+      if(length(edge) < short_edge * size)
+        add_defect(Curve_defect_kind::NEARLY_COINCIDENT_NODES,
+                   "an edge is shorter than 1e-12 of the curve's size", m_file.point_lines[edge[1]],
+                   {edge[0], edge[1]});
+  }
+
+  double longest_side() const
+  {
+    double size = 0;
+    for(std::size_t k = 0; k < 3; ++k) {
+      double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+      for(const Edge& edge : m_file.edges) {
+        for(const std::size_t v : edge) {
+          lower = (std::min)(lower, m_file.points[v][k]);
+          upper = (std::max)(upper, m_file.points[v][k]);
+        }
+      }
+      size = (std::max)(size, upper - lower);
+    }
+    return size;
+  }
+
+  static double distance(const Curve_draft& file, std::size_t v, std::size_t w)
+  {
+    const auto &p = file.points[v], &q = file.points[w];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+
+  double length(const Edge& edge) const { return distance(m_file, edge[0], edge[1]); }
+
+  // An arc whose ends are as close as two neighbors was perhaps meant to be closed.
+  void check_ends()
+  {
+    std::vector<Ends> components;
+    std::vector<std::size_t> degrees(m_file.points.size(), 0);
+    for(const Edge& edge : m_file.edges) {
+      const std::size_t c = m_components[edge[0]];
+      if(c > components.size()) components.resize(c);
+      components[c - 1].length += length(edge);
+      ++components[c - 1].number_of_edges;
+      for(const std::size_t v : edge) ++degrees[v];
+    }
+    for(std::size_t v = 0; v < degrees.size(); ++v)
+      if(degrees[v] == 1) components[m_components[v] - 1].nodes.push_back(v);
+    for(const Ends& ends : components)
+      if(ends.nearly_meet(m_file))
+        add_defect(Curve_defect_kind::NEARLY_CLOSED,
+                   "the ends of an open curve are as close as neighbors",
+                   m_file.point_lines[ends.nodes[1]], ends.nodes);
+  }
+
+  void add_defect(Curve_defect_kind kind,
+                  const std::string& message,
+                  std::size_t line,
+                  const Nodes& nodes)
+  {
+    m_file.add_defect(kind, message, line, nodes, nodes.empty() ? 0 : m_components[nodes[0]]);
+  }
+
+  Curve_draft& m_file;
+  Junctions m_junctions;
+  std::vector<std::size_t> m_components;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_CHECKER_H

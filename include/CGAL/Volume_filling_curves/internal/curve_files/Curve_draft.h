@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_DRAFT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_DRAFT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A list of defects that stays short: of every kind only the first 1000 are kept, since a wrong
+// file tends to be wrong in every line. The others are counted.
+class Defect_list
+{
+public:
+  static constexpr std::size_t max_listed = 1000;
+
+  void add(Curve_defect defect)
+  {
+    if(is_error(defect.kind)) m_has_error = true;
+    if(m_counts[defect.kind]++ < max_listed) m_defects.push_back(std::move(defect));
+  }
+
+  // adds a note to a kind that is listed, whatever the number of those
+  void add_note(Curve_defect defect) { m_defects.push_back(std::move(defect)); }
+
+  bool has_error() const { return m_has_error; }
+
+  // returns the defects, and the total of every kind that is not listed completely
+  std::vector<Curve_defect> listed() const
+  {
+    std::vector<Curve_defect> defects = m_defects;
+    for(const auto& [kind, count] : m_counts)
+      if(count > max_listed)
+        defects.push_back({kind, std::to_string(count) + " of this kind in total, the first " +
+                                     std::to_string(max_listed) + " are listed"});
+    return defects;
+  }
+
+private:
+  std::vector<Curve_defect> m_defects;
+  std::map<Curve_defect_kind, std::size_t> m_counts;
+  bool m_has_error = false;
+};
+
+// What a curve file says, before anybody asked whether it is a curve: all vertices in the order of
+// the file, edges as pairs of vertex indices from 0, and the lines where they stand. Every reader
+// produces this, whatever its format; `check_curve()` turns it into an embedded curve or says why
+// not. A vertex that could not be read keeps its place, so that the indices of others stay right.
+struct Curve_draft
+{
+  using Point = std::array<double, 3>;
+  using Edge = std::array<std::size_t, 2>;
+
+  // Vertex numbers for users count from 1.
+  static std::size_t number(std::size_t v) { return v + 1; }
+
+  bool is_readable(std::size_t v) const { return !std::isnan(points[v][0]); }
+
+  // keeps only coordinates that are fit for computation
+  void add_point(const Point& point, std::size_t line)
+  {
+    for(const double x : point) {
+      if(std::abs(x) <= largest_coordinate) continue;
+      const bool is_finite = std::isfinite(x);
+      return add_unreadable_point(
+          {is_finite ? Curve_defect_kind::COORDINATE_TOO_LARGE
+                     : Curve_defect_kind::NON_FINITE_COORDINATE,
+           is_finite ? "a coordinate is beyond 1e150" : "a coordinate is not finite",
+           line,
+           {number(points.size())}});
+    }
+    points.push_back(point);
+    point_lines.push_back(line);
+  }
+
+  void add_unreadable_point(Curve_defect defect)
+  {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    points.push_back({nan, nan, nan});
+    point_lines.push_back(defect.line);
+    defects.add(std::move(defect));
+  }
+
+  // The nodes count from 0 here.
+  void add_defect(Curve_defect_kind kind,
+                  std::string message,
+                  std::size_t line,
+                  const std::vector<std::size_t>& nodes,
+                  std::size_t component)
+  {
+    Curve_defect defect{kind, std::move(message), line, nodes, component};
+    for(std::size_t& v : defect.nodes) v = number(v);
+    defects.add(std::move(defect));
+  }
+
+  void add_edge(std::size_t v, std::size_t w, std::size_t line)
+  {
+    edges.push_back({v, w});
+    edge_lines.push_back(line);
+  }
+
+  std::vector<Point> points;
+  std::vector<std::size_t> point_lines;
+  std::vector<Edge> edges;
+  std::vector<std::size_t> edge_lines; // where the record of the edge starts
+  std::vector<std::size_t> pinned;
+  Defect_list defects;
+  bool is_complete = true; // whether the reader understood the file up to its end
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_DRAFT_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_FORMAT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_FORMAT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Obj_curve_reader.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Point_list_reader.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_txt_reader.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Vect_reader.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/curve_writers.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The formats of curve files. The first end of the file's name that fits decides, in upper or lower
+// case; a new format is a new line of the table.
+struct Curve_format
+{
+  // how errors name them
+  static constexpr const char* extensions = ".obj, .polylines.txt, .vect, .xyz, .txt or .dat";
+
+  std::string_view extension;
+  Curve_draft (*read)(std::string_view text, Junctions junctions);
+  std::string (*write)(const Curve_paths& curve);
+
+  // returns null if the format is unknown
+  static const Curve_format* of(const std::string& filename);
+};
+
+inline Curve_draft read_obj(std::string_view text, Junctions)
+{
+  return Obj_curve_reader(text).run();
+}
+
+inline Curve_draft read_polylines_txt(std::string_view text, Junctions junctions)
+{
+  return Polylines_txt_reader(text, junctions).run();
+}
+
+inline Curve_draft read_vect(std::string_view text, Junctions junctions)
+{
+  return Vect_reader(text, junctions).run();
+}
+
+inline Curve_draft read_point_list(std::string_view text, Junctions junctions)
+{
+  return Point_list_reader(text, junctions).run();
+}
+
+inline const Curve_format* Curve_format::of(const std::string& filename)
+{
+  static constexpr Curve_format formats[] = {
+      {".obj", read_obj, to_obj},
+      {".polylines.txt", read_polylines_txt, to_polylines_txt},
+      {".vect", read_vect, to_vect},
+      {".xyz", read_point_list, to_point_list},
+      {".txt", read_point_list, to_point_list},
+      {".dat", read_point_list, to_point_list}};
+  const auto is_same_letter = [](char small, char c) {
+    return small == (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  };
+  for(const Curve_format& format : formats) {
+    const std::size_t length = format.extension.size();
+    if(filename.size() >= length &&
+       std::equal(format.extension.begin(), format.extension.end(),
+                  filename.end() - std::ptrdiff_t(length), is_same_letter))
+      return &format;
+  }
+  return nullptr;
+}
+
+// Reads a file of any format. A file that cannot be read gives a draft with an error.
+inline Curve_draft read_curve_draft(const std::string& filename, Junctions junctions)
+{
+  Curve_draft nothing;
+  nothing.is_complete = false;
+  const Curve_format* const format = Curve_format::of(filename);
+  std::string text;
+  if(format == nullptr)
+    nothing.defects.add({Curve_defect_kind::UNKNOWN_FORMAT,
+                         std::string("curves are ") + Curve_format::extensions + " files"});
+  else if(const std::error_code error = read_whole_file(filename, text))
+    nothing.defects.add({Curve_defect_kind::UNREADABLE_FILE, error.message()});
+  else
+    return format->read(text, junctions);
+  return nothing;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_CURVE_FORMAT_H

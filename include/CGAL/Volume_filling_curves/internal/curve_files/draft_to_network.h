@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_DRAFT_TO_NETWORK_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_DRAFT_TO_NETWORK_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_checker.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Edge_repair.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The way from a file to a network: what was read is repaired and checked and, if there is no
+// error, made a network. Whether edges meet can be checked in between, with `Contact_checker`.
+
+// If there is no error, the edges of the file are those of the curve.
+inline void repair_and_check(Curve_draft& file, Junctions junctions)
+{
+  if(!file.is_complete) return;
+  Edge_repair(file).run();
+  Curve_checker(file, junctions).run();
+}
+
+// Returns whether there is no error; if there is one, the network does not change. The points keep
+// their places, hence origins are vertices of the file.
+template <typename Traits>
+bool checked_draft_to_network(const Curve_draft& file,
+                              Curve_network_3<Traits>& network,
+                              std::vector<Curve_defect>& defects)
+{
+  defects = file.defects.listed();
+  if(file.defects.has_error()) return false;
+  const auto construct_point = network.traits().construct_point_3_object();
+  std::vector<typename Traits::Point_3> points;
+  points.reserve(file.points.size());
+  for(const auto& p : file.points) points.push_back(construct_point(p[0], p[1], p[2]));
+  network = Curve_network_3<Traits>(points, file.edges, network.traits());
+  std::vector<bool> is_pinned(points.size(), false);
+  for(const std::size_t v : file.pinned) is_pinned[v] = true;
+  for(const std::size_t v : network.nodes())
+    if(is_pinned[network.origin(v)]) network.set_pinned(v);
+  return true;
+}
+
+// Makes a network whose edges may meet.
+template <typename Traits>
+bool draft_to_network(Curve_draft& file,
+                      Curve_network_3<Traits>& network,
+                      std::vector<Curve_defect>& defects,
+                      Junctions junctions)
+{
+  repair_and_check(file, junctions);
+  return checked_draft_to_network(file, network, defects);
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_DRAFT_TO_NETWORK_H

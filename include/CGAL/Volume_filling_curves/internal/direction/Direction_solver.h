@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIRECTION_DIRECTION_SOLVER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIRECTION_DIRECTION_SOLVER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/direction/Tridiagonal_conjugate_gradients.h>
+#include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
+
+#include <Eigen/SparseCholesky>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Solves P d = b for three right-hand sides: by sparse Cholesky factorization as long as that is
+// faster, by conjugate gradients for large P.
+class Direction_solver
+{
+public:
+  Vector_field operator()(const Sparse_matrix& p, const Vector_field& b)
+  {
+    if(p.rows() > largest_factorized) return m_conjugate_gradients(p, b);
+    m_factorization.compute(p);
+    // b is a direction, too, should the factorization break down
+    if(m_factorization.info() != Eigen::Success) return b;
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> columns = b;
+    return m_factorization.solve(columns);
+  }
+
+private:
+  // Cholesky loses from 64 nodes on for tight knots, by little up to here (kernel_solver,
+  // 2026-11-21).
+  static constexpr Eigen::Index largest_factorized = 200;
+
+  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> m_factorization;
+  Tridiagonal_conjugate_gradients m_conjugate_gradients;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIRECTION_DIRECTION_SOLVER_H

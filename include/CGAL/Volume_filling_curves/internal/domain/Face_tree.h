@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_FACE_TREE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_FACE_TREE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/domain/Mesh_shells.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Ray_entry.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Vertical_ray.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Triangle_intersection.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/triangle_distance.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
+#include <CGAL/Volume_filling_curves/internal/support/cgal_compatibility.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Default.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The faces of a closed surface in a CGAL AABB tree. Whether a triangle meets the surface is
+// decided exactly; distances are computed in double. For both the corners of the faces are kept in
+// the order of the tree's leaves, since a query spends most of its time waiting for memory.
+// Logarithmic time per query near the surface, more near the medial axis, where many faces are
+// equally far.
+template <typename Kernel>
+class Face_tree
+{
+public:
+  using Point_3 = typename Kernel::Point_3;
+  using Mesh = CGAL::Surface_mesh<Point_3>;
+  using Face = typename Mesh::Face_index;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh,
+                                                             CGAL::Default,
+                                                             CGAL::Tag_true,
+                                                             CGAL::Tag_true>; // keeps its triangle
+  using Tree = CGAL::AABB_tree<Aabb_traits<Kernel, Primitive>>;
+
+  struct Nearest_face
+  {
+    Face face; // null if none is nearer than the bound
+    double squared_distance;
+  };
+
+  // \pre the mesh has at least two faces, all of them triangles, none degenerate, and no garbage
+  explicit Face_tree(Mesh mesh)
+      : m_mesh(std::move(mesh)),
+        m_tree(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh),
+        m_shells(m_mesh)
+  {
+    m_tree.build(); // or the first queries would build it, one of many threads at a time
+    m_faces.reserve(m_mesh.number_of_faces());
+    Listing_query query{m_faces};
+    Nearest_first_descent<Tree, Listing_query>(query).run(m_tree);
+    for(const Face f : m_faces) {
+      m_triangles.push_back(triangle(f));
+      const auto& [p, q, r] = m_triangles.back();
+      m_corners.push_back({to_vector(p), to_vector(q), to_vector(r)});
+    }
+    const Bbox_3 box = m_tree.bbox();
+    for(int i = 0; i < 3; ++i)
+      m_largest = (std::max)({m_largest, std::abs(box.min(i)), std::abs(box.max(i))});
+  }
+
+  Face_tree(const Face_tree&) = delete; // the tree points at the mesh
+  Face_tree& operator=(const Face_tree&) = delete;
+
+  const Mesh& mesh() const { return m_mesh; }
+
+  const Tree& tree() const { return m_tree; }
+
+  const Mesh_shells<Mesh>& shells() const { return m_shells; }
+
+  // returns whether the closed triangle, which may be degenerate, meets the surface; exact
+  bool does_meet(const std::array<Point_3, 3>& triangle) const
+  {
+    Meeting_query query{*this, triangle, box_of(triangle), false};
+    Nearest_first_descent<Tree, Meeting_query>(query).run(m_tree);
+    return query.has_met;
+  }
+
+  // returns whether the point lies strictly inside of the surface; exact
+  bool encloses(const Point_3& p) const
+  {
+    Vertical_ray<Kernel> ray(p);
+    for_each_face_above(p, [&](std::size_t i) { ray.add(m_triangles[i]); });
+    return ray.starts_inside();
+  }
+
+  // returns the innermost of the shells that have the point strictly inside; exact but for shells
+  // that enclose the same volume. \pre there is one
+  std::size_t innermost_shell(const Point_3& p) const
+  {
+    std::map<std::size_t, Vertical_ray<Kernel>> rays; // the same for each shell
+    for_each_face_above(p, [&](std::size_t i) {
+      rays.try_emplace(m_shells.shell(m_faces[i]), p).first->second.add(m_triangles[i]);
+    });
+    std::size_t innermost = m_shells.number();
+    for(const auto& [shell, ray] : rays)
+      if(ray.starts_inside() &&
+         (innermost == m_shells.number() || m_shells.volume(shell) < m_shells.volume(innermost)))
+        innermost = shell;
+    return innermost;
+  }
+
+  // returns the nearest face and its squared distance if that is less than `bound`, and `bound`
+  // else
+  Nearest_face nearest(const Vector& p,
+                       double bound = std::numeric_limits<double>::infinity()) const
+  {
+    Distance_query query{*this, p, {Mesh::null_face(), bound}};
+    Nearest_first_descent<Tree, Distance_query>(query).run(m_tree);
+    return query.nearest;
+  }
+
+  // returns the least t <= limit for which p + t u lies on the surface, or `limit`
+  double distance_along(const Vector& p, const Vector& u, double limit) const
+  {
+    Ray_query query{*this, p, u, Ray_entry(p, u, m_largest), limit};
+    Nearest_first_descent<Tree, Ray_query>(query).run(m_tree);
+    return query.bound();
+  }
+
+private:
+  using Triangle = std::array<Point_3, 3>;
+
+  struct Listing_query
+  {
+    std::vector<Face>& faces;
+
+    double bound() const { return 1; }
+    double entry(const Bbox_3&) const { return 0; }
+    void visit(const Primitive& primitive, std::size_t) { faces.push_back(primitive.id()); }
+  };
+
+  struct Meeting_query
+  {
+    const Face_tree& faces;
+    const Triangle& triangle;
+    Bbox_3 box;
+    bool has_met;
+
+    double bound() const { return has_met ? 0 : 1; }
+
+    double entry(const Bbox_3& other) const { return CGAL::do_overlap(box, other) ? 0 : 1; }
+
+    void visit(const Primitive&, std::size_t i)
+    {
+      const Triangle& face = faces.m_triangles[i];
+      if(has_met || !CGAL::do_overlap(box, box_of(face))) return;
+      has_met = Triangle_intersection<Kernel>().do_intersect(face, triangle);
+    }
+  };
+
+  // Hands the faces that an upward ray may meet to a function, by their places.
+  template <typename Function>
+  struct Crossing_query
+  {
+    const Face_tree& faces;
+    Vector source;
+    Function function;
+
+    double bound() const { return 1; }
+
+    double entry(const Bbox_3& box) const
+    {
+      const bool is_met = box.xmin() <= source.x() && source.x() <= box.xmax() &&
+                          box.ymin() <= source.y() && source.y() <= box.ymax() &&
+                          source.z() <= box.zmax();
+      return is_met ? 0 : 1;
+    }
+
+    void visit(const Primitive&, std::size_t i)
+    {
+      if(entry(box_of(faces.m_triangles[i])) < bound()) function(i);
+    }
+  };
+
+  template <typename Function>
+  void for_each_face_above(const Point_3& p, const Function& function) const
+  {
+    Crossing_query<Function> query{*this, to_vector(p), function};
+    Nearest_first_descent<Tree, Crossing_query<Function>>(query).run(m_tree);
+  }
+
+  struct Distance_query
+  {
+    const Face_tree& faces;
+    Vector p;
+    Nearest_face nearest;
+
+    double bound() const { return nearest.squared_distance; }
+
+    double entry(const Bbox_3& box) const { return squared_distance_to_box(p, box); }
+
+    void visit(const Primitive&, std::size_t i)
+    {
+      const double d2 = squared_distance_to_triangle(p, faces.m_corners[i], bound());
+      if(d2 < bound()) nearest = {faces.m_faces[i], d2};
+    }
+  };
+
+  struct Ray_query
+  {
+    const Face_tree& faces;
+    Vector p, u;
+    Ray_entry ray_entry;
+    double nearest;
+
+    double bound() const { return nearest; }
+
+    double entry(const Bbox_3& box) const { return ray_entry(box, nearest); }
+
+    void visit(const Primitive&, std::size_t i)
+    {
+      nearest = (std::min)(nearest, distance_along_to_triangle(p, u, faces.m_corners[i]));
+    }
+  };
+
+  Triangle triangle(Face f) const
+  {
+    const auto h = m_mesh.halfedge(f);
+    return {m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+            m_mesh.point(m_mesh.target(m_mesh.next(h)))};
+  }
+
+  static Bbox_3 box_of(const Triangle& t) { return t[0].bbox() + t[1].bbox() + t[2].bbox(); }
+
+  Mesh m_mesh;
+  Tree m_tree;
+  Mesh_shells<Mesh> m_shells;
+  double m_largest = 0; // absolute value of a coordinate
+  // in the order of the leaves
+  std::vector<Face> m_faces;
+  std::vector<Triangle> m_triangles;
+  std::vector<Corners> m_corners;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_FACE_TREE_H

@@ -1,0 +1,233 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_DOMAIN_PARTS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_DOMAIN_PARTS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/internal/coverage/Linked_samples.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Has_parts.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The connected parts of the inside of a domain, and a wide ball in each. A domain that knows its
+// parts, as a mesh does by its shells, is asked, also for parts so small that they hold no sample.
+// Of any other one the samples are linked; a set of them that is alone, as in a corner, is united
+// with those in the ball that is found by climbing from it to more room. So samples of one part are
+// connected for certain; where a passage is thinner than the samples are dense, one part may count
+// as two. Near linear in the number of samples.
+template <typename Traits, typename Domain>
+class Domain_parts
+{
+  using Point_3 = typename Traits::Point_3;
+  using Samples = Domain_samples_3<Traits, Domain>;
+
+public:
+  using Widest = Widest_place<Domain, Traits>;
+
+  // Takes the distances of the samples to the boundary. After the deadline no further parts are
+  // looked for.
+  Domain_parts(const Samples& samples,
+               const std::vector<double>& distances,
+               const Deadline& deadline)
+      : m_samples(samples), m_deadline(deadline)
+  {
+    if constexpr(Has_parts<Domain>::value) {
+      ask_domain(distances);
+      look_for_small_parts();
+      find_widest();
+    } else {
+      link_samples(distances);
+      find_widest();
+      unite_within_balls();
+    }
+  }
+
+  // the widest places, one for each part, in the order of the parts' first samples
+  const std::vector<Widest>& widest_places() const { return m_widest; }
+
+  double largest_radius() const
+  {
+    double largest = 0;
+    for(const Widest& widest : m_widest) largest = (std::max)(largest, widest.radius());
+    return largest;
+  }
+
+  // returns the part of a point inside, `widest_places().size()` if it cannot be told
+  std::size_t part(const Point_3& p) const
+  {
+    if constexpr(Has_parts<Domain>::value) {
+      const auto found = m_numbers.find(m_samples.domain().part(p));
+      return found == m_numbers.end() ? m_widest.size() : found->second;
+    } else {
+      return part_of_visible_sample(p);
+    }
+  }
+
+private:
+  // The samples of a part, and their distances to the boundary.
+  struct Part_samples
+  {
+    std::vector<Point_3> points;
+    std::vector<double> distances;
+  };
+
+  void ask_domain(const std::vector<double>& distances)
+  {
+    const std::vector<Point_3>& points = m_samples.points();
+    for(std::size_t k = 0; k < points.size(); ++k)
+      add(m_samples.domain().part(points[k]), points[k], distances[k]);
+  }
+
+  void add(std::size_t label, const Point_3& p, double distance)
+  {
+    const std::size_t number = m_numbers.insert({label, m_numbers.size()}).first->second;
+    if(number == m_parts.size()) m_parts.emplace_back();
+    m_parts[number].points.push_back(p);
+    m_parts[number].distances.push_back(distance);
+  }
+
+  // Among points of its box a part of which no sample is known shows up unless it is very thin.
+  void look_for_small_parts()
+  {
+    const auto& boxes = m_samples.domain().part_boxes();
+    for(std::size_t label = 0; label < boxes.size(); ++label)
+      if(m_numbers.count(label) == 0) look_for_part(label, boxes[label]);
+  }
+
+  void look_for_part(std::size_t label, const CGAL::Bbox_3& box)
+  {
+    const Domain& domain = m_samples.domain();
+    Random_source random(label);
+    for(std::size_t k = 0; k < points_per_box && !m_deadline.has_passed(); ++k) {
+      const double x = random.real(), y = random.real(), z = random.real();
+      const Vector q(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
+                     box.zmin() + z * box.z_span());
+      const Point_3 p = to_point(q, m_samples.traits());
+      if(domain.is_inside(p) && domain.part(p) == label) add(label, p, domain.distance(p));
+    }
+  }
+
+  void link_samples(const std::vector<double>& distances)
+  {
+    const std::vector<Point_3>& points = m_samples.points();
+    const double n = static_cast<double>(points.size());
+    Linked_samples<Domain> linked(m_samples.domain(), points, std::cbrt(m_samples.volume() / n));
+    for(std::size_t k = 0; k < points.size(); ++k)
+      add(linked.sets().find(k), points[k], distances[k]);
+  }
+
+  void find_widest()
+  {
+    for(const Part_samples& part : m_parts)
+      m_widest.emplace_back(m_samples.domain(), part.points, part.distances, m_samples.traits());
+  }
+
+  // A ball inside is connected. The ball of the set with most samples is not looked into: others
+  // find their way to it.
+  void unite_within_balls()
+  {
+    Disjoint_sets sets(m_parts.size());
+    const auto most =
+        std::max_element(m_parts.begin(), m_parts.end(), [](const auto& a, const auto& b) {
+          return a.points.size() < b.points.size();
+        });
+    for(std::size_t k = 0; k < m_parts.size() && !m_deadline.has_passed(); ++k)
+      if(&m_parts[k] != &*most) unite_within_ball(k, sets);
+    regroup(sets);
+  }
+
+  void unite_within_ball(std::size_t k, Disjoint_sets& sets) const
+  {
+    const auto is_in_ball = [&](const Point_3& p) {
+      return (to_vector(p) - m_widest[k].center()).norm() < m_widest[k].radius();
+    };
+    for(std::size_t j = 0; j < m_parts.size(); ++j) {
+      const auto& points = m_parts[j].points;
+      if(sets.find(j) != sets.find(k) && std::any_of(points.begin(), points.end(), is_in_ball))
+        sets.unite(j, k);
+    }
+  }
+
+  // Of united parts the widest ball counts.
+  void regroup(Disjoint_sets& sets)
+  {
+    std::map<std::size_t, std::size_t> widest; // of the parts with the same root
+    for(std::size_t k = 0; k < m_parts.size(); ++k) {
+      std::size_t& best = widest.insert({sets.find(k), k}).first->second;
+      if(m_widest[k].radius() > m_widest[best].radius()) best = k;
+    }
+    std::vector<Widest> places;
+    std::map<std::size_t, std::size_t> numbers;
+    for(const auto& [root, best] : widest) {
+      numbers[root] = places.size();
+      places.push_back(m_widest[best]);
+    }
+    std::vector<Part_samples> parts(places.size());
+    for(std::size_t k = 0; k < m_parts.size(); ++k) {
+      auto& points = parts[numbers[sets.find(k)]].points;
+      points.insert(points.end(), m_parts[k].points.begin(), m_parts[k].points.end());
+    }
+    m_parts = std::move(parts);
+    m_widest = std::move(places);
+  }
+
+  // Of the samples nearest to a point, one that is seen from there.
+  std::size_t part_of_visible_sample(const Point_3& p) const
+  {
+    struct Neighbor
+    {
+      double distance;
+      std::size_t part;
+      Point_3 point;
+    };
+    std::vector<Neighbor> neighbors;
+    for(std::size_t k = 0; k < m_parts.size(); ++k)
+      for(const Point_3& q : m_parts[k].points)
+        neighbors.push_back({(to_vector(q) - to_vector(p)).squaredNorm(), k, q});
+    const std::size_t n = (std::min)(tried_samples, neighbors.size());
+    const auto end = neighbors.begin() + static_cast<std::ptrdiff_t>(n);
+    std::partial_sort(neighbors.begin(), end, neighbors.end(),
+                      [](const Neighbor& a, const Neighbor& b) { return a.distance < b.distance; });
+    const auto seen = std::find_if(neighbors.begin(), end, [&](const Neighbor& neighbor) {
+      return m_samples.domain().is_triangle_inside(p, neighbor.point, neighbor.point);
+    });
+    return seen == end ? m_widest.size() : seen->part;
+  }
+
+  static constexpr std::size_t points_per_box = 1000;
+  static constexpr std::size_t tried_samples = 64;
+
+  const Samples& m_samples;
+  const Deadline& m_deadline;
+  std::map<std::size_t, std::size_t> m_numbers; // of the parts, by what the domain calls them
+  std::vector<Part_samples> m_parts;
+  std::vector<Widest> m_widest;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_DOMAIN_PARTS_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_DOMAIN_SURVEY_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_DOMAIN_SURVEY_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/Thickness_fit.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Domain_parts.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
+#include <CGAL/Volume_filling_curves/internal/filling/boundary_distances.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What is found out about a domain before a curve grows in it: its connected parts, where to start
+// in each, and whether the domain is wide enough for the thickness.
+template <typename Traits, typename Domain>
+class Domain_survey
+{
+  using Point_3 = typename Traits::Point_3;
+  using Parts = Domain_parts<Traits, Domain>;
+
+public:
+  using Samples = Domain_samples_3<Traits, Domain>;
+  using Parameters = Filling_parameters<Point_3>;
+
+  Domain_survey(const Domain& domain,
+                const Parameters& parameters,
+                const Traits& traits,
+                const Deadline& deadline)
+      : m_parameters(parameters),
+        m_deadline(deadline),
+        m_samples(domain,
+                  Samples::default_number,
+                  parameters.random_seed,
+                  traits,
+                  [&] { return !deadline.has_passed(); }),
+        m_distances(boundary_distances(domain, m_samples.points(), &deadline)),
+        m_parts(m_samples, m_distances, deadline),
+        m_widest_radius(m_parts.largest_radius()),
+        m_thickness(parameters.thickness_field
+                        ? mean_thickness(parameters.thickness_field, m_samples.points())
+                        : filling_thickness(parameters, m_widest_radius, m_samples.volume()))
+  {
+    for(const auto& place : m_parts.widest_places())
+      m_is_wide.push_back(is_wide(place.center(), place.radius()));
+  }
+
+  const Samples& samples() const { return m_samples; }
+
+  // of the samples
+  const std::vector<double>& distances_to_boundary() const { return m_distances; }
+
+  // the radius of the widest ball inside
+  double widest_radius() const { return m_widest_radius; }
+
+  // the thickness to start from, the mean in the domain if it varies
+  double thickness() const { return m_thickness; }
+
+  // A circle in each part that is wide enough for a curve, as closed polylines.
+  std::vector<std::vector<Point_3>> circles() const
+  {
+    std::vector<std::vector<Point_3>> circles;
+    for(std::size_t k = 0; k < m_is_wide.size(); ++k)
+      if(m_is_wide[k]) circles.push_back(m_parts.widest_places()[k].circle());
+    return circles;
+  }
+
+  std::size_t number_of_wide_parts() const
+  {
+    return static_cast<std::size_t>(std::count(m_is_wide.begin(), m_is_wide.end(), true));
+  }
+
+  // returns how many of the wide parts hold no component of the curve
+  std::size_t number_of_wide_parts_without(const Curve_network_3<Traits>& curve) const
+  {
+    std::vector<bool> are_empty = m_is_wide;
+    are_empty.push_back(false); // for a component of which it cannot be told
+    for(std::size_t c = 0; c < curve.number_of_components(); ++c)
+      are_empty[m_parts.part(curve.point(curve.first_node(c)))] = false;
+    return static_cast<std::size_t>(std::count(are_empty.begin(), are_empty.end(), true));
+  }
+
+  Thickness_fit thickness_fit() const
+  {
+    const auto thickness = [this](const Point_3& p) { return thickness_at(p); };
+    const Thin_walls<Samples, decltype(thickness)> walls(m_samples, m_distances, thickness,
+                                                         m_deadline);
+    Thickness_fit fit;
+    fit.thickness = m_thickness;
+    fit.thin_fraction = walls.fraction(1);
+    const bool is_thin = fit.thin_fraction > tolerated_unfilled_fraction;
+    fit.fitting_thickness = m_thickness * (is_thin ? walls.fitting_scale() : 1);
+    return fit;
+  }
+
+private:
+  // A ball that a curve is worth being started in, in units of the thickness, or of the widest ball
+  // if that is smaller; smaller parts are dust.
+  static constexpr double least_radius = 0.125;
+
+  double thickness_at(const Point_3& p) const
+  {
+    return m_parameters.thickness_field ? m_parameters.thickness_field(p) : m_thickness;
+  }
+
+  bool is_wide(const Vector& center, double radius) const
+  {
+    const double thickness = thickness_at(to_point(center, m_samples.traits()));
+    return radius >= least_radius * (std::min)(thickness, m_widest_radius);
+  }
+
+  const Parameters& m_parameters;
+  const Deadline& m_deadline;
+  Samples m_samples;
+  std::vector<double> m_distances; // of the samples to the boundary
+  Parts m_parts;
+  double m_widest_radius;
+  double m_thickness;
+  std::vector<bool> m_is_wide; // part by part
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_DOMAIN_SURVEY_H

@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_3.h>
+#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/Filling_result.h>
+#include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Region_paths.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/step/Idle_steps.h>
+#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Grows a curve until it fills a domain. Coarse to fine: with a multiple of the thickness first,
+// which takes few nodes and long steps, then with halves of it. While the curve grows, a large cap
+// of the medial radii pulls it into empty space, and lambda is large, which makes the
+// preconditioner close to the Hessian; at last it settles with what was asked for.
+template <typename Flow, typename Samples, typename Visitor>
+class Filler
+{
+  using Network = typename Flow::Curve_network;
+  using Guard = typename Flow::Guard;
+  using Point_3 = typename Flow::Point_3;
+  using Thickness_field = typename Flow::Thickness_field;
+  using Paths = Region_paths<Network, Samples>;
+  using Parameters = Filling_parameters<Point_3>;
+  using Result = Filling_result<Point_3>;
+
+public:
+  // Takes the thickness to start from, and the radius of the widest ball inside.
+  Filler(Guard& guard,
+         const Samples& samples,
+         const std::vector<double>& boundary_distances,
+         const Parameters& parameters,
+         double thickness,
+         double widest_radius,
+         const Deadline& deadline,
+         Visitor& visitor)
+      : m_parameters(parameters),
+        m_thickness(thickness),
+        m_coarsest_thickness(coarsest_share * widest_radius),
+        m_deadline(deadline),
+        m_samples(samples),
+        m_boundary_distances(boundary_distances),
+        m_flow(guard, with_thickness(parameters, thickness)),
+        m_visitor(visitor)
+  {}
+
+  Result operator()()
+  {
+    m_visitor.on_start(m_flow);
+    grow();
+    settle();
+    return result();
+  }
+
+private:
+  static constexpr double coarsest_share = 0.25; // of the widest ball: the curve needs room to grow
+  // of a length asked for, to end the search for it
+  static constexpr double length_tolerance = 5e-3;
+  static constexpr double promised_tolerance = 2e-2; // likewise, to call it reached
+  static constexpr int max_corrections_of_thickness = 8;
+  static constexpr double kept_thinness = 0.5;
+  static constexpr double driven_share = 0.9; // regions are driven at before they count as empty
+
+  void grow()
+  {
+    double factor = 1;
+    while(2 * factor * m_thickness <= m_coarsest_thickness) factor *= 2;
+    for(; factor > 1; factor /= 2) run(Filling_stage::coarse_growth(), factor);
+    run(Filling_stage::growth());
+    reach_empty_regions();
+  }
+
+  void settle()
+  {
+    run(Filling_stage::settling());
+    return_to_empty_regions();
+    if(!(m_parameters.length > 0)) return;
+    for(int k = 0; k < max_corrections_of_thickness && !m_end; ++k) {
+      const double excess = m_flow.length() / m_parameters.length;
+      if(std::abs(excess - 1) < length_tolerance) return;
+      // the strands' cross sections fill the volume
+      m_thickness *= std::sqrt(excess);
+      run(Filling_stage::settling());
+    }
+  }
+
+  // Where the curve does not get to by itself, as through a neck that is too narrow for a loop, it
+  // is led along a path on which it may be thinner for a while.
+  void reach_empty_regions()
+  {
+    for(const double thinness : {0.5, 0.25}) {
+      if(!find_paths(thinness)) return;
+      run(Filling_stage::growth(), 1, thinning(thinness));
+      run(Filling_stage::growth());
+    }
+  }
+
+  // Where the curve has drawn back, since the place is too thin for the thickness asked for, it
+  // stays thinner.
+  void return_to_empty_regions()
+  {
+    if(!find_paths(kept_thinness)) return;
+    m_thinning = thinning(kept_thinness);
+    run(Filling_stage::growth());
+    run(Filling_stage::settling());
+  }
+
+  // returns whether there are empty regions, and paths to them
+  bool find_paths(double thinness)
+  {
+    if(m_end) return false;
+    m_paths = std::make_shared<const Paths>(m_flow.curve(), m_samples, empty_regions_to_drive_at(),
+                                            thinness * m_thickness, &m_deadline);
+    return !m_paths->are_empty();
+  }
+
+  Thickness_field thinning(double thinness) const
+  {
+    return [paths = m_paths, thinness](const Point_3& p) { return paths->thinning(p, thinness); };
+  }
+
+  double thickness_at(const Point_3& p) const
+  {
+    return m_parameters.thickness_field ? m_parameters.thickness_field(p) : m_thickness;
+  }
+
+  std::vector<Empty_region_3<Point_3>> empty_regions_to_drive_at() const
+  {
+    const auto thickness = [&](const Point_3& p) { return driven_share * thickness_at(p); };
+    return find_empty_regions(m_flow.curve(), m_samples,
+                              sample_distances(m_flow.curve(), m_samples), &m_boundary_distances,
+                              thickness);
+  }
+
+  void run(const Filling_stage& stage, double factor = 1) { run(stage, factor, m_thinning); }
+
+  // Runs a stage with a multiple of the thickness, which may vary.
+  void run(const Filling_stage& stage, double factor, Thickness_field multiple)
+  {
+    if(m_end) return;
+    start(stage, factor, std::move(multiple));
+    Length_window lengths;
+    lengths.add(m_flow.length());
+    while(!(m_end = end_before_step()) &&
+          !lengths.has_settled(stage.window, stage.change_of_length)) {
+      m_idle_steps.note(step());
+      lengths.add(m_flow.length());
+      m_flow.set_max_displacement(m_displacement *= stage.cooling);
+      m_visitor.on_iteration(m_flow);
+    }
+  }
+
+  bool step()
+  {
+    m_seconds_of_step = 0;
+    const Stage_timer timer(m_seconds_of_step);
+    return m_flow.step();
+  }
+
+  void start(const Filling_stage& stage, double factor, Thickness_field multiple)
+  {
+    Curve_flow_parameters p = with_thickness(m_parameters, factor * m_thickness);
+    p.screening *= stage.screening;
+    p.max_radius = (std::min)(p.max_radius, stage.max_radius);
+    p.max_displacement = m_displacement = (std::min)(p.max_displacement, stage.max_displacement);
+    if(!m_parameters.thickness_field && !multiple)
+      m_flow.set_parameters(p);
+    else
+      m_flow.set_parameters(p, [factor, multiple, field = m_parameters.thickness_field,
+                                r = m_thickness](const Point_3& x) {
+        return factor * (field ? field(x) : r) * (multiple ? multiple(x) : 1);
+      });
+  }
+
+  std::optional<Filling_status> end_before_step()
+  {
+    if(m_flow.statistics().iterations >= m_parameters.number_of_iterations ||
+       !m_deadline.leaves(m_seconds_of_step))
+      return Filling_status::LIMIT;
+    if(m_idle_steps.are_too_many()) return Filling_status::STALLED;
+    if(!m_visitor.go_further(m_flow)) return Filling_status::INTERRUPTED;
+    return std::nullopt;
+  }
+
+  bool misses_length() const
+  {
+    return m_parameters.length > 0 &&
+           !(std::abs(m_flow.length() / m_parameters.length - 1) <= promised_tolerance);
+  }
+
+  Filling_status status_of_settled(const Result& result) const
+  {
+    if(misses_length()) return Filling_status::LENGTH_NOT_REACHED;
+    return result.unfilled_fraction > tolerated_unfilled_fraction ? Filling_status::PARTIAL
+                                                                  : Filling_status::CONVERGED;
+  }
+
+  void measure_coverage(Result& result)
+  {
+    const auto thickness = [&](const Point_3& p) { return thickness_at(p); };
+    const std::vector<double> distances = sample_distances(m_flow.curve(), m_samples);
+    result.unfilled_fraction = unfilled_fraction(m_samples, distances, thickness);
+    result.coverage = coverage(m_samples, distances, thickness);
+    if(!m_deadline.leaves(m_seconds_of_step)) return; // the search for them can take seconds
+    result.empty_regions =
+        find_empty_regions(m_flow.curve(), m_samples, distances, &m_boundary_distances, thickness);
+  }
+
+  Result result()
+  {
+    Result result;
+    measure_coverage(result);
+    result.status = m_end.value_or(status_of_settled(result));
+    result.thickness = m_parameters.thickness_field ? m_flow.thickness() : m_thickness;
+    result.medial_radius =
+        m_flow.mean_medial_radius(Filling_stage::settling().max_radius * m_flow.thickness());
+    result.gradient_norm = m_flow.gradient_norm();
+    result.statistics = m_flow.statistics();
+    return result;
+  }
+
+  const Parameters& m_parameters;
+  double m_thickness; // the one that is asked for, or that is to lead to the length asked for
+  const double m_coarsest_thickness; // with which the curve starts to grow
+  const Deadline& m_deadline;
+  const Samples& m_samples;
+  const std::vector<double>& m_boundary_distances; // of the samples
+  Flow m_flow;
+  Visitor& m_visitor;
+  std::shared_ptr<const Paths> m_paths; // to empty regions
+  Thickness_field m_thinning;           // for good, where the domain is too thin
+  std::optional<Filling_status> m_end;  // if it is not because the curve has settled
+  double m_displacement = 0;            // the largest, in units of the thickness
+  double m_seconds_of_step = 0;         // the last one took
+  Idle_steps m_idle_steps;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLER_H

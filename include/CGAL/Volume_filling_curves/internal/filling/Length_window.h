@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_LENGTH_WINDOW_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_LENGTH_WINDOW_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The length of a growing curve over its last iterations.
+class Length_window
+{
+public:
+  void add(double length) { m_lengths.push_back(length); }
+
+  // returns whether the length changed by less than a fraction of it over that many iterations
+  bool has_settled(std::size_t iterations, double fraction) const
+  {
+    if(m_lengths.size() <= iterations) return false;
+    const auto begin = m_lengths.end() - static_cast<std::ptrdiff_t>(iterations) - 1;
+    const auto [least, most] = std::minmax_element(begin, m_lengths.end());
+    return *most - *least < fraction * *most;
+  }
+
+private:
+  std::vector<double> m_lengths;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_LENGTH_WINDOW_H

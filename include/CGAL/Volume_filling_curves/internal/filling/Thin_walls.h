@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_THIN_WALLS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_THIN_WALLS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// How much of a domain is too thin for a thickness? Around each of some samples, of all samples
+// that are not far the one with most room is taken, and its ball climbs to more room; if that does
+// not get to the width that a curve needs, the sample lies in walls that are too thin. Takes hardly
+// any query of the domain where it is wide, and up to some hundred for each of the samples where it
+// is not.
+template <typename Samples, typename Thickness>
+class Thin_walls
+{
+  using Point_3 = typename Samples::Point_3;
+
+public:
+  // Takes the distances of the samples to the boundary, and the thickness as a function of the
+  // point. After the deadline no further samples are looked at.
+  Thin_walls(const Samples& samples,
+             const std::vector<double>& distances,
+             const Thickness& thickness,
+             const Deadline& deadline)
+      : m_samples(samples), m_thickness(thickness), m_deadline(deadline)
+  {
+    std::vector<std::size_t> order(distances.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return distances[i] > distances[j]; });
+    for(const std::size_t i : order)
+      m_balls.push_back({to_vector(samples.points()[i]), distances[i]});
+  }
+
+  // returns the share of the volume that is too thin for `scale` times the thickness
+  double fraction(double scale) const
+  {
+    const std::size_t n = (std::min)(number_of_probes, m_samples.points().size());
+    std::size_t thin = 0, all = 0;
+    for(; all < n && (all == 0 || !m_deadline.has_passed()); ++all) {
+      const Point_3& p = m_samples.points()[all];
+      if(!has_room(to_vector(p), scale * m_thickness(p))) ++thin;
+    }
+    return static_cast<double>(thin) / static_cast<double>(all);
+  }
+
+  // returns by how much the thickness must be multiplied to fit nearly everywhere, the largest of
+  // 0.71, 0.5, 0.35, ..., found by bisection. \pre the thickness itself does not fit
+  double fitting_scale() const
+  {
+    int too_large = 0, small = halvings;
+    while(small - too_large > 1 && !m_deadline.has_passed()) {
+      const int middle = (too_large + small) / 2;
+      (fraction(scale(middle)) > tolerated_unfilled_fraction ? too_large : small) = middle;
+    }
+    return scale(small);
+  }
+
+private:
+  // Plates fill up to a thickness of 1.5 times half their own, rods up to 1.2 times (2026-11-22).
+  static constexpr double needed_width = 0.8; // of the ball, in units of r
+  // The center of a ball of that width that touches the walls of a corner is 1.39 r from it.
+  static constexpr double reach = 1.5; // in units of r
+  // If of that many balls around samples none has that part of the needed width, none will get it.
+  static constexpr int many = 8;
+  static constexpr double hopeful = 0.6;
+  static constexpr std::size_t number_of_probes = 300;
+  static constexpr int halvings = 32;        // of the square of the thickness, at most
+  static constexpr double last_step = 0.1;   // of the climb, in units of r
+  static constexpr double least_gain = 1e-3; // of a radius, relative, so that the climb ends
+
+  struct Ball
+  {
+    Vector center;
+    double radius;
+  };
+
+  static double scale(int k) { return std::pow(0.5, k / 2.); }
+
+  bool has_room(const Vector& p, double r) const
+  {
+    const auto is_near = [&](const Ball& ball) { return (ball.center - p).norm() <= reach * r; };
+    auto near = std::find_if(m_balls.begin(), m_balls.end(), is_near);
+    Ball ball = *near; // p itself is among them
+    const double needed = needed_width * r;
+    if(ball.radius >= needed) return true;
+    for(int k = 1; k < many && near != m_balls.end(); ++k)
+      near = std::find_if(near + 1, m_balls.end(), is_near);
+    if(near != m_balls.end() && ball.radius < hopeful * needed) return false;
+    for(double step = r / 2; step > last_step * r && ball.radius < needed;)
+      if(!climb(ball, p, step, reach * r)) step /= 2;
+    return ball.radius >= needed;
+  }
+
+  // Moves the ball to more room, along an axis or a diagonal of space, never out of itself; returns
+  // whether there is any.
+  bool climb(Ball& ball, const Vector& p, double step, double farthest) const
+  {
+    for(int k = 0; k < 27; ++k) {
+      const Vector offset(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+      if(offset.squaredNorm() == 0 || offset.squaredNorm() == 2) continue;
+      const Vector direction = offset.normalized();
+      const Ball next = ball_at(ball.center + (std::min)(step, ball.radius) * direction);
+      if((next.center - p).norm() > farthest) continue;
+      if(!(next.radius > (1 + least_gain) * ball.radius)) continue;
+      ball = next;
+      return true;
+    }
+    return false;
+  }
+
+  Ball ball_at(const Vector& center) const
+  {
+    const Point_3 p = to_point(center, m_samples.traits());
+    return {center, m_samples.domain().is_inside(p) ? m_samples.domain().distance(p) : 0};
+  }
+
+  const Samples& m_samples;
+  const Thickness& m_thickness;
+  const Deadline& m_deadline;
+  std::vector<Ball> m_balls; // around the samples, the largest first
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_THIN_WALLS_H

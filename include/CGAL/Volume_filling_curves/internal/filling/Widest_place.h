@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_PLACE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_PLACE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A point inside a domain that is as far from the boundary as can be found: the best of some
+// samples, improved by a search along the axes with steps that are halved when none of them helps.
+// The radius of the ball around it that lies inside is found to a hundredth.
+template <typename Domain, typename Traits>
+class Widest_place
+{
+  using Point_3 = typename Traits::Point_3;
+
+public:
+  // Takes the distances of the samples to the boundary. \pre there is a sample
+  Widest_place(const Domain& domain,
+               const std::vector<Point_3>& samples,
+               const std::vector<double>& distances,
+               const Traits& traits)
+      : m_domain(&domain), m_traits(traits)
+  {
+    const auto most = std::max_element(distances.begin(), distances.end());
+    m_center = to_vector(samples[static_cast<std::size_t>(most - distances.begin())]);
+    m_radius = *most;
+    climb();
+  }
+
+  const Vector& center() const { return m_center; }
+  double radius() const { return m_radius; }
+
+  // A circle around the center, as a polyline whose last point repeats the first.
+  std::vector<Point_3> circle() const
+  {
+    const double radius = radius_of_circle * m_radius;
+    std::vector<Point_3> points;
+    for(std::size_t k = 0; k < nodes_of_circle; ++k) {
+      const auto [cosine, sine] =
+          cos_sin(static_cast<double>(k) / static_cast<double>(nodes_of_circle));
+      points.push_back(to_point(Vector(m_center + radius * Vector(cosine, sine, 0)), m_traits));
+    }
+    points.push_back(points.front());
+    return points;
+  }
+
+private:
+  static constexpr std::size_t nodes_of_circle = 24;
+  static constexpr double radius_of_circle = 0.5;             // in units of the ball's
+  static constexpr double first_step = 0.5, last_step = 0.01; // in units of the radius
+
+  bool try_center(const Vector& x)
+  {
+    const Point_3 p = to_point(x, m_traits);
+    if(!m_domain->is_inside(p)) return false;
+    const double distance = m_domain->distance(p);
+    if(!(distance > m_radius)) return false;
+    m_radius = distance;
+    m_center = x;
+    return true;
+  }
+
+  void climb()
+  {
+    for(double step = first_step; step > last_step;)
+      if(!try_neighbors(step * m_radius)) step /= 2;
+  }
+
+  bool try_neighbors(double step)
+  {
+    const Vector x = m_center;
+    for(const Vector& axis :
+        {Vector(Vector::UnitX()), Vector(Vector::UnitY()), Vector(Vector::UnitZ())})
+      if(try_center(x + step * axis) || try_center(x - step * axis)) return true;
+    return false;
+  }
+
+  const Domain* m_domain;
+  Traits m_traits;
+  Vector m_center;
+  double m_radius;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_PLACE_H

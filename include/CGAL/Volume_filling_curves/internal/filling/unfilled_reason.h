@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_UNFILLED_REASON_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_UNFILLED_REASON_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Filling_result.h>
+#include <CGAL/Volume_filling_curves/Thickness_fit.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Why more of a domain than is tolerated is farther than 2 r from the curve, in plain English.
+
+// returns the number with three digits
+inline std::string rounded(double number)
+{
+  std::ostringstream out;
+  out << std::setprecision(3) << number;
+  return out.str();
+}
+
+inline std::string too_thin(const Thickness_fit& fit)
+{
+  return "walls are too thin for r = " + rounded(fit.thickness) + " in " +
+         rounded(100 * fit.thin_fraction) +
+         " % of the volume, r = " + rounded(fit.fitting_thickness) + " would fit";
+}
+
+template <typename Point_3>
+std::string unfilled_reason(const Filling_result<Point_3>& result)
+{
+  std::string reason;
+  const auto add = [&](const std::string& text) { reason += (reason.empty() ? "" : "; ") + text; };
+  if(result.status == Filling_status::STALLED) add("no step could be certified any more");
+  if(result.unreachable_parts > 0)
+    add("no curve was started in " + std::to_string(result.unreachable_parts) + " of " +
+        std::to_string(result.parts) + " parts of the inside");
+  if(result.thickness_fit.thin_fraction > tolerated_unfilled_fraction)
+    add(too_thin(result.thickness_fit));
+  if(result.empty_regions.size() > result.unreachable_parts)
+    add("the curve did not get through a neck to " +
+        std::to_string(result.empty_regions.size() - result.unreachable_parts) + " empty regions");
+  return reason.empty() ? "gaps between strands or along the boundary are wide" : reason;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_UNFILLED_REASON_H

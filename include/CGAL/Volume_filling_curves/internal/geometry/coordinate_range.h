@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_COORDINATE_RANGE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_COORDINATE_RANGE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The coordinates that networks, readers, domains and guards accept, and the least side of the
+// bounding box of a curve that is to move: squares of lengths neither overflow nor underflow.
+constexpr double largest_coordinate = 1e150, least_size = 1e-150;
+
+// returns whether all coordinates, a vector or a row for each point, are accepted; NaN is not
+template <typename Coordinates>
+bool is_in_range(const Eigen::MatrixBase<Coordinates>& x)
+{
+  return (x.array().abs() <= largest_coordinate).all();
+}
+
+// Throws std::invalid_argument, about what `name` says, unless the coordinates are accepted.
+inline void check_range(const Vector& x, const std::string& name)
+{
+  if(!x.allFinite()) throw std::invalid_argument(name + " is not finite");
+  if(!is_in_range(x)) throw std::invalid_argument(name + " has a coordinate beyond 1e150");
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_COORDINATE_RANGE_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_SEGMENT_DISTANCE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_SEGMENT_DISTANCE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+inline double squared_distance_to_segment(const Vector& p, const Vector& a, const Vector& b)
+{
+  const Vector ab = b - a;
+  const double length2 = ab.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0., 1.) : 0.;
+  return (p - a - t * ab).squaredNorm();
+}
+
+// Products of six lengths must neither overflow nor underflow.
+inline double squared_distance_of_moderate_segments(const Vector& a,
+                                                    const Vector& b,
+                                                    const Vector& c,
+                                                    const Vector& d)
+{
+  const Vector u = b - a, v = d - c, w = a - c;
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
+  const double uw = u.dot(w), vw = v.dot(w);
+  const double denominator = uu * vv - uv * uv;
+  const double s = uv * vw - vv * uw, t = uu * vw - uv * uw;
+  if(s > 0 && s < denominator && t > 0 && t < denominator) {
+    const Vector normal = u.cross(v);
+    const double height = w.dot(normal);
+    return height * height / normal.squaredNorm();
+  }
+  return (std::min)(
+      (std::min)(squared_distance_to_segment(a, c, d), squared_distance_to_segment(b, c, d)),
+      (std::min)(squared_distance_to_segment(c, a, b), squared_distance_to_segment(d, a, b)));
+}
+
+// The squared distance of the segments ab and cd, in double arithmetic. The common perpendicular
+// counts only where its feet lie inside both segments; otherwise, and for parallel segments, an end
+// of one is closest to the other, and these four distances are well conditioned. Very small and
+// very large segments are scaled by a power of two, which is exact.
+inline double squared_segment_distance(const Vector& a,
+                                       const Vector& b,
+                                       const Vector& c,
+                                       const Vector& d)
+{
+  constexpr double large = 0x1p+100, small = 0x1p-100;
+  const double size =
+      (b - a).cwiseAbs().cwiseMax((d - c).cwiseAbs()).cwiseMax((c - a).cwiseAbs()).maxCoeff();
+  if((size > small && size < large) || !(size > 0) || !std::isfinite(size))
+    return squared_distance_of_moderate_segments(a, b, c, d);
+  const int exponent = std::ilogb(size);
+  const double unit = std::ldexp(1., -exponent);
+  return std::ldexp(squared_distance_of_moderate_segments(unit * a, unit * b, unit * c, unit * d),
+                    2 * exponent);
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_SEGMENT_DISTANCE_H

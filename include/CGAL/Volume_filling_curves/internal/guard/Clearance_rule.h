@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GUARD_CLEARANCE_RULE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GUARD_CLEARANCE_RULE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A change that is allowed may still end so close to contact that nothing near it can move again
+// (Goeritz' unknot, strands 1e-13 apart). The rule: edges without a common node stay at least
+// `distance` apart, or at least half as far as they were; edges with a common node keep their
+// opening likewise. It is no part of the proof of isotopy, only of getting anywhere, and is decided
+// in double arithmetic.
+class Clearance_rule
+{
+public:
+  Clearance_rule() = default;
+  explicit Clearance_rule(double distance) : m_distance(distance) {}
+
+  double distance() const { return m_distance; }
+  bool is_active() const { return m_distance > 0; }
+
+  // returns whether edges may be as close as `after`, where `before()` says how close they were
+  template <typename SquaredDistance>
+  bool allows_distance(double squared_after, const SquaredDistance& squared_before) const
+  {
+    return squared_after >= m_distance * m_distance ||
+           squared_after >= kept_fraction * kept_fraction * squared_before();
+  }
+
+  template <typename Opening>
+  bool allows_opening(double after, const Opening& before) const
+  {
+    return after >= safe_opening || after >= kept_fraction * before();
+  }
+
+  // The opening of the corner abc: the distance of the points at distance 1 from b towards a and c,
+  // 2 if straight and 0 if folded.
+  static double opening(const Vector& a, const Vector& b, const Vector& c)
+  {
+    return ((a - b).normalized() - (c - b).normalized()).norm();
+  }
+
+private:
+  static constexpr double kept_fraction = 0.5;
+  static constexpr double safe_opening = 0.35; // 20 degrees
+
+  double m_distance = 0;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GUARD_CLEARANCE_RULE_H

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_IN_PLACE_NETWORK_OF_POLYLINES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_IN_PLACE_NETWORK_OF_POLYLINES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
+
+#include <CGAL/Kernel_traits.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The network that polylines become, with the kernel of their points.
+template <typename Polylines, typename NamedParameters>
+struct Network_of_polylines
+{
+  using Point_map = decltype(point_map_of<Polylines>(std::declval<NamedParameters>()));
+  using Point_3 = std::decay_t<decltype(get(std::declval<Point_map>(),
+                                            std::declval<const polyline_item_t<Polylines>&>()))>;
+  using type = Curve_network_3<Curve_flow_traits_3<typename Kernel_traits<Point_3>::Kernel>>;
+};
+
+template <typename Polylines, typename NamedParameters>
+using network_of_polylines_t = typename Network_of_polylines<Polylines, NamedParameters>::type;
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_IN_PLACE_NETWORK_OF_POLYLINES_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_LEAST_CLEARANCE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_LEAST_CLEARANCE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Curve_interval.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Least_pair_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The least distance of two edges that are not neighbors. Neighbors share a node or are less than
+// `neighborhood` apart along their component. Along a curve that is a difference of arc lengths; in
+// a component with junctions it is the shortest way through the network, which a search from every
+// edge finds that ends at `neighborhood` (Dijkstra). Near linear for curves (Least_pair_distance).
+template <typename Network>
+class Least_clearance
+{
+public:
+  Least_clearance(const Network& curve, double neighborhood)
+      : m_curve(curve),
+        m_neighborhood(neighborhood),
+        m_unit(unit_of_size(curve)),
+        m_spans(arc_length_spans(curve)),
+        m_neighbors(curve.number_of_edges())
+  {
+    if(neighborhood > 0)
+      for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+        if(m_spans.of_edge[e].component == Curve_interval::null) m_neighbors[e] = search(e);
+  }
+
+  double operator()() const
+  {
+    const Least_pair_distance pairs(m_curve, m_spans, m_unit);
+    const double least = pairs.least(
+        std::numeric_limits<double>::infinity(), m_neighborhood, [&](std::size_t e, std::size_t f) {
+          return are_neighbors(e, f) ? std::numeric_limits<double>::infinity() : distance(e, f);
+        });
+    return least / m_unit;
+  }
+
+  bool are_neighbors(std::size_t e, std::size_t f) const
+  {
+    if(share_a_node(m_curve, e, f)) return true;
+    if(m_spans.of_edge[e].is_comparable(m_spans.of_edge[f]))
+      return m_spans.gap(e, f) < m_neighborhood;
+    return std::binary_search(m_neighbors[e].begin(), m_neighbors[e].end(), f);
+  }
+
+private:
+  double distance(std::size_t e, std::size_t f) const
+  {
+    const auto point = [&](std::size_t v) { return Vector(m_unit * to_vector(m_curve.point(v))); };
+    return std::sqrt(squared_segment_distance(point(m_curve.source(e)), point(m_curve.target(e)),
+                                              point(m_curve.source(f)), point(m_curve.target(f))));
+  }
+
+  // returns the edges at all nodes that are less than m_neighborhood away from e, sorted
+  std::vector<std::size_t> search(std::size_t e) const
+  {
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::map<std::size_t, double> reached;
+    std::vector<std::size_t> edges;
+    queue.push({0., m_curve.source(e)});
+    queue.push({0., m_curve.target(e)});
+    while(!queue.empty()) {
+      const auto [way, v] = queue.top();
+      queue.pop();
+      if(!reached.insert({v, way}).second) continue;
+      for(std::size_t k = 0; k < m_curve.degree(v); ++k) {
+        const std::size_t f = m_curve.incident_edge(v, k);
+        edges.push_back(f);
+        const double next = way + edge_vector(m_curve, f).norm();
+        if(next < m_neighborhood) queue.push({next, m_curve.neighbor(v, k)});
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+  }
+
+  const Network& m_curve;
+  const double m_neighborhood, m_unit;
+  const Curve_intervals m_spans;
+  std::vector<std::vector<std::size_t>> m_neighbors; // at junctions only
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_LEAST_CLEARANCE_H

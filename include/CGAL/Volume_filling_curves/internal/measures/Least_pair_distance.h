@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_LEAST_PAIR_DISTANCE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_LEAST_PAIR_DISTANCE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Curve_interval.h>
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The least of some distance over pairs of edges: branch and bound on a CGAL AABB tree, which is
+// met with itself. A pair of parts of the curve is left as soon as their boxes are as far apart as
+// the best pair, or all of their edges are neighbors. Building takes O(n log n) time; the search is
+// near linear while the neighbors per edge are few, since all else is farther away than the answer.
+class Least_pair_distance
+{
+public:
+  // All distances are those of the curve times `unit`. \pre the network has no garbage, so that its
+  // edges come in the order of the curve
+  template <typename Network>
+  Least_pair_distance(const Network& curve, const Curve_intervals& spans, double unit)
+      : m_spans(spans), m_tree(boxes(curve, unit))
+  {}
+
+  /* returns the least of `bound` and of `distance(e, f)` over all pairs of edges.
+   * Pieces of the curve with a `reach()` below `neighborhood` are passed over.
+   * \pre distance(e, f) is not below the distance of the boxes of e and f
+   */
+  template <typename Distance>
+  double least(double bound, double neighborhood, const Distance& distance) const
+  {
+    Query<Distance> query(m_spans, m_tree, neighborhood, distance, bound);
+    Nearest_pair_descent(m_tree, query).run();
+    return query.least();
+  }
+
+private:
+  using Part = Box_tree::Part;
+
+  template <typename Distance>
+  class Query
+  {
+  public:
+    Query(const Curve_intervals& spans,
+          const Box_tree& tree,
+          double neighborhood,
+          const Distance& distance,
+          double bound)
+        : m_spans(spans),
+          m_tree(tree),
+          m_neighborhood(neighborhood),
+          m_distance(distance),
+          m_least(bound)
+    {}
+
+    double least() const { return m_least; }
+    double bound() const { return m_least * m_least; }
+
+    double entry(const Part& a, const Part& b) const
+    {
+      const Curve_interval first = span(a), second = span(b);
+      if(first.is_comparable(second) && m_spans.reach(first, second) < m_neighborhood)
+        return std::numeric_limits<double>::infinity();
+      return squared_distance(a.hull(), b.hull());
+    }
+
+    void visit(const Part& a, const Part& b)
+    {
+      m_tree.for_each_pair(a, b, [&](std::size_t e, std::size_t f) {
+        if(squared_distance(m_tree.box(e), m_tree.box(f)) < bound())
+          m_least = (std::min)(m_least, m_distance(e, f));
+      });
+    }
+
+  private:
+    Curve_interval span(const Part& part) const
+    {
+      return m_spans.of_edge[m_tree.first(part)].hull(m_spans.of_edge[m_tree.last(part)]);
+    }
+
+    static double squared_distance(const Bbox_3& a, const Bbox_3& b)
+    {
+      double sum = 0;
+      for(int i = 0; i < 3; ++i) {
+        const double gap = (std::max)({a.min(i) - b.max(i), b.min(i) - a.max(i), 0.});
+        sum += gap * gap;
+      }
+      return sum;
+    }
+
+    const Curve_intervals& m_spans;
+    const Box_tree& m_tree;
+    double m_neighborhood;
+    const Distance& m_distance;
+    double m_least;
+  };
+
+  template <typename Network>
+  static std::vector<Bbox_3> boxes(const Network& curve, double unit)
+  {
+    std::vector<Bbox_3> result;
+    result.reserve(curve.number_of_edges());
+    for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+      result.push_back(to_bbox(Box(unit * to_vector(curve.point(curve.source(e))))
+                                   .extend(unit * to_vector(curve.point(curve.target(e))))));
+    return result;
+  }
+
+  const Curve_intervals& m_spans;
+  Box_tree m_tree;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_LEAST_PAIR_DISTANCE_H

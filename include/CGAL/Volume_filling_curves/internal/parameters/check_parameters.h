@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_CHECK_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_CHECK_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
+
+#include <cmath>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Every complaint about the value of a parameter is made here: "screening is -1, but must be
+// positive and finite".
+
+inline bool is_positive(double x)
+{
+  return x > 0 && std::isfinite(x);
+}
+
+inline bool is_in_range(double x, Range range)
+{
+  switch(range) {
+  case Range::POSITIVE:
+    return is_positive(x);
+  case Range::NOT_NEGATIVE:
+    return x == 0 || is_positive(x);
+  case Range::NOT_NEGATIVE_OR_NEVER:
+    return x >= 0;
+  default:
+    return true;
+  }
+}
+
+template <typename Value>
+const char* demand(Range range)
+{
+  switch(range) {
+  case Range::POSITIVE:
+    return std::is_integral_v<Value> ? "must be positive" : "must be positive and finite";
+  case Range::NOT_NEGATIVE:
+    return "must be finite and not negative";
+  case Range::NOT_NEGATIVE_OR_NEVER:
+    return "must not be negative";
+  default:
+    return "";
+  }
+}
+
+// Throws "NAME is VALUE, but DEMAND".
+template <typename Tag, typename Value>
+[[noreturn]] void refuse_value(Tag tag, const Value& value, const std::string& demand)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << internal_np::name_of(tag) << " is " << value << ", but " << demand;
+  throw std::invalid_argument(text.str());
+}
+
+template <typename Parameters, typename Row>
+void check_parameter(const Parameters& p, const Row& row)
+{
+  using Value = typename Row::Value;
+  if constexpr(std::is_arithmetic_v<Value>)
+    if(!is_in_range(static_cast<double>(p.*row.member), row.range))
+      refuse_value(typename Row::Tag(), p.*row.member, demand<Value>(row.range));
+}
+
+// Throws std::invalid_argument if a value is out of its range.
+template <typename Parameters>
+void check_parameters(const Parameters& p)
+{
+  std::apply([&](const auto&... row) { (check_parameter(p, row), ...); },
+             parameter_table<Parameters>());
+}
+
+// Throws std::invalid_argument if the thickness is larger than what it is the thickness of.
+inline void check_thickness(double thickness, double size, const std::string& owner)
+{
+  if(thickness > size) {
+    std::ostringstream demand;
+    demand.imbue(std::locale::classic());
+    demand << "must not be larger than " << owner << ", whose box has a diagonal of " << size;
+    refuse_value(internal_np::thickness_t(), thickness, demand.str());
+  }
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_CHECK_PARAMETERS_H

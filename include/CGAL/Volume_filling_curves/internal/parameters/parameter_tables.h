@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_PARAMETER_TABLES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_PARAMETER_TABLES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
+#include <CGAL/Volume_filling_curves/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/Simplification_parameters.h>
+#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/parameters.h>
+
+#include <tuple>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What reading, checking and refusing parameters rest on: for each struct of parameters a table
+// with a row per member, which says by which named parameter it is set and which values it may
+// have. The names of the rows are those of the members.
+
+enum class Range
+{
+  ANY,
+  POSITIVE,             // and finite
+  NOT_NEGATIVE,         // and finite
+  NOT_NEGATIVE_OR_NEVER // or infinite
+};
+
+template <typename Tag_, typename Struct, typename Value_>
+struct Parameter
+{
+  using Tag = Tag_;
+  using Value = Value_;
+
+  Value Struct::*member;
+  Range range;
+};
+
+template <typename Tag, typename Struct, typename Value>
+constexpr Parameter<Tag, Struct, Value> parameter(Value Struct::*member, Range range = Range::ANY)
+{
+  return {member, range};
+}
+
+// The table of a struct is that of its first argument's type.
+constexpr auto parameter_table(const Curve_flow_parameters*)
+{
+  using namespace internal_np;
+  using P = Curve_flow_parameters;
+  return std::make_tuple(
+      parameter<thickness_t>(&P::thickness, Range::NOT_NEGATIVE),
+      parameter<number_of_directions_t>(&P::number_of_directions, Range::POSITIVE),
+      parameter<max_radius_t>(&P::max_radius, Range::POSITIVE),
+      parameter<spacing_t>(&P::spacing, Range::POSITIVE),
+      parameter<screening_t>(&P::screening, Range::POSITIVE),
+      parameter<medial_weight_t>(&P::medial_weight, Range::POSITIVE),
+      parameter<coupling_t>(&P::coupling, Range::NOT_NEGATIVE),
+      parameter<preconditioner_t>(&P::preconditioner), parameter<wall_t>(&P::wall),
+      parameter<max_displacement_t>(&P::max_displacement, Range::POSITIVE),
+      parameter<time_step_t>(&P::time_step, Range::NOT_NEGATIVE));
+}
+
+constexpr auto parameter_table(const Curve_run_parameters* p)
+{
+  using namespace internal_np;
+  using P = Curve_run_parameters;
+  return std::tuple_cat(
+      parameter_table(static_cast<const Curve_flow_parameters*>(p)),
+      std::make_tuple(parameter<number_of_iterations_t>(&P::number_of_iterations),
+                      parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER),
+                      parameter<random_seed_t>(&P::random_seed),
+                      parameter<certificate_t>(&P::certificate)));
+}
+
+constexpr auto parameter_table(const Untangling_parameters* p)
+{
+  using namespace internal_np;
+  using P = Untangling_parameters;
+  return std::tuple_cat(
+      parameter_table(static_cast<const Curve_run_parameters*>(p)),
+      std::make_tuple(parameter<strategy_t>(&P::strategy),
+                      parameter<number_of_chains_t>(&P::number_of_chains, Range::POSITIVE),
+                      parameter<tolerance_t>(&P::tolerance, Range::NOT_NEGATIVE),
+                      parameter<stop_at_proof_t>(&P::stop_at_proof),
+                      parameter<keep_length_t>(&P::keep_length)));
+}
+
+// The thickness stands in two rows: as a number, and as a function.
+template <typename Point_3>
+constexpr auto parameter_table(const Filling_parameters<Point_3>* p)
+{
+  using namespace internal_np;
+  using P = Filling_parameters<Point_3>;
+  return std::tuple_cat(parameter_table(static_cast<const Curve_run_parameters*>(p)),
+                        std::make_tuple(parameter<thickness_t>(&P::thickness_field),
+                                        parameter<length_t>(&P::length, Range::NOT_NEGATIVE)));
+}
+
+constexpr auto parameter_table(const Simplification_parameters*)
+{
+  using namespace internal_np;
+  using P = Simplification_parameters;
+  return std::make_tuple(parameter<max_distance_t>(&P::max_distance, Range::NOT_NEGATIVE_OR_NEVER),
+                         parameter<clearance_t>(&P::clearance, Range::NOT_NEGATIVE),
+                         parameter<certificate_t>(&P::certificate));
+}
+
+template <typename Parameters>
+constexpr auto parameter_table()
+{
+  return parameter_table(static_cast<const Parameters*>(nullptr));
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_PARAMETER_TABLES_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYGON_SEARCH_SEARCH_CHAIN_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYGON_SEARCH_SEARCH_CHAIN_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_walk.h>
+#include <CGAL/Volume_filling_curves/internal/polygon_search/Search_goal.h>
+#include <CGAL/Volume_filling_curves/internal/polygon_search/Search_parameters.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A search for the fewest edges of a curve: a random walk, which starts again where it started when
+// it gets nowhere, until it has done so several times or for long in vain, or the goal is reached.
+// What led to the fewest edges is remembered; the memory that this takes is bounded.
+class Search_chain
+{
+  using Operations = Polygon_walk::Operations;
+
+public:
+  Search_chain(const Search_polygon& start,
+               const Search_goal& goal,
+               const Search_parameters& parameters,
+               std::uint64_t seed)
+      : m_parameters(parameters),
+        m_goal(goal),
+        m_walk(start, parameters, seed),
+        m_reduced(m_walk.polygon()),
+        m_number_of_reductions(m_walk.operations().size()),
+        m_moves_until_end_of_round(start.number_of_edges())
+  {
+    note_best();
+    m_progress = m_best_of_attempt;
+    record();
+    look_for_goal();
+  }
+
+  // Goes on until so many moves have been tried in all, or the search has ended.
+  void run(std::size_t moves)
+  {
+    while(m_moves < moves && !has_ended()) {
+      m_walk.try_move();
+      if(number_of_edges() < m_best_of_attempt.edges) {
+        note_best();
+        note_progress();
+        look_for_goal();
+      }
+      ++m_moves;
+      if(--m_moves_until_end_of_round == 0) end_round();
+    }
+  }
+
+  bool has_ended() const
+  {
+    return m_has_reached_goal || m_walk.polygon().number_of_free_nodes() == 0 ||
+           m_attempts_in_vain >= m_parameters.max_attempts_in_vain || m_has_given_up;
+  }
+
+  bool has_reached_goal() const { return m_has_reached_goal; }
+
+  // the number of moves tried so far, and how often a hundred per edge
+  std::size_t moves() const { return m_moves; }
+  std::size_t sweeps() const { return m_rounds / rounds_per_sweep; }
+
+  // Remembers the fewest edges of the current attempt if they are the fewest of all, and returns
+  // whether they are.
+  bool record()
+  {
+    if(m_best_of_attempt.edges >= m_best) return false;
+    const auto begin = m_walk.operations().begin();
+    m_best = m_best_of_attempt.edges;
+    m_moves_to_best = m_best_of_attempt.moves;
+    m_best_operations.assign(begin,
+                             begin + static_cast<std::ptrdiff_t>(m_best_of_attempt.operations));
+    return true;
+  }
+
+  // the fewest edges that were recorded, and how to get there
+  std::size_t best() const { return m_best; }
+  const Operations& best_operations() const { return m_best_operations; }
+
+private:
+  static constexpr std::size_t moves_between_looks = 256; // whether the link is trivial
+  static constexpr std::size_t rounds_per_sweep = 100;
+  static constexpr std::size_t rounds_between_renumbering = 50;
+
+  struct Record
+  {
+    std::size_t edges, operations, moves;
+  };
+
+  std::size_t number_of_edges() const { return m_walk.polygon().number_of_edges(); }
+
+  void note_best() { m_best_of_attempt = {number_of_edges(), m_walk.operations().size(), m_moves}; }
+
+  void note_progress()
+  {
+    const double edges = static_cast<double>(number_of_edges());
+    if(edges <= Search_parameters::progress * static_cast<double>(m_progress.edges))
+      m_progress = m_best_of_attempt;
+  }
+
+  // Whether an attempt has made no progress for long, or has no room for more.
+  bool is_attempt_over() const
+  {
+    return m_moves - m_progress.moves > m_parameters.patience(m_progress.edges) ||
+           m_walk.operations().size() - m_number_of_reductions >= m_parameters.most_operations;
+  }
+
+  void look_for_goal()
+  {
+    m_next_look = m_moves + moves_between_looks;
+    if(!m_goal(m_walk.polygon())) return;
+    m_has_reached_goal = true;
+    m_best = number_of_edges();
+    m_best_operations = m_walk.operations();
+  }
+
+  // A round has as many moves as there were edges at its start.
+  void end_round()
+  {
+    ++m_rounds;
+    if(m_rounds % rounds_between_renumbering == 0) m_walk.renumber();
+    if(is_attempt_over())
+      give_up();
+    else if(m_moves >= m_next_look)
+      look_for_goal();
+    m_walk.measure();
+    m_moves_until_end_of_round = number_of_edges();
+  }
+
+  // Ends an attempt, and the search after several in vain.
+  void give_up()
+  {
+    m_attempts_in_vain = record() ? 0 : m_attempts_in_vain + 1;
+    m_has_given_up = m_moves - m_moves_to_best > m_parameters.most_moves_in_vain();
+    m_walk.return_to(m_reduced, m_number_of_reductions);
+    note_best();
+    m_progress = m_best_of_attempt;
+  }
+
+  Search_parameters m_parameters;
+  Search_goal m_goal;
+  Polygon_walk m_walk;
+  Search_polygon m_reduced; // where each attempt starts, so many operations after the start
+  std::size_t m_number_of_reductions;
+  std::size_t m_moves = 0, m_rounds = 0, m_moves_until_end_of_round, m_next_look = 0;
+  Record m_best_of_attempt = {0, 0, 0}, m_progress = {0, 0, 0};
+  std::size_t m_best = static_cast<std::size_t>(-1), m_moves_to_best = 0;
+  Operations m_best_operations;
+  int m_attempts_in_vain = 0;
+  bool m_has_reached_goal = false, m_has_given_up = false;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYGON_SEARCH_SEARCH_CHAIN_H

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYLINES_POLYLINE_GRAPH_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYLINES_POLYLINE_GRAPH_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The points and edges of polylines in memory. Points are numbered in the order of the polylines,
+// but for those that repeat the first point at the end of a closed polyline, and, where junctions
+// are allowed, ends that are at an earlier end: they are no new points. A point that repeats the
+// one before it keeps its number but gets no edge. O(n + k log k) for k polylines with n points.
+class Polyline_graph
+{
+public:
+  Polyline_graph(Closure closure, Junctions junctions)
+      : m_closure(closure), m_has_common_ends(junctions == Junctions::ALLOWED)
+  {}
+
+  // Adds one polyline, or those of a range; nothing if the range is empty.
+  // \throws std::invalid_argument if one has too few distinct points, or a point is not
+  // finite or beyond 1e150
+  template <typename PolylineRange, typename PointMap>
+  void add(const PolylineRange& polylines, const PointMap& point_map)
+  {
+    if constexpr(is_range_of_ranges<PolylineRange>) {
+      for(const auto& polyline : polylines) add_polyline(polyline, point_map);
+    } else {
+      if(std::begin(polylines) != std::end(polylines)) add_polyline(polylines, point_map);
+    }
+  }
+
+  const std::vector<Vector>& points() const { return m_points; }
+
+  const std::vector<std::array<std::size_t, 2>>& edges() const { return m_edges; }
+
+private:
+  template <typename PointRange, typename PointMap>
+  void add_polyline(const PointRange& polyline, const PointMap& point_map)
+  {
+    m_polyline.clear();
+    for(const auto& item : polyline) m_polyline.push_back(to_vector(get(point_map, item)));
+    check_coordinates();
+    const bool is_closed = drop_repeated_end();
+    const std::vector<std::size_t> distinct = distinct_places(is_closed);
+    if(distinct.size() < (is_closed ? 3 : 2))
+      fail(is_closed ? "is closed and has fewer than three distinct points"
+                     : "has fewer than two distinct points");
+    m_numbers.clear();
+    for(std::size_t i = 0; i < m_polyline.size(); ++i) {
+      const bool is_end = i == distinct.front() || (!is_closed && i == distinct.back());
+      m_numbers.push_back(is_end ? add_end(m_polyline[i]) : add_point(m_polyline[i]));
+    }
+    for(std::size_t k = 1; k < distinct.size(); ++k)
+      m_edges.push_back({m_numbers[distinct[k - 1]], m_numbers[distinct[k]]});
+    if(is_closed) m_edges.push_back({m_numbers[distinct.back()], m_numbers[distinct.front()]});
+    ++m_number_of_polylines;
+  }
+
+  void check_coordinates() const
+  {
+    for(std::size_t i = 0; i < m_polyline.size(); ++i)
+      check_range(m_polyline[i], "point " + std::to_string(i) + " of " + name());
+  }
+
+  // Returns whether the polyline is closed.
+  bool drop_repeated_end()
+  {
+    if(m_closure == Closure::OPEN) return false;
+    const bool is_repeated = m_polyline.size() > 1 && m_polyline.front() == m_polyline.back();
+    if(is_repeated) m_polyline.pop_back();
+    return is_repeated || m_closure == Closure::CLOSED;
+  }
+
+  // Returns the places of the points that differ from the one before.
+  std::vector<std::size_t> distinct_places(bool is_closed) const
+  {
+    std::vector<std::size_t> places;
+    for(std::size_t i = 0; i < m_polyline.size(); ++i)
+      if(places.empty() || m_polyline[i] != m_polyline[i - 1]) places.push_back(i);
+    while(is_closed && places.size() > 1 && m_polyline[places.back()] == m_polyline.front())
+      places.pop_back();
+    return places;
+  }
+
+  std::size_t add_point(const Vector& point)
+  {
+    m_points.push_back(point);
+    return m_points.size() - 1;
+  }
+
+  std::size_t add_end(const Vector& point)
+  {
+    if(!m_has_common_ends) return add_point(point);
+    const auto [end, is_new] =
+        m_ends.emplace(std::array<double, 3>{point.x(), point.y(), point.z()}, m_points.size());
+    return is_new ? add_point(point) : end->second;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw std::invalid_argument(name() + " " + what);
+  }
+
+  std::string name() const { return "polyline " + std::to_string(m_number_of_polylines); }
+
+  Closure m_closure;
+  bool m_has_common_ends;
+  std::size_t m_number_of_polylines = 0;
+  std::vector<Vector> m_polyline;     // that is being added
+  std::vector<std::size_t> m_numbers; // of its points
+  std::map<std::array<double, 3>, std::size_t> m_ends;
+  std::vector<Vector> m_points;
+  std::vector<std::array<std::size_t, 2>> m_edges;
+};
+
+// The graph of the polylines that named parameters describe.
+template <typename PolylineRange, typename NamedParameters>
+Polyline_graph graph_of_polylines(const PolylineRange& polylines, const NamedParameters& np)
+{
+  Polyline_graph graph(closure_of(np), junctions_of(np));
+  graph.add(polylines, point_map_of<PolylineRange>(np));
+  return graph;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYLINES_POLYLINE_GRAPH_H

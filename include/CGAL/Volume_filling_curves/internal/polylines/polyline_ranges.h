@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYLINES_POLYLINE_RANGES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYLINES_POLYLINE_RANGES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What a type is, for functions that take one polyline, or a range of polylines, or something else.
+// A point may be a range itself, of numbers: neither an array of three numbers nor a matrix is a
+// polyline.
+
+template <typename T, typename = void>
+struct Range_item
+{
+  using type = void;
+};
+
+template <typename T>
+struct Range_item<T,
+                  std::void_t<decltype(*std::begin(std::declval<const T&>())),
+                              decltype(std::end(std::declval<const T&>()))>>
+{
+  using type = std::decay_t<decltype(*std::begin(std::declval<const T&>()))>;
+};
+
+template <typename T>
+using range_item_t = typename Range_item<T>::type;
+
+template <typename T>
+inline constexpr bool is_range_of_items =
+    !std::is_void_v<range_item_t<T>> && !std::is_arithmetic_v<range_item_t<T>>;
+
+// whether T is a range of polylines
+template <typename T>
+inline constexpr bool is_range_of_ranges =
+    is_range_of_items<T>&& is_range_of_items<range_item_t<T>>;
+
+// the items of polylines: the points, or what a map makes points of
+template <typename T>
+using polyline_item_t =
+    std::conditional_t<is_range_of_ranges<T>, range_item_t<range_item_t<T>>, range_item_t<T>>;
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_POLYLINES_POLYLINE_RANGES_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_SEARCH_NEAREST_PAIR_DESCENT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_SEARCH_NEAREST_PAIR_DESCENT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Visits the pairs of boxes of a tree, by descending into pairs of its parts at once, the nearer
+// one first, and leaves whatever cannot be nearer than the best so far. (CGAL's AABB tree answers
+// one query after the other: asking for every box visits all pairs twice and finds the way down to
+// each box anew.)
+//
+// Query: `double entry(const Part& a, const Part& b) const` is a lower bound for all pairs of a box
+// of a and one of b, or of two in a = b; `double bound() const` is the best so far; and
+// `void visit(const Part& a, const Part& b)`, where a precedes b or is b, may lower it.
+template <typename Query>
+class Nearest_pair_descent
+{
+  using Part = Box_tree::Part;
+
+public:
+  // Pairs of parts are visited as soon as both have at most `most_runs` runs.
+  Nearest_pair_descent(const Box_tree& tree, Query& query, std::size_t most_runs = 1)
+      : m_tree(tree), m_query(query), m_most_runs(most_runs)
+  {}
+
+  void run() const
+  {
+    if(!m_tree.is_empty()) run(m_tree.root(), m_tree.root());
+  }
+
+  // \pre a precedes b or is b
+  void run(const Part& a, const Part& b) const
+  {
+    if(&a.hull() == &b.hull())
+      descend_within(a);
+    else
+      descend(a, b, m_query.entry(a, b));
+  }
+
+private:
+  void descend_within(const Part& a) const
+  {
+    if(!(m_query.entry(a, a) < m_query.bound())) return;
+    if(a.number_of_runs() <= m_most_runs) return m_query.visit(a, a);
+    const auto [left, right] = m_tree.children(a);
+    descend_within(left);
+    descend_within(right);
+    descend(left, right, m_query.entry(left, right));
+  }
+
+  void descend(const Part& a, const Part& b, double entry) const
+  {
+    if(!(entry < m_query.bound())) return;
+    if(a.number_of_runs() <= m_most_runs && b.number_of_runs() <= m_most_runs)
+      return m_query.visit(a, b);
+    if(a.number_of_runs() >= b.number_of_runs()) {
+      const auto [left, right] = m_tree.children(a);
+      descend_nearest_first(left, b, right, b);
+    } else {
+      const auto [left, right] = m_tree.children(b);
+      descend_nearest_first(a, left, a, right);
+    }
+  }
+
+  void descend_nearest_first(const Part& a, const Part& b, const Part& c, const Part& d) const
+  {
+    const double ab = m_query.entry(a, b), cd = m_query.entry(c, d);
+    const bool is_ab_first = ab <= cd;
+    if(is_ab_first) descend(a, b, ab);
+    descend(c, d, cd);
+    if(!is_ab_first) descend(a, b, ab);
+  }
+
+  const Box_tree& m_tree;
+  Query& m_query;
+  std::size_t m_most_runs;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_SEARCH_NEAREST_PAIR_DESCENT_H

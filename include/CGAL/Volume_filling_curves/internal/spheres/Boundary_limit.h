@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_BOUNDARY_LIMIT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_BOUNDARY_LIMIT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What else than other nodes limits medial spheres: nothing.
+struct No_boundary_limit
+{};
+
+// What the boundary of a domain leaves of medial spheres. To cover the domain, the curve must come
+// within r of all of it: only the centers must lie inside. To keep clear of the boundary as of
+// another strand (section 3.2 of the paper), the spheres must.
+template <typename Network, typename Domain_boundary>
+class Boundary_limit
+{
+public:
+  Boundary_limit(const Network& curve, const Domain_boundary& boundary, Wall wall)
+      : m_curve(curve), m_boundary(boundary), m_wall(wall)
+  {}
+
+  // Limits the spheres of a circle. Radii up to `limited_radius` have been limited before.
+  void operator()(Medial_spheres& spheres, std::size_t c, double limited_radius) const
+  {
+    const std::size_t v = spheres.circles()[c].node;
+    double largest = 0;
+    for(std::size_t l = 0; l < spheres.number_of_directions(); ++l)
+      largest = (std::max)(largest, spheres.radius(c, l));
+    constexpr double slack = 1 - 1e-9; // rounding of radii
+    const double least = (std::max)(free_radius(v, largest), slack * limited_radius);
+    for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
+      if(spheres.radius(c, l) < least) continue;
+      const double radius = limited(v, spheres.direction(c, l), spheres.radius(c, l));
+      if(radius < spheres.radius(c, l)) spheres.set(c, l, radius, Medial_spheres::no_node);
+    }
+  }
+
+private:
+  // a radius up to which the boundary limits no sphere at node v; if it is below `needed`, no
+  // larger one is known
+  double free_radius(std::size_t v, double needed) const
+  {
+    const double reach = m_wall == Wall::COVER ? 1 : 2; // of a sphere, in units of its radius
+    return m_boundary.clearance(m_curve.point(v), reach * needed) / reach;
+  }
+
+  double limited(std::size_t v, const Vector& direction, double radius) const
+  {
+    const auto& p = m_curve.point(v);
+    return m_wall == Wall::COVER
+               ? m_boundary.distance_along(p, direction, radius)
+               : m_boundary.tangent_radius(p, direction, radius, m_curve.traits());
+  }
+
+  const Network& m_curve;
+  const Domain_boundary& m_boundary;
+  Wall m_wall;
+};
+
+// Returns what limits the medial spheres of a curve. Without a boundary that is of the type that
+// everybody uses, so that the search is not compiled twice.
+template <typename Network, typename Domain_boundary>
+auto boundary_limit([[maybe_unused]] const Network& curve,
+                    [[maybe_unused]] const Domain_boundary& boundary,
+                    [[maybe_unused]] Wall wall)
+{
+  if constexpr(Domain_boundary::is_bounded)
+    return Boundary_limit<Network, Domain_boundary>(curve, boundary, wall);
+  else
+    return No_boundary_limit();
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_BOUNDARY_LIMIT_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_MEDIAL_SPHERES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_MEDIAL_SPHERES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/node_circles.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// N unit vectors of a plane, all around.
+struct Circle_directions
+{
+  std::vector<double> cosine, sine;
+
+  Circle_directions() = default;
+
+  explicit Circle_directions(std::size_t n)
+  {
+    for(std::size_t l = 0; l < n; ++l) {
+      const auto [c, s] = cos_sin(static_cast<double>(l) / static_cast<double>(n));
+      cosine.push_back(c);
+      sine.push_back(s);
+    }
+  }
+
+  std::size_t size() const { return cosine.size(); }
+};
+
+// The medial spheres of a curve (section 3.2 of the paper): for each node and each of N directions
+// orthogonal to the curve the largest sphere, up to a cap, that touches the node with its center in
+// that direction and holds no other node. Medial_sphere_search finds them.
+class Medial_spheres
+{
+public:
+  using Index = std::uint32_t;
+  static constexpr Index no_node = static_cast<Index>(-1);
+
+  Medial_spheres() = default;
+
+  // Takes the circles of all nodes, in the order of the nodes. The spheres have no size yet.
+  Medial_spheres(std::vector<Node_circle> circles, std::size_t number_of_directions)
+      : m_circles(std::move(circles)),
+        m_directions(number_of_directions),
+        m_radii(m_circles.size() * number_of_directions, 0.),
+        m_touching_nodes(m_radii.size(), no_node)
+  {}
+
+  const std::vector<Node_circle>& circles() const { return m_circles; }
+  const Circle_directions& directions() const { return m_directions; }
+  std::size_t number_of_directions() const { return m_directions.size(); }
+
+  // the first circle of node v, or of the nodes after it if it has none
+  std::size_t first_circle(std::size_t v) const
+  {
+    const auto found = std::lower_bound(
+        m_circles.begin(), m_circles.end(), v,
+        [](const Node_circle& circle, std::size_t node) { return circle.node < node; });
+    return static_cast<std::size_t>(found - m_circles.begin());
+  }
+
+  // the direction l of circle c, a unit vector
+  Vector direction(std::size_t c, std::size_t l) const
+  {
+    return m_directions.cosine[l] * m_circles[c].u + m_directions.sine[l] * m_circles[c].v;
+  }
+
+  double radius(std::size_t c, std::size_t l) const { return m_radii[place(c, l)]; }
+
+  // the node that the sphere touches, no_node if something else limits it
+  Index touching_node(std::size_t c, std::size_t l) const { return m_touching_nodes[place(c, l)]; }
+
+  void set(std::size_t c, std::size_t l, double radius, Index touching_node)
+  {
+    m_radii[place(c, l)] = radius;
+    m_touching_nodes[place(c, l)] = touching_node;
+  }
+
+private:
+  std::size_t place(std::size_t c, std::size_t l) const { return c * number_of_directions() + l; }
+
+  std::vector<Node_circle> m_circles;
+  Circle_directions m_directions;
+  std::vector<double> m_radii; // circle after circle
+  std::vector<Index> m_touching_nodes;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_MEDIAL_SPHERES_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_NODE_NEIGHBORHOODS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_NODE_NEIGHBORHOODS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <CGAL/Fuzzy_sphere.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The nodes within a distance of a point, from a CGAL kd-tree over node indices. Of coincident
+// nodes the tree holds one only: more than a bucketful of them degenerates it (before CGAL 6.2).
+// O(n log n) to build; queries of a built tree are safe in parallel.
+class Node_neighborhoods
+{
+public:
+  using Index = std::uint32_t;
+
+  explicit Node_neighborhoods(const Vector_field& x)
+  {
+    const auto n = static_cast<std::size_t>(x.rows());
+    m_points.reserve(n);
+    for(std::size_t v = 0; v < n; ++v) m_points.push_back(to_kernel_point(row(x, v)));
+    const std::vector<Index> indices = distinct_nodes();
+    const Traits traits(CGAL::make_property_map(m_points));
+    m_tree = std::make_unique<Tree>(indices.begin(), indices.end(), Splitter(bucket_size), traits);
+    if(!indices.empty()) m_tree->build();
+  }
+
+  // Replaces the contents of `found` by the nodes within `radius` of `center`, in no order.
+  void find(const Vector& center, double radius, std::vector<Index>& found) const
+  {
+    found.clear();
+    if(m_points.empty()) return;
+    m_tree->search(std::back_inserter(found),
+                   Sphere(to_kernel_point(center), radius, 0., m_tree->traits()));
+  }
+
+private:
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point = Kernel::Point_3;
+  using Traits = CGAL::Search_traits_adapter<Index,
+                                             CGAL::Pointer_property_map<Point>::type,
+                                             CGAL::Search_traits_3<Kernel>>;
+  using Splitter = CGAL::Sliding_midpoint<Traits>;
+  using Tree = CGAL::Kd_tree<Traits, Splitter>;
+  using Sphere = CGAL::Fuzzy_sphere<Traits>;
+
+  static constexpr unsigned bucket_size = 20;
+
+  static Point to_kernel_point(const Vector& p) { return {p.x(), p.y(), p.z()}; }
+
+  static std::uint64_t hash(const Point& p)
+  {
+    std::uint64_t h = 0;
+    for(double c : {p.x(), p.y(), p.z()}) {
+      std::uint64_t bits;
+      c += 0.; // -0 is 0
+      std::memcpy(&bits, &c, sizeof(bits));
+      h = (h ^ bits) * 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio
+      h ^= h >> 29;
+    }
+    return h;
+  }
+
+  // The first of each set of coincident nodes, by a hash table with linear probing.
+  std::vector<Index> distinct_nodes() const
+  {
+    constexpr Index none = (std::numeric_limits<Index>::max)();
+    std::size_t size = 16;
+    while(size < 2 * m_points.size()) size *= 2;
+    std::vector<Index> table(size, none);
+    std::vector<Index> distinct;
+    distinct.reserve(m_points.size());
+    for(Index v = 0; v < m_points.size(); ++v) {
+      std::size_t slot = hash(m_points[v]) & (size - 1);
+      while(table[slot] != none && m_points[table[slot]] != m_points[v])
+        slot = (slot + 1) & (size - 1);
+      if(table[slot] != none) continue;
+      table[slot] = v;
+      distinct.push_back(v);
+    }
+    return distinct;
+  }
+
+  std::vector<Point> m_points;
+  std::unique_ptr<Tree> m_tree;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_SPHERES_NODE_NEIGHBORHOODS_H

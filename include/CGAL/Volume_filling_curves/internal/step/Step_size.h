@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_STEP_STEP_SIZE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_STEP_STEP_SIZE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// How long a step is. Two successive directions tell how the direction changes along the curve's
+// path, so that the step that would have made it vanish is known (Barzilai and Borwein 1988); the
+// time step follows this estimate upwards, and shrinks when the direction turns against the last
+// one or the guard shortened the step. The largest displacement is limited. No energy is consulted:
+// with the spheres held fixed it says little about the step.
+class Step_size
+{
+public:
+  // A step that cannot be certified is halved, six times at most; what is still too far then, the
+  // next direction may do better.
+  static constexpr double least_fraction = 1. / 64;
+
+  // The limit is in units of the thickness.
+  explicit Step_size(double largest_displacement) : m_largest(largest_displacement) {}
+
+  // Returns the factor of the direction, where each node has its thickness.
+  double next(const Vector_field& direction, const std::vector<double>& thickness)
+  {
+    double longest = 0; // in units of the thickness
+    for(std::size_t v = 0; v < thickness.size(); ++v)
+      longest = (std::max)(longest, row(direction, v).norm() / thickness[v]);
+    if(m_last_direction.rows() == direction.rows()) adapt(direction);
+    m_last_direction = direction;
+    m_time_step = (std::min)(m_time_step, m_largest / longest);
+    return m_time_step;
+  }
+
+  void set_largest_displacement(double largest) { m_largest = largest; }
+
+  void on_shortened_step() { m_time_step *= after_shortened_step; }
+
+  // Nodes were renumbered: node v had the index former[v], or was inserted.
+  void renumber(const std::vector<std::uint32_t>& former)
+  {
+    Vector_field direction = Vector_field::Zero(static_cast<Eigen::Index>(former.size()), 3);
+    for(std::size_t v = 0; v < former.size(); ++v)
+      if(former[v] < m_last_direction.rows())
+        direction.row(static_cast<Eigen::Index>(v)) = m_last_direction.row(former[v]);
+    m_last_direction = std::move(direction);
+  }
+
+private:
+  // 1.3 takes 7 % fewer iterations than 1.15 on the paper's curves (2026-11-21)
+  static constexpr double largest_growth = 1.3;
+  static constexpr double after_turn = 0.6;
+  static constexpr double after_shortened_step = 0.7;
+
+  void adapt(const Vector_field& direction)
+  {
+    const double kept =
+        m_last_direction.cwiseProduct(direction).sum() / m_last_direction.squaredNorm();
+    if(kept < 0)
+      m_time_step *= after_turn;
+    else if(kept < 1)
+      m_time_step *= (std::min)(1 / (1 - kept), largest_growth);
+    else
+      m_time_step *= largest_growth;
+  }
+
+  double m_largest;
+  double m_time_step = std::numeric_limits<double>::infinity();
+  Vector_field m_last_direction;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_STEP_STEP_SIZE_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_STEP_STRAND_SEPARATOR_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_STEP_STRAND_SEPARATOR_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Frees a curve that cannot move since strands almost touch: nodes of edges that are closer than a
+// distance go apart, one by one, as far as that is certified, along the common perpendicular of the
+// edges. Linear in the number of edges and pairs of them that are close.
+template <typename Guard>
+class Strand_separator
+{
+  using Network = typename Guard::Curve_network;
+
+public:
+  Strand_separator(Guard& guard, double distance)
+      : m_guard(guard), m_curve(guard.curve()), m_distance(distance)
+  {}
+
+  // Returns whether any node moved.
+  bool operator()()
+  {
+    const Vector_field x = coordinates(m_curve);
+    const auto have_no_common_node = [&](std::size_t e, std::size_t f) {
+      return !share_a_node(m_curve, e, f);
+    };
+    auto pairs = Broad_phase(m_curve, x, x, m_distance).pairs<Sequential_tag>(have_no_common_node);
+    std::sort(pairs.begin(), pairs.end());
+    for(const auto& [e, f] : pairs) separate(e, f);
+    return m_have_moved;
+  }
+
+private:
+  Vector source(std::size_t e) const { return to_vector(m_curve.point(m_curve.source(e))); }
+  Vector target(std::size_t e) const { return to_vector(m_curve.point(m_curve.target(e))); }
+
+  void separate(std::size_t e, std::size_t f)
+  {
+    const double d2 = squared_segment_distance(source(e), target(e), source(f), target(f));
+    if(d2 >= m_distance * m_distance) return;
+    const Vector normal = normal_from(f, e);
+    for(const std::size_t v : {m_curve.source(e), m_curve.target(e)}) move(v, normal);
+    for(const std::size_t v : {m_curve.source(f), m_curve.target(f)}) move(v, -normal);
+  }
+
+  // Edges that are almost parallel have their offset for a perpendicular.
+  Vector normal_from(std::size_t f, std::size_t e) const
+  {
+    constexpr double least_sine = 0.05;
+    const Vector u = (target(e) - source(e)).normalized(), v = (target(f) - source(f)).normalized();
+    const Vector offset = (source(e) + target(e) - source(f) - target(f)) / 2;
+    const Vector normal = u.cross(v);
+    if(normal.norm() > least_sine)
+      return (normal.dot(source(e) - source(f)) > 0 ? 1 : -1) * normal.normalized();
+    return Vector(offset - offset.dot(u) * u).normalized();
+  }
+
+  void move(std::size_t v, const Vector& direction)
+  {
+    if(m_curve.is_pinned(v)) return;
+    for(const double part : {0.5, 0.125}) {
+      const Vector target = to_vector(m_curve.point(v)) + part * m_distance * direction;
+      if(!m_guard.move_node(v, to_point(target, m_curve.traits()))) continue;
+      m_have_moved = true;
+      return;
+    }
+  }
+
+  Guard& m_guard;
+  const Network& m_curve;
+  double m_distance;
+  bool m_have_moved = false;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_STEP_STRAND_SEPARATOR_H

@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_FLOW_UNTANGLER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_FLOW_UNTANGLER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_3.h>
+#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/Untangling_result.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
+#include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
+#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Tails.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Where in a run a flow starts.
+struct Flow_start
+{
+  double thickness;              // 0 if it is to be measured
+  std::size_t iterations_before; // of other flows
+  bool follows_search;           // then what is proved at once is coarse, and flows on
+  bool makes_round;              // a single unknot
+  std::size_t patience = 1000;   // iterations on a plateau, of what looks like an unknot
+};
+
+// Runs the flow until the curve is proved simple, tight, or does not get anywhere.
+template <typename Flow, typename Visitor>
+class Flow_untangler
+{
+  using Network = typename Flow::Curve_network;
+  using Guard = typename Flow::Guard;
+
+public:
+  // The timer has been started.
+  Flow_untangler(Guard& guard,
+                 Tails<Guard>& tails,
+                 const Untangling_parameters& parameters,
+                 const Flow_start& start,
+                 const Real_timer& timer,
+                 Visitor& visitor)
+      : m_guard(guard),
+        m_timer(timer),
+        m_tails(tails),
+        m_flow(guard, with_thickness(parameters, start.thickness)),
+        m_parameters(parameters),
+        m_start(start),
+        m_visitor(visitor)
+  {}
+
+  Untangling_result operator()()
+  {
+    m_visitor.on_start(m_flow);
+    std::optional<Untangling_status> status = status_before_step();
+    while(!status) {
+      turn_tails();
+      const bool did_move = m_flow.step();
+      m_visitor.on_iteration(m_flow);
+      const double length = m_flow.length() - m_tails.length();
+      const bool is_stalled =
+          m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_tails.hold();
+      status = status_before_step();
+      if(!status && (is_stalled || has_lingered_for_long()))
+        status = unless_proved(Untangling_status::STALLED);
+    }
+    if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve())) finish();
+    return result(*status);
+  }
+
+private:
+  std::optional<Untangling_status> status_before_step()
+  {
+    prove();
+    const bool is_tight = is_converged();
+    if(is_unknotted() && (is_tight || can_stop_at_proof())) return Untangling_status::UNKNOTTED;
+    if(is_tight && !is_suspicious()) return Untangling_status::CONVERGED;
+    if(m_start.iterations_before + m_flow.statistics().iterations >=
+           m_parameters.number_of_iterations ||
+       m_timer.time() >= m_parameters.time_limit)
+      return unless_proved(Untangling_status::LIMIT);
+    if(!m_visitor.go_further(m_flow)) return Untangling_status::INTERRUPTED;
+    return std::nullopt;
+  }
+
+  bool can_stop_at_proof()
+  {
+    constexpr double largest_turn = 1; // at a node; curves that flow get hardly below 0.7
+    if(!is_settled()) return false;
+    if(!m_parameters.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
+    return !m_start.follows_search || largest_turning_angle(m_flow.curve()) < largest_turn;
+  }
+
+  // A tight curve that may well be an unknot has not got there: the flow lingers on plateaus, where
+  // the gradient is small and as uniform as on tight knots. Ochiai's fourth unknot with a thickness
+  // of 0.0336 lingers at 91 crossings from iteration 233 on and is untied in iteration 1012. So the
+  // flow goes on until the curve is untied or it has lingered for too long.
+  bool is_suspicious()
+  {
+    if(!looks_like_unknot()) return false;
+    if(!m_lingering) m_lingering = {m_flow.statistics().iterations, m_flow.length()};
+    return true;
+  }
+
+  bool has_lingered_for_long()
+  {
+    constexpr double noticeable = 0.99; // a fall of the length
+    if(!m_lingering) return false;
+    const std::size_t iterations = m_flow.statistics().iterations;
+    if(m_flow.length() < noticeable * m_lingering->length)
+      m_lingering = {iterations, m_flow.length()};
+    return iterations - m_lingering->iteration >= m_start.patience;
+  }
+
+  // what stays when a curve moves
+  bool looks_like_unknot()
+  {
+    if(m_flow.curve().number_of_components() != 1 || !m_flow.curve().is_closed(0) ||
+       Guard::Domain_boundary::is_bounded || has_pinned_node(m_flow.curve()))
+      return false;
+    if(!m_looks_unknotted) m_looks_unknotted = looks_unknotted(m_flow.curve());
+    return *m_looks_unknotted;
+  }
+
+  // In a domain a curve may be tight around an obstacle.
+  bool ends_round() const
+  {
+    return !m_parameters.stop_at_proof && m_flow.curve().number_of_components() == 1 &&
+           !Guard::Domain_boundary::is_bounded;
+  }
+
+  // A curve on its way from the proof to where it settles has got there already.
+  Untangling_status unless_proved(Untangling_status status) const
+  {
+    return m_parameters.stop_at_proof && is_unknotted() ? Untangling_status::UNKNOTTED : status;
+  }
+
+  // While tails turn, the curve goes on flowing.
+  bool is_converged()
+  {
+    if(m_flow.gradient_norm() >= m_parameters.tolerance) return false;
+    if(!m_are_tails_turning) m_are_tails_turning = !m_tails.can_turn_outwards();
+    return !m_are_tails_turning || m_number_of_turns == most_turns;
+  }
+
+  // Where the ends are close together, a knot settles around a tail.
+  void turn_tails()
+  {
+    if(!m_are_tails_turning || m_number_of_turns == most_turns) return;
+    ++m_number_of_turns;
+    if(m_tails.turn_outwards(clearance_of_tails * m_flow.thickness()))
+      m_flow.set_parameters(m_flow.parameters()); // takes note of where the tails are
+    m_are_tails_turning = !m_tails.can_turn_outwards();
+  }
+
+  // Where on its way a curve is proved to be an unknot depends on details, while its length falls
+  // fast. It flows on for a few iterations, to a length that depends on the thickness only. An
+  // input that is an unknot from the start stays as it is. \pre it is unknotted
+  bool is_settled()
+  {
+    const std::size_t iterations = m_flow.statistics().iterations;
+    if(!m_iterations_to_proof) m_iterations_to_proof = iterations;
+    return is_unknot_from_start() || m_flow.length() <= settled_length() ||
+           iterations - *m_iterations_to_proof >= most_iterations_to_settle;
+  }
+
+  // The polygon that a search has found is no input.
+  bool is_unknot_from_start() const
+  {
+    return m_iterations_to_proof == std::size_t(0) && !m_start.follows_search;
+  }
+
+  double settled_length() const
+  {
+    constexpr double length_over_thickness = 8; // of a component
+    const std::size_t number_of_components = m_flow.curve().number_of_components();
+    return length_over_thickness * m_flow.thickness() * static_cast<double>(number_of_components);
+  }
+
+  // The last step went too far.
+  void finish()
+  {
+    const bool is_input = m_parameters.stop_at_proof && is_unknot_from_start();
+    const bool is_settling = m_parameters.stop_at_proof || ends_round();
+    if(is_settling && !is_input && m_flow.length() <= settled_length())
+      rescale_to_length(m_guard, settled_length());
+    if(ends_round() || (m_start.makes_round && m_flow.curve().number_of_components() == 1))
+      m_is_round = make_round(m_guard);
+    m_flow.update();
+  }
+
+  // A proof holds for good: the flow changes the curve by isotopies only.
+  void prove()
+  {
+    const Network& curve = m_flow.curve();
+    m_proofs.resize(curve.number_of_components(), Unknot_proof::NONE);
+    for(std::size_t c = 0; c < m_proofs.size(); ++c)
+      if(m_proofs[c] == Unknot_proof::NONE) m_proofs[c] = unknot_proof(curve, c);
+    const bool are_unknots = !m_proofs.empty() && std::find(m_proofs.begin(), m_proofs.end(),
+                                                            Unknot_proof::NONE) == m_proofs.end();
+    if(m_link == Link_status::UNDECIDED && are_unknots)
+      m_link = Link_triviality<Network>(curve)(m_proofs);
+  }
+
+  bool is_unknotted() const
+  {
+    return m_link == Link_status::TRIVIAL ||
+           (m_proofs.size() == 1 && m_proofs[0] != Unknot_proof::NONE);
+  }
+
+  Untangling_result result(Untangling_status status)
+  {
+    if(m_link == Link_status::UNDECIDED)
+      m_link = Link_triviality<Network>(m_flow.curve())(m_proofs);
+    Untangling_result result;
+    result.status = status;
+    result.proofs = m_proofs;
+    result.link = m_link;
+    result.is_round = m_is_round;
+    result.thickness = m_flow.thickness();
+    result.gradient_norm = m_flow.gradient_norm();
+    result.statistics = m_flow.statistics();
+    return result;
+  }
+
+  struct Place // on the way
+  {
+    std::size_t iteration;
+    double length;
+  };
+
+  static constexpr std::size_t most_iterations_to_settle = 50;
+  static constexpr std::size_t most_turns = 300;
+  static constexpr double clearance_of_tails = 0.1; // in units of the thickness
+
+  Guard& m_guard;
+  const Real_timer& m_timer;
+  Tails<Guard>& m_tails;
+  Flow m_flow;
+  const Untangling_parameters& m_parameters;
+  Flow_start m_start;
+  Visitor& m_visitor;
+  Stall_monitor m_stall_monitor;
+  std::optional<std::size_t> m_iterations_to_proof;
+  std::optional<bool> m_looks_unknotted;
+  std::optional<Place> m_lingering;
+  std::size_t m_number_of_turns = 0;
+  bool m_are_tails_turning = false, m_is_round = false;
+  std::vector<Unknot_proof> m_proofs;
+  Link_status m_link = Link_status::UNDECIDED;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_FLOW_UNTANGLER_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_STALL_MONITOR_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_STALL_MONITOR_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/step/Idle_steps.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Notices that a flow gets nowhere: over a window of iterations the length hardly changed and the
+// gradient hardly fell, or several steps running could not be freed by shortening them.
+class Stall_monitor
+{
+public:
+  // Returns whether the flow has stalled.
+  bool operator()(double length, double gradient_norm, bool did_move)
+  {
+    m_idle_steps.note(did_move);
+    m_window.push_back({length, gradient_norm});
+    if(m_window.size() > window_size + 1) m_window.pop_front();
+    return m_idle_steps.are_too_many() || is_flat();
+  }
+
+private:
+  static constexpr std::size_t window_size = 100;
+  static constexpr double least_change_of_length = 1e-3;
+  static constexpr double least_fall_of_gradient = 1e-2;
+
+  struct Sample
+  {
+    double length, gradient_norm;
+  };
+
+  bool is_flat() const
+  {
+    if(m_window.size() <= window_size) return false;
+    double least = m_window.front().length, most = least, gradient = m_window.back().gradient_norm;
+    for(const Sample& sample : m_window) {
+      least = (std::min)(least, sample.length);
+      most = (std::max)(most, sample.length);
+      if(&sample != &m_window.front()) gradient = (std::min)(gradient, sample.gradient_norm);
+    }
+    return most - least < least_change_of_length * most &&
+           gradient > (1 - least_fall_of_gradient) * m_window.front().gradient_norm;
+  }
+
+  std::deque<Sample> m_window;
+  Idle_steps m_idle_steps;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_STALL_MONITOR_H

@@ -1,0 +1,233 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_STRATEGIC_UNTANGLER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_STRATEGIC_UNTANGLER_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
+#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
+#include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_search.h>
+#include <CGAL/Volume_filling_curves/internal/remeshing/Curve_simplifier.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Untangles by the flow, by a random search, or by both: the search unties what no flow does, in
+// milliseconds where a flow would, too, but it ends with a coarse and crooked polygon; the flow
+// makes that even and smooth. Where the search finds nothing simpler the flow starts from the
+// input. If the flow jams, the search takes its turn again, with more patience, and the next flow
+// is thinner.
+template <typename Flow, typename ConcurrencyTag, typename Visitor>
+class Strategic_untangler
+{
+  using Network = typename Flow::Curve_network;
+  using Guard = typename Flow::Guard;
+  using Search = Polygon_search<Guard, ConcurrencyTag>;
+
+public:
+  // The timer has been started.
+  Strategic_untangler(Guard& guard,
+                      Tails<Guard>& tails,
+                      const Untangling_parameters& parameters,
+                      const Real_timer& timer,
+                      Visitor& visitor)
+      : m_guard(guard),
+        m_curve(guard.curve()),
+        m_tails(tails),
+        m_parameters(parameters),
+        m_thickness(parameters.thickness),
+        m_timer(timer),
+        m_visitor(visitor),
+        m_seeds(parameters.random_seed)
+  {
+    // no flow follows that could jam, and be followed by a search with more patience
+    if(parameters.strategy == Untangling_strategy::SEARCH)
+      m_search_parameters.patience_factor = patience_growth;
+  }
+
+  Untangling_result operator()()
+  {
+    // with tails the search might take the curve out of their sphere
+    if(m_parameters.strategy == Untangling_strategy::FLOW || m_tails.are_needed()) return flow();
+    Untangling_status status = search();
+    // a ring has no strands whose distance could be measured
+    if(!(m_thickness > 0) && is_ring()) m_thickness = thickness_of_rings * total_length(m_curve);
+    while(m_parameters.strategy == Untangling_strategy::AUTO &&
+          status == Untangling_status::CONVERGED) {
+      const Untangling_result last = flow();
+      if(last.status != Untangling_status::STALLED || m_searches == max_searches ||
+         is_share_used_up(0))
+        return last;
+      status = search();
+      if(m_thickness > 0) m_thickness *= thinning;
+    }
+    return result(status);
+  }
+
+private:
+  static constexpr std::size_t max_searches = 4;
+  static constexpr double thinning = 0.7, patience_growth = 4;
+  static constexpr double thickness_of_rings = 0.025; // in units of the length: 100 to 200 edges
+  static constexpr double share_of_searches = 0.25;   // of the time limit, before a flow
+
+  // Searches from a simplified copy until that gets no further, and takes over what it finds. An
+  // unknot is proved later, by the flow or the result.
+  Untangling_status search()
+  {
+    const double start = m_timer.time();
+    const Network coarse = simplified(m_curve);
+    Search polygon_search(coarse, m_search_parameters, m_parameters.number_of_chains,
+                          m_seeds.bits());
+    Untangling_status status = run(polygon_search, start);
+    const bool is_flow_next = m_parameters.strategy == Untangling_strategy::AUTO;
+    const bool has_jammed = m_searches > 0;
+    if(!is_flow_next || has_jammed || is_simpler(polygon_search, coarse)) adopt(polygon_search);
+    ++m_searches;
+    m_sweeps += polygon_search.progress().sweeps;
+    m_search_parameters.patience_factor *= patience_growth;
+    m_seconds_of_searches += m_timer.time() - start;
+    if(is_flow_next && m_timer.time() >= m_parameters.time_limit) return Untangling_status::LIMIT;
+    return status;
+  }
+
+  Untangling_status run(Search& polygon_search, double start)
+  {
+    Untangling_status status = Untangling_status::CONVERGED;
+    const bool is_alone = m_parameters.strategy == Untangling_strategy::SEARCH;
+    polygon_search.run([&] {
+      if(is_alone && is_at_limit(polygon_search))
+        status = Untangling_status::LIMIT;
+      else if(!m_visitor.on_search(polygon_search.progress()))
+        status = Untangling_status::INTERRUPTED;
+      return status == Untangling_status::CONVERGED &&
+             (is_alone || !is_share_used_up(m_timer.time() - start));
+    });
+    return status;
+  }
+
+  // Of the search alone a sweep is an iteration.
+  bool is_at_limit(const Search& polygon_search) const
+  {
+    return m_timer.time() + polygon_search.seconds_to_apply() >= m_parameters.time_limit ||
+           m_sweeps + polygon_search.progress().sweeps >= m_parameters.number_of_iterations;
+  }
+
+  bool is_share_used_up(double seconds_of_search) const
+  {
+    return m_seconds_of_searches + seconds_of_search >= share_of_searches * m_parameters.time_limit;
+  }
+
+  static void simplify(Guard& guard)
+  {
+    Curve_simplifier<Guard>(guard, std::numeric_limits<double>::infinity()).run();
+    guard.collect_garbage();
+  }
+
+  static Network simplified(Network curve)
+  {
+    Guard guard(curve);
+    simplify(guard);
+    return curve;
+  }
+
+  // Whether the flow has less to do from what a search has found than from the curve as it is. To
+  // even out a crooked polygon takes longer than to undo crossings: for a random polygon of 300
+  // edges in a ball, searched from 1943 crossings down to 821, 568 iterations and 12 seconds, and
+  // 217 and 4.5 without it; a tight curve of 292 crossings comes back with 329 (2026-11-22).
+  // Tangled knots keep about a tenth.
+  bool is_simpler(const Search& polygon_search, const Network& coarse) const
+  {
+    constexpr double most_crossings_left = 1. / 3;
+    constexpr std::size_t stride = 10; // of a hundred directions; 1 ms for a thousand nodes
+    return polygon_search.has_reached_goal() ||
+           average_crossing_number(polygon_search.uncertified_result(coarse), stride) <
+               most_crossings_left * average_crossing_number(m_curve, stride);
+  }
+
+  // Does to the curve what was done to its copy. A search shrinks a curve by orders of magnitude,
+  // which is undone.
+  void adopt(const Search& polygon_search)
+  {
+    const double length = total_length(m_curve);
+    const Clearance_scope<Guard> scope(m_guard, 0);
+    simplify(m_guard);
+    polygon_search.apply(m_guard, [&] { return m_timer.time() < m_parameters.time_limit; });
+    m_guard.collect_garbage();
+    if(!has_pinned_node(m_curve)) rescale_to_length(m_guard, length);
+    m_follows_search = true;
+  }
+
+  bool is_ring() const
+  {
+    return m_curve.number_of_components() == 1 && unknot_proof(m_curve, 0) != Unknot_proof::NONE;
+  }
+
+  Untangling_result flow()
+  {
+    Flow_start start{m_thickness, m_statistics.iterations, m_follows_search, m_searches > 0};
+    if(m_searches > 0 && m_searches < max_searches) start.patience = 0; // a search gets on faster
+    Flow_untangler<Flow, Visitor> untangler(m_guard, m_tails, m_parameters, start, m_timer,
+                                            m_visitor);
+    const Untangling_result result = untangler();
+    m_statistics += result.statistics;
+    return completed(result);
+  }
+
+  // Of a curve that did not flow, or not at last. What is proved is proved of the curve as it
+  // stands.
+  Untangling_result result(Untangling_status status)
+  {
+    Untangling_result result;
+    for(std::size_t c = 0; c < m_curve.number_of_components(); ++c)
+      result.proofs.push_back(unknot_proof(m_curve, c));
+    result.link = Link_triviality<Network>(m_curve)(result.proofs);
+    const bool is_unknotted = result.link == Link_status::TRIVIAL || is_ring();
+    result.status = is_unknotted && status != Untangling_status::INTERRUPTED
+                        ? Untangling_status::UNKNOTTED
+                        : status;
+    return completed(result);
+  }
+
+  Untangling_result completed(Untangling_result result) const
+  {
+    result.statistics = m_statistics;
+    result.searches = m_searches;
+    result.sweeps = m_sweeps;
+    return result;
+  }
+
+  Guard& m_guard;
+  const Network& m_curve;
+  Tails<Guard>& m_tails;
+  const Untangling_parameters& m_parameters;
+  double m_thickness; // of the next flow; 0 if it is to be measured
+  Search_parameters m_search_parameters;
+  const Real_timer& m_timer;
+  Visitor& m_visitor;
+  Random_source m_seeds;
+  Curve_flow_statistics m_statistics;
+  std::size_t m_searches = 0, m_sweeps = 0;
+  double m_seconds_of_searches = 0;
+  bool m_follows_search = false; // the curve
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_STRATEGIC_UNTANGLER_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_KEEP_TIGHTER_INPUT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_KEEP_TIGHTER_INPUT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/Untangling_result.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A curve that comes tight must not go looser: the flow ends about 15 % above the ideal ropelength,
+// and a curve that was tightened otherwise may be below that. Then the input is the better result,
+// if it is as simple, too. Near linear time.
+
+template <typename Network>
+bool is_closed_everywhere(const Network& curves)
+{
+  for(std::size_t c = 0; c < curves.number_of_components(); ++c)
+    if(!curves.is_closed(c)) return false;
+  return true;
+}
+
+template <typename Network>
+std::vector<Unknot_proof> unknot_proofs(const Network& curves)
+{
+  std::vector<Unknot_proof> proofs;
+  for(std::size_t c = 0; c < curves.number_of_components(); ++c)
+    proofs.push_back(unknot_proof(curves, c));
+  return proofs;
+}
+
+// Whether the first curves have a lower ropelength than the second ones, and about as few
+// crossings: tight curves have up to 5 % more of them than the same ones a bit loose. What is
+// proved of the second ones must be provable of the first ones.
+template <typename Network>
+bool is_tighter(const Network& first, const Network& second, Untangling_status status)
+{
+  constexpr double most_crossings = 1.1; // of one, in units of the other's
+  if(!(ropelength(first) < ropelength(second))) return false;
+  const std::vector<Unknot_proof> proofs = unknot_proofs(first);
+  if(status == Untangling_status::UNKNOTTED &&
+     std::find(proofs.begin(), proofs.end(), Unknot_proof::NONE) != proofs.end())
+    return false;
+  return average_crossing_number(first) <= most_crossings * average_crossing_number(second);
+}
+
+// Puts the input in the place of the result if that is looser, with an empty record of changes.
+// Where a thickness was asked for, the result has it, and stays.
+template <typename Network>
+void keep_tighter_input(Network&& input,
+                        const Untangling_parameters& parameters,
+                        Network& curves,
+                        Untangling_result& result)
+{
+  if(parameters.strategy != Untangling_strategy::AUTO || parameters.thickness > 0 ||
+     result.status == Untangling_status::INTERRUPTED || !is_closed_everywhere(input) ||
+     !is_tighter(input, curves, result.status))
+    return;
+  curves = std::move(input);
+  result.is_input = true;
+  result.is_round = false;
+  result.thickness = 2 * polygonal_thickness(curves); // the distance that strands keep
+  if(result.status == Untangling_status::UNKNOTTED) result.proofs = unknot_proofs(curves);
+  if(!parameters.certificate) return;
+  Isotopy_guard_3 guard(curves);
+  guard.start_recording();
+  *parameters.certificate = guard.certificate();
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_KEEP_TIGHTER_INPUT_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_MAKE_ROUND_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_MAKE_ROUND_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
+#include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The last bit of the way of a simple loop: straight to a regular polygon of 64 nodes or more. The
+// flow takes long for that, since it is the lengths of edges that its preconditioner keeps, not
+// angles. The circle lies in the plane that sees the largest area, has the curve's length, and is
+// turned so that nodes move as little as possible. Nodes go as far as that is certified, a few
+// times.
+template <typename Network>
+class Round_polygon
+{
+public:
+  // \pre the curve is a single closed component
+  explicit Round_polygon(const Network& curve)
+      : m_x(coordinates(curve)),
+        m_length(total_length(curve)),
+        m_center(m_x.colwise().mean().transpose())
+  {
+    const Eigen::Index n = m_x.rows();
+    Vector area = Vector::Zero();
+    for(Eigen::Index v = 0; v < n; ++v) area += offset(v).cross(offset((v + 1) % n));
+    m_first = area.unitOrthogonal();
+    m_second = area.normalized().cross(m_first);
+    double real = 0, imaginary = 0; // of the sum of the nodes, each turned back by its angle
+    for(Eigen::Index v = 0; v < n; ++v) {
+      const auto [c, s] = cos_sin(turns(v));
+      const double x = offset(v).dot(m_first), y = offset(v).dot(m_second);
+      real += c * x + s * y;
+      imaginary += c * y - s * x;
+    }
+    const Vector first = (real * m_first + imaginary * m_second).normalized();
+    m_second = (real * m_second - imaginary * m_first).normalized();
+    m_first = first;
+  }
+
+  // one row per node
+  Vector_field nodes() const
+  {
+    const auto n = static_cast<double>(m_x.rows());
+    const double radius = m_length / (2 * n * std::sin(CGAL_PI / n));
+    Vector_field result(m_x.rows(), 3);
+    for(Eigen::Index v = 0; v < m_x.rows(); ++v) {
+      const auto [c, s] = cos_sin(turns(v));
+      result.row(v) = (m_center + radius * (c * m_first + s * m_second)).transpose();
+    }
+    return result;
+  }
+
+private:
+  Vector offset(Eigen::Index v) const { return m_x.row(v).transpose() - m_center; }
+
+  double turns(Eigen::Index v) const
+  {
+    return static_cast<double>(v) / static_cast<double>(m_x.rows());
+  }
+
+  Vector_field m_x;
+  double m_length;
+  Vector m_center, m_first, m_second;
+};
+
+// Returns whether the curve is round now; if not, it may have got rounder.
+// \pre the curve is a single closed component without pinned nodes and garbage
+template <typename Guard>
+bool make_round(Guard& guard)
+{
+  constexpr double least_number_of_nodes = 64;
+  constexpr int most_moves = 100;
+  const auto& curve = guard.curve();
+  const Clearance_scope<Guard> scope(guard, 0);
+  for(bool is_coarse = true; is_coarse; guard.collect_garbage()) {
+    const double longest = total_length(curve) / least_number_of_nodes;
+    is_coarse = false;
+    for(const std::size_t e : curve.edges()) {
+      if(edge_vector(curve, e).norm() <= longest) continue;
+      const Vector a = to_vector(curve.point(curve.source(e)));
+      const Vector b = to_vector(curve.point(curve.target(e)));
+      is_coarse |= guard.insert_node(e, to_point(Vector((a + b) / 2), curve.traits()));
+    }
+  }
+  for(int k = 0; k < most_moves; ++k) {
+    const double fraction = guard.move_nodes(
+        Round_polygon<typename Guard::Curve_network>(curve).nodes(), Step_size::least_fraction);
+    if(fraction == 1) return true;
+    if(fraction == 0) return false;
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_MAKE_ROUND_H

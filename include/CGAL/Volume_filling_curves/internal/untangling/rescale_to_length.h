@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_RESCALE_TO_LENGTH_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_RESCALE_TO_LENGTH_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+template <typename Network>
+bool has_pinned_node(const Network& curve)
+{
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.is_pinned(v)) return true;
+  return false;
+}
+
+// Scales a curve about its center to the given length, and returns the factor. In certified steps,
+// since coordinates are rounded; of many nodes they are short, so that few edges come near one
+// another. Stops early, with the factor reached, if not even a short step is possible, or if it
+// gets no closer because coordinates are rounded coarsely. A network without edges stays as it is.
+template <typename Guard>
+double rescale_to_length(Guard& guard, double wanted)
+{
+  constexpr double least_step = 1.001;
+  constexpr double precision = 1e-12;
+  const auto& curve = guard.curve();
+  const double start = total_length(curve);
+  if(!(start > 0)) return 1;
+  const Clearance_scope<Guard> scope(guard, 0);
+  double step = 1 + 1 / std::sqrt(std::sqrt(static_cast<double>(curve.number_of_nodes())));
+  double error = std::numeric_limits<double>::infinity();
+  for(double rest = wanted / start; std::abs(rest - 1) > precision && std::abs(rest - 1) < error;
+      rest = wanted / total_length(curve)) {
+    error = std::abs(rest - 1);
+    const double factor = std::clamp(rest, 1 / step, step);
+    const Vector_field x = coordinates(curve);
+    const Eigen::RowVector3d center = x.colwise().mean();
+    const Vector_field target = (factor * (x.rowwise() - center)).rowwise() + center;
+    if(guard.move_nodes(target) == 1) continue;
+    step = std::sqrt(step);
+    if(step < least_step) break;
+  }
+  return total_length(curve) / start;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_RESCALE_TO_LENGTH_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_POLYLINES_H
+#define CGAL_VOLUME_FILLING_CURVES_POLYLINES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief gives out the curves of a network as polylines.
+ *
+ * There is one polyline for every component without junctions; it repeats its first point at the
+ * end if the component is closed. Components with junctions are cut there. Takes linear time.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam OutputIterator a model of `OutputIterator` that accepts
+ * `std::vector<Traits::Point_3>`
+ *
+ * \param network the network
+ * \param polylines receives the polylines
+ *
+ * \return the output iterator behind the last polyline
+ */
+template <typename Traits, typename OutputIterator>
+OutputIterator curve_network_to_polylines(const Curve_network_3<Traits>& network,
+                                          OutputIterator polylines)
+{
+  for(const auto& path : internal::Curve_paths(network).paths) {
+    std::vector<typename Traits::Point_3> polyline;
+    polyline.reserve(path.size());
+    for(const std::size_t v : path) polyline.push_back(network.point(v));
+    *polylines++ = std::move(polyline);
+  }
+  return polylines;
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief returns the positions of the nodes as a matrix with one row x, y, z per node, as libigl
+ * and polyscope speak of curves. Takes linear time.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \pre the network has no garbage
+ */
+template <typename Traits>
+[[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 3> point_matrix(
+    const Curve_network_3<Traits>& network)
+{
+  CGAL_precondition_msg(!network.has_garbage(), "the network has no garbage");
+  return internal::coordinates(network);
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief returns the edges as a matrix with one row per edge, of two rows of `point_matrix()`.
+ * Takes linear time.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \pre the network has no garbage, and fewer than \f$2^{31}\f$ nodes
+ */
+template <typename Traits>
+[[nodiscard]] Eigen::Matrix<int, Eigen::Dynamic, 2> edge_matrix(
+    const Curve_network_3<Traits>& network)
+{
+  CGAL_precondition_msg(!network.has_garbage(), "the network has no garbage");
+  Eigen::Matrix<int, Eigen::Dynamic, 2> edges(static_cast<Eigen::Index>(network.number_of_edges()),
+                                              2);
+  for(const std::size_t e : network.edges())
+    edges.row(static_cast<Eigen::Index>(e)) << static_cast<int>(network.source(e)),
+        static_cast<int>(network.target(e));
+  return edges;
+}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_POLYLINES_H

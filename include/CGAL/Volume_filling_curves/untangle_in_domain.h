@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_UNTANGLE_IN_DOMAIN_H
+#define CGAL_VOLUME_FILLING_CURVES_UNTANGLE_IN_DOMAIN_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
+#include <CGAL/Volume_filling_curves/untangle.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief untangles curves inside a domain, with a struct of parameters in place of named ones.
+ *
+ * \tparam ConcurrencyTag enables parallel algorithms
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
+ * `FaceListGraph`
+ * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Traits,
+          typename Domain,
+          typename Visitor = Default_curve_flow_visitor>
+Untangling_result untangle(Curve_network_3<Traits>& curves,
+                           const Domain& domain,
+                           const Untangling_parameters& parameters,
+                           Visitor visitor = Visitor())
+{
+  const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
+  using Inside = std::decay_t<decltype(inside)>;
+  using Guard = Isotopy_guard_3<Traits, Inside>;
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  Real_timer timer;
+  timer.start();
+  internal::check_untangling(parameters, curves);
+  if(parameters.strategy == Untangling_strategy::SEARCH)
+    internal::refuse_value(internal_np::strategy_t(), parameters.strategy,
+                           "the search does not know the domain");
+  internal::check_inside(curves, inside);
+  Guard guard(curves, inside);
+  return internal::recorded_untangling(guard, parameters, [&] {
+    internal::Tails<Guard> no_tails(guard);
+    auto& unwrapped_visitor = internal::unwrapped(visitor);
+    internal::Flow_untangler<Curve_flow_3<Traits, Inside, ConcurrencyTag>,
+                             std::remove_reference_t<decltype(unwrapped_visitor)>>
+        run(guard, no_tails, parameters, {parameters.thickness, 0, false, false}, timer,
+            unwrapped_visitor);
+    return run();
+  });
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief untangles curves that must not leave a domain: moves them, without ever passing through
+ * themselves or the boundary, to a short and simple shape.
+ *
+ * The curves flow, as `untangle()` lets them without a domain and with the strategy `FLOW`, until
+ * they are proved to be unknots, are tight, or get nowhere; the boundary limits the medial spheres
+ * and the motion. Obstacles are cavities of the domain. What is proved of the curves is about the
+ * curves in space and says nothing of the obstacles: a curve that is an unknot may be hooked around
+ * one. With `stop_at_proof(false)` it flows on until it is tight around it. The knots of curves
+ * with ends are not kept, even if the ends are pinned: strands may slip off them.
+ *
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
+ * `FaceListGraph`
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param curves the curves, replaced by the result
+ * \param domain the domain, or a closed triangle mesh, whose inside it is, as that of a
+ * `Triangle_mesh_domain_3`
+ * \param np an optional sequence of the named parameters that `untangle()` takes without a domain,
+ * and `wall` (see `Curve_flow_parameters`); with a mesh also `vertex_point_map`, as for
+ * `Triangle_mesh_domain_3`. The `strategy` must not be `SEARCH`; `AUTO` stands for `FLOW`.
+ *
+ * \returns how the run ended, what is proved of the curves, and statistics
+ *
+ * \pre the network has no garbage
+ *
+ * \throws std::invalid_argument as `untangle()` without a domain, if the curves are not strictly
+ * inside the domain, with the nodes in the message, and if the `strategy` is `SEARCH`
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Traits,
+          typename Domain,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<!internal::Are_named_parameters<Domain>::value &&
+                               !std::is_same_v<Domain, Untangling_parameters> &&
+                               internal::Are_named_parameters<NamedParameters>::value,
+                           int> = 0
+#endif
+          >
+Untangling_result untangle(Curve_network_3<Traits>& curves,
+                           const Domain& domain,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using Signature =
+      std::conditional_t<internal::Is_domain<Domain>::value, internal::Untangle_in_domain_signature,
+                         internal::Untangle_in_mesh_signature>;
+  const auto parameters = internal::get_parameters<Signature>(np);
+  return untangle<ConcurrencyTag>(curves, internal::as_domain<Traits>(domain, np), parameters,
+                                  internal::get_visitor(np));
+}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_UNTANGLE_IN_DOMAIN_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include <CGAL/Volume_filling_curves/filling_estimates.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace test_filling_estimates {
+
+using CGAL::Volume_filling_curves::length_of_filling;
+using CGAL::Volume_filling_curves::thickness_of_filling;
+
+TEST(Filling_estimates, are_each_other_s_inverse)
+{
+  for(const double volume : {1e-6, 1., 4e9})
+    for(const double thickness : {1e-3, 0.1, 20.})
+      EXPECT_NEAR(thickness_of_filling(volume, length_of_filling(volume, thickness)) / thickness, 1,
+                  1e-14);
+}
+
+TEST(Filling_estimates, scale_with_the_domain)
+{
+  const double unit = std::ldexp(1, 20);
+  const double volume = 3, thickness = 0.1, length = 70;
+  EXPECT_EQ(length_of_filling(unit * unit * unit * volume, unit * thickness),
+            unit * length_of_filling(volume, thickness));
+  EXPECT_EQ(thickness_of_filling(unit * unit * unit * volume, unit * length),
+            unit * thickness_of_filling(volume, length));
+}
+
+// Strands of a curve that fills a domain with thickness r are about 2 r apart: a strand has a tube
+// to itself whose cross section is a hexagon of that width, of the area 2 sqrt(3) r^2, or somewhat
+// more.
+TEST(Filling_estimates, leave_every_strand_a_tube)
+{
+  const double area = 1 / length_of_filling(1, 1);
+  EXPECT_GT(area, 2 * std::sqrt(3.));
+  EXPECT_LT(area, 1.2 * 2 * std::sqrt(3.));
+}
+
+} // namespace test_filling_estimates

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Feeds arbitrary bytes, and words chosen by them, to the readers of curve files. Whatever they
+// accept must come back unchanged from a file. Build with clang++
+// -fsanitize=fuzzer,address,undefined.
+
+#include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Volume_filling_curves;
+using Network = Curve_network_3<>;
+
+void require(bool condition)
+{
+  if(!condition) std::abort();
+}
+
+bool have_same_bits(double x, double y)
+{
+  return std::memcmp(&x, &y, sizeof(double)) == 0;
+}
+
+void require_same(const Network& a, const Network& b)
+{
+  require(a.number_of_nodes() == b.number_of_nodes());
+  require(a.number_of_edges() == b.number_of_edges());
+  require(a.number_of_components() == b.number_of_components());
+  for(std::size_t v = 0; v < a.number_of_nodes(); ++v) {
+    for(int k = 0; k < 3; ++k) require(have_same_bits(a.point(v)[k], b.point(v)[k]));
+    require(a.component(v) == b.component(v) && a.degree(v) == b.degree(v));
+  }
+  for(std::size_t e = 0; e < a.number_of_edges(); ++e)
+    require(a.source(e) == b.source(e) && a.target(e) == b.target(e));
+}
+
+bool read(internal::Curve_draft file, Junctions junctions, Network& network)
+{
+  std::vector<Curve_defect> defects;
+  const bool is_accepted = internal::draft_to_embedded_network(file, network, defects, junctions);
+  bool has_error = false;
+  for(const Curve_defect& defect : defects) {
+    has_error = has_error || is_error(defect.kind);
+    require(to_string(defect, "file").find('\n') == std::string::npos);
+  }
+  require(is_accepted != has_error);
+  return is_accepted;
+}
+
+void require_round_trip(const Network& network, Junctions junctions)
+{
+  require(network.number_of_nodes() >= 2);
+  const internal::Curve_paths strands(network);
+  Network from_obj, from_txt;
+  require(read(internal::read_obj(internal::to_obj(strands), junctions), junctions, from_obj));
+  require_same(network, from_obj);
+  for(std::size_t v = 0; v < network.number_of_nodes(); ++v)
+    require(network.is_pinned(v) == from_obj.is_pinned(v));
+  const std::string txt = internal::to_polylines_txt(strands);
+  require(read(internal::read_polylines_txt(txt, junctions), junctions, from_txt));
+  if(!network.has_junction())
+    require_same(network, from_txt);
+  else
+    require(network.number_of_edges() == from_txt.number_of_edges());
+}
+
+// Reads a text in both formats, with and without junctions.
+void run(std::string_view text)
+{
+  for(const Junctions junctions : {Junctions::FORBIDDEN, Junctions::ALLOWED}) {
+    for(const auto reader : {internal::read_obj, internal::read_polylines_txt}) {
+      Network network;
+      if(read(reader(text, junctions), junctions, network)) require_round_trip(network, junctions);
+    }
+  }
+}
+
+// Every byte is a word; such texts get further than arbitrary ones.
+std::string words(const std::uint8_t* data, std::size_t size)
+{
+  const std::vector<std::string> choice = {"\nv 0 0 0", "\nv 1 0 0",
+                                           "\nv 0 1 0", "\nv 1 1 0",
+                                           "\nv 0 0 1", "\nv 1 0 1",
+                                           "\nv 3 1 2", "\nv 2 .5 9",
+                                           "\nv",       "\nl",
+                                           "\nl",       "\nl 1 2",
+                                           "\nl -1 -2", "\nfixed",
+                                           "\n",        "\r",
+                                           " \\\n",     " 0",
+                                           " 1",        " 2",
+                                           " 3",        " 4",
+                                           " 5",        " 6",
+                                           " 1 2 3 1",  " 0 0 0 1 1",
+                                           " -1",       " -2",
+                                           "/1",        " 1e-160",
+                                           " 1e149",    " 1e-320",
+                                           " nan",      "\n4 0 0 0 1 0",
+                                           "\n2",       "\n3",
+                                           " #",        "\nf 1 2 3",
+                                           " 1 0 0",    " 0 1 0",
+                                           " 0 0 1"};
+  std::string text;
+  for(std::size_t i = 0; i < size; ++i) text += choice[data[i] % choice.size()];
+  return text;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  run({reinterpret_cast<const char*>(data), size});
+  run(words(data, size));
+  return 0;
+}

@@ -1,0 +1,389 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/generators.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace test_curve_measures {
+
+namespace vfc = CGAL::Volume_filling_curves;
+namespace generators = CGAL::Volume_filling_curves::internal;
+using generators::Polygons;
+using generators::Vector;
+using Curve = vfc::Curve_network_3<>;
+using Point = Curve::Point_3;
+using Edges = std::vector<std::array<std::size_t, 2>>;
+using Matrix = std::vector<std::vector<int>>;
+
+constexpr double pi = CGAL_PI;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Curve closed(const Polygons& polygons)
+{
+  return generators::closed_network(polygons);
+}
+
+Curve regular_polygon(int n, double radius)
+{
+  Polygons polygon(1);
+  for(int i = 0; i < n; ++i)
+    polygon[0].push_back(
+        {radius * std::cos(2 * pi * i / n), radius * std::sin(2 * pi * i / n), 0.5});
+  return closed(polygon);
+}
+
+Curve path(const std::vector<Point>& points)
+{
+  Edges edges;
+  for(std::size_t i = 1; i < points.size(); ++i) edges.push_back({i - 1, i});
+  return Curve(points, edges);
+}
+
+Polygons scaled(Polygons polygons, double factor)
+{
+  for(auto& polygon : polygons)
+    for(Vector& v : polygon) v *= factor;
+  return polygons;
+}
+
+Vector position(const Curve& curve, std::size_t v)
+{
+  return generators::to_vector(curve.point(v));
+}
+
+// Twins: the same numbers by definition, in quadratic time.
+
+double clearance_by_definition(const Curve& curve, double r)
+{
+  const generators::Least_clearance<Curve> neighborhood(curve, pi * r);
+  double least = infinity;
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    for(std::size_t f = e + 1; f < curve.number_of_edges(); ++f)
+      if(!neighborhood.are_neighbors(e, f))
+        least = (std::min)(
+            least, std::sqrt(generators::squared_segment_distance(
+                       position(curve, curve.source(e)), position(curve, curve.target(e)),
+                       position(curve, curve.source(f)), position(curve, curve.target(f)))));
+  return least;
+}
+
+// The solid angle that a segment sees of another one (Banchoff 1976; Klenin and Langowski 2000).
+double gauss_integral(const Vector& a, const Vector& b, const Vector& c, const Vector& d)
+{
+  const std::array<Vector, 4> normals{(c - a).cross(d - a), (d - a).cross(d - b),
+                                      (d - b).cross(c - b), (c - b).cross(c - a)};
+  double angle = 0;
+  for(std::size_t i = 0; i < 4; ++i) {
+    const Vector u = normals[i].normalized(), v = normals[(i + 1) % 4].normalized();
+    angle += std::asin(std::clamp(u.dot(v), -1., 1.));
+  }
+  const double sign = (b - a).cross(d - c).dot(a - c);
+  return std::isnan(angle) || sign == 0 ? 0 : std::copysign(std::abs(angle), sign) / (4 * pi);
+}
+
+double gauss_linking_number(const Curve& curve, std::size_t a, std::size_t b)
+{
+  double sum = 0;
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    for(std::size_t f = 0; f < curve.number_of_edges(); ++f)
+      if(curve.component(curve.source(e)) == a && curve.component(curve.source(f)) == b)
+        sum += gauss_integral(position(curve, curve.source(e)), position(curve, curve.target(e)),
+                              position(curve, curve.source(f)), position(curve, curve.target(f)));
+  return sum;
+}
+
+double exact_average_crossing_number(const Curve& curve)
+{
+  double sum = 0;
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    for(std::size_t f = 0; f < e; ++f)
+      if(!generators::share_a_node(curve, e, f))
+        sum += std::abs(
+            gauss_integral(position(curve, curve.source(e)), position(curve, curve.target(e)),
+                           position(curve, curve.source(f)), position(curve, curve.target(f))));
+  return 2 * sum;
+}
+
+Curve braid(const std::string& word, std::size_t nodes, std::size_t strands = 1)
+{
+  return closed(generators::braid_closure(vfc::parse_braid_word(word), nodes, 0, strands));
+}
+
+TEST(Length, is_the_total_length_and_of_components)
+{
+  const Curve curve({Point(0, 0, 0), Point(3, 4, 0), Point(9, 0, 0), Point(9, 0, 2)},
+                    {{0, 1}, {2, 3}});
+  EXPECT_EQ(vfc::component_lengths(curve), (std::vector<double>{5, 2}));
+  EXPECT_EQ(vfc::length(curve), 7);
+  EXPECT_EQ(vfc::length(Curve()), 0);
+}
+
+TEST(Total_curvature, of_a_plane_convex_polygon_is_two_pi)
+{
+  for(int n : {3, 4, 7, 100, 10001})
+    EXPECT_NEAR(vfc::total_curvatures(regular_polygon(n, 2))[0], 2 * pi, 1e-11);
+}
+
+TEST(Total_curvature, of_a_path_leaves_its_ends_out)
+{
+  const Curve corner = path({Point(0, 0, 0), Point(1, 0, 0), Point(1, 5, 0)});
+  EXPECT_DOUBLE_EQ(vfc::total_curvatures(corner)[0], pi / 2);
+  EXPECT_EQ(vfc::total_curvatures(path({Point(0, 0, 0), Point(1, 1, 1)}))[0], 0);
+}
+
+TEST(Total_curvature, of_a_spike_is_pi)
+{
+  const Curve spike = path({Point(0, 0, 0), Point(1, 2, 3), Point(0, 0, 0)});
+  EXPECT_DOUBLE_EQ(vfc::total_curvatures(spike)[0], pi);
+}
+
+TEST(Total_curvature, of_a_component_with_junctions_is_not_a_number)
+{
+  const Curve star({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)},
+                   {{0, 1}, {0, 2}, {0, 3}});
+  EXPECT_TRUE(std::isnan(vfc::total_curvatures(star)[0]));
+  EXPECT_TRUE(std::isnan(vfc::ropelength(star)));
+  EXPECT_EQ(vfc::component_lengths(star)[0], 3);
+}
+
+TEST(Total_curvature, of_a_knot_exceeds_four_pi)
+{
+  EXPECT_GT(vfc::total_curvatures(closed(generators::torus_knot(2, 3, 60)))[0], 4 * pi);
+}
+
+TEST(Bend_radius, of_a_regular_polygon_is_that_of_its_inscribed_circle)
+{
+  for(int n : {3, 4, 5, 64}) {
+    EXPECT_NEAR(vfc::min_bend_radius(regular_polygon(n, 3)), 3 * std::cos(pi / n), 1e-12);
+    EXPECT_NEAR(vfc::max_curvature(regular_polygon(n, 3)), 1 / (3 * std::cos(pi / n)), 1e-12);
+  }
+}
+
+TEST(Bend_radius, of_a_straight_path_is_infinite_and_of_a_spike_zero)
+{
+  const Curve line = path({Point(0, 0, 0), Point(1, 2, 3), Point(2, 4, 6)});
+  EXPECT_EQ(vfc::min_bend_radius(line), infinity);
+  EXPECT_EQ(vfc::max_curvature(line), 0);
+  const Curve spike = path({Point(0, 0, 0), Point(1, 0, 0), Point(0, 0, 0)});
+  EXPECT_NEAR(vfc::min_bend_radius(spike), 0, 1e-15);
+}
+
+TEST(Ropelength, of_a_circle_is_two_pi)
+{
+  EXPECT_NEAR(vfc::ropelength(regular_polygon(100000, 5)), 2 * pi, 1e-6);
+  EXPECT_NEAR(vfc::polygonal_thickness(regular_polygon(6, 2)), std::sqrt(3.), 1e-12);
+}
+
+TEST(Ropelength, of_two_clasped_circles_is_eight_pi)
+{
+  // each runs through the other one's center: the tight Hopf link, of thickness 1/2
+  Polygons hopf(2);
+  constexpr int n = 2000;
+  for(int i = 0; i < n; ++i) {
+    const double c = std::cos(2 * pi * i / n), s = std::sin(2 * pi * i / n);
+    hopf[0].push_back({c, s, 0});
+    hopf[1].push_back({1 + c, 0, s});
+  }
+  EXPECT_NEAR(vfc::polygonal_thickness(closed(hopf)), 0.5, 1e-5);
+  EXPECT_NEAR(vfc::ropelength(closed(hopf)), 8 * pi, 1e-3);
+}
+
+TEST(Polygonal_thickness, of_a_long_loop_is_half_its_width)
+{
+  Polygons stadium(1);
+  for(int i = 0; i <= 100; ++i)
+    stadium[0].push_back({std::sin(pi * i / 100), -std::cos(pi * i / 100), 0});
+  for(int i = 0; i <= 100; ++i)
+    stadium[0].push_back({-9 - std::sin(pi * i / 100), std::cos(pi * i / 100), 0});
+  EXPECT_NEAR(vfc::polygonal_thickness(closed(stadium)), 1, 1e-3);
+  for(Vector& v : stadium[0]) v.y() *= std::abs(v.x() + 4.5) > 4.6 ? 1 : 0.5; // flatten the sides
+  EXPECT_LT(vfc::polygonal_thickness(closed(stadium)), 0.6);
+}
+
+TEST(Polygonal_thickness, sees_where_a_wide_loop_is_pinched)
+{
+  Polygons peanut(1);
+  constexpr int n = 4000;
+  for(int i = 0; i < n; ++i) {
+    const double t = 2 * pi * i / n;
+    peanut[0].push_back({10 * std::cos(t), (1 + 9 * std::cos(t) * std::cos(t)) * std::sin(t), 0});
+  }
+  EXPECT_LT(vfc::polygonal_thickness(closed(peanut)), 1 + 1e-9);
+}
+
+TEST(Polygonal_thickness, of_paths_counts_their_ends)
+{
+  EXPECT_EQ(vfc::polygonal_thickness(path({Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0)})),
+            infinity);
+  const Curve lines({Point(0, 0, 0), Point(4, 0, 0), Point(5, 0, 0), Point(9, 0, 0)},
+                    {{0, 1}, {2, 3}});
+  EXPECT_EQ(vfc::polygonal_thickness(lines), 0.5);
+}
+
+TEST(Min_clearance, leaves_out_segments_that_share_a_node)
+{
+  EXPECT_EQ(vfc::min_clearance(regular_polygon(3, 1)), infinity);
+  const Curve square = closed({{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}});
+  EXPECT_EQ(vfc::min_clearance(square), 1);
+  EXPECT_EQ(vfc::min_clearance(Curve()), infinity);
+}
+
+TEST(Min_clearance, leaves_out_less_than_pi_r_along_a_component)
+{
+  const Curve hairpin =
+      path({Point(0, 0, 0), Point(10, 0, 0), Point(10, 1, 0), Point(10, 2, 0), Point(0, 3, 0)});
+  EXPECT_EQ(vfc::min_clearance(hairpin), 1);
+  EXPECT_EQ(vfc::min_clearance(hairpin, 1.9 / pi), 2);
+  EXPECT_EQ(vfc::min_clearance(hairpin, 2.1 / pi), infinity);
+}
+
+TEST(Min_clearance, of_components_counts_whatever_r_is)
+{
+  const Curve lines({Point(0, 0, 0), Point(4, 0, 0), Point(0, 0, 3), Point(4, 1, 3)},
+                    {{0, 1}, {2, 3}});
+  EXPECT_EQ(vfc::min_clearance(lines, 100), 3);
+}
+
+TEST(Min_clearance, goes_the_shorter_way_through_a_network)
+{
+  // two long strands, bridged at one place
+  const std::vector<Point> points{Point(0, 0, 0), Point(5, 0, 0), Point(6, 0, 0), Point(20, 0, 0),
+                                  Point(0, 3, 0), Point(5, 1, 0), Point(6, 2, 0), Point(20, 3, 0)};
+  const Curve ladder(points, {{0, 1}, {1, 2}, {2, 3}, {4, 5}, {5, 6}, {6, 7}, {1, 5}});
+  EXPECT_EQ(vfc::min_clearance(ladder), 1);
+  EXPECT_DOUBLE_EQ(vfc::min_clearance(ladder, 1.5 / pi), std::sqrt(2.));
+  for(double r : {0., 0.2, 0.4, 0.6, 0.8, 10.})
+    EXPECT_EQ(vfc::min_clearance(ladder, r), clearance_by_definition(ladder, r));
+}
+
+TEST(Min_clearance, is_the_same_by_definition)
+{
+  for(std::uint64_t seed = 1; seed < 6; ++seed)
+    for(double r : {0., 0.5, 2., 20.}) {
+      const Curve curve = closed(generators::random_polygon(200 + seed, seed));
+      EXPECT_EQ(vfc::min_clearance(curve, r), clearance_by_definition(curve, r));
+    }
+  const Curve link = braid("1 1 -2 1 -2 3 3", 150);
+  for(double r : {0., 0.5, 2.})
+    EXPECT_EQ(vfc::min_clearance(link, r), clearance_by_definition(link, r));
+}
+
+TEST(Average_crossing_number, of_convex_plane_curves_is_zero)
+{
+  EXPECT_EQ(vfc::average_crossing_number(regular_polygon(50, 1)), 0);
+  EXPECT_EQ(vfc::average_crossing_number(Curve()), 0);
+}
+
+TEST(Average_crossing_number, is_that_of_the_gauss_integral_within_sampling_error)
+{
+  for(const Curve& curve :
+      {closed(generators::torus_knot(2, 3, 60)), closed(generators::random_polygon(120, 3)),
+       closed(generators::lattice_polygon(100, 2)), braid("1 1 -2 1 -2", 120)}) {
+    const double expected = exact_average_crossing_number(curve);
+    EXPECT_NEAR(vfc::average_crossing_number(curve), expected, 0.03 * expected);
+  }
+}
+
+TEST(Average_crossing_number, of_a_knot_is_not_below_its_crossing_number)
+{
+  EXPECT_GE(vfc::average_crossing_number(closed(generators::torus_knot(2, 3, 100))), 3);
+  EXPECT_GE(vfc::average_crossing_number(braid("1 -2 1 -2", 200)), 4);
+}
+
+TEST(Linking_matrix, of_the_hopf_link_is_one_and_changes_sign_with_the_mirror)
+{
+  EXPECT_EQ(vfc::linking_matrix(braid("1 1", 60)), (Matrix{{0, 1}, {1, 0}}));
+  EXPECT_EQ(vfc::linking_matrix(braid("-1 -1", 60)), (Matrix{{0, -1}, {-1, 0}}));
+}
+
+TEST(Linking_matrix, of_known_links)
+{
+  EXPECT_EQ(vfc::linking_matrix(braid("1 1 -2 1 -2", 120)), (Matrix{{0, 0}, {0, 0}}));
+  EXPECT_EQ(vfc::linking_matrix(closed(generators::torus_knot(2, 8, 120)))[0][1], 4);
+  EXPECT_EQ(vfc::linking_matrix(closed(generators::torus_knot(4, 6, 200)))[0][1], 6);
+  EXPECT_EQ(vfc::linking_matrix(braid("1 1 2 2 2 2 -3 -3", 200)),
+            (Matrix{{0, 1, 0, 0}, {1, 0, 2, 0}, {0, 2, 0, -1}, {0, 0, -1, 0}}));
+}
+
+TEST(Linking_matrix, is_right_for_squares_on_a_lattice)
+{
+  const Polygons squares{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
+                         {{1, 1, -1}, {3, 1, -1}, {3, 1, 1}, {1, 1, 1}}};
+  const int number = vfc::linking_matrix(closed(squares))[0][1];
+  EXPECT_EQ(std::abs(number), 1);
+  EXPECT_NEAR(gauss_linking_number(closed(squares), 0, 1), number, 1e-9);
+  const Polygons apart{squares[0], {{5, 1, -1}, {7, 1, -1}, {7, 1, 1}, {5, 1, 1}}};
+  EXPECT_EQ(vfc::linking_matrix(closed(apart)), (Matrix{{0, 0}, {0, 0}}));
+}
+
+TEST(Linking_matrix, is_the_rounded_gauss_integral)
+{
+  for(std::uint64_t seed = 1; seed < 8; ++seed) {
+    Polygons polygons;
+    for(std::uint64_t k = 0; k < 3; ++k) {
+      polygons.push_back(generators::random_polygon(60, 10 * seed + k)[0]);
+      for(Vector& v : polygons.back()) v.x() += 0.3 * static_cast<double>(k);
+    }
+    const Curve curve = closed(polygons);
+    const Matrix matrix = vfc::linking_matrix(curve);
+    for(std::size_t a = 0; a < 3; ++a)
+      for(std::size_t b = 0; b < a; ++b)
+        EXPECT_NEAR(gauss_linking_number(curve, a, b), matrix[a][b], 1e-6);
+  }
+}
+
+TEST(Linking_matrix, is_zero_for_paths)
+{
+  const Curve lines({Point(0, 0, 0), Point(4, 0, 0), Point(0, 0, 3), Point(4, 1, 3)},
+                    {{0, 1}, {2, 3}});
+  EXPECT_EQ(vfc::linking_matrix(lines), (Matrix{{0, 0}, {0, 0}}));
+}
+
+TEST(Linking_matrix, takes_exact_kernels)
+{
+  using Traits = vfc::Curve_flow_traits_3<CGAL::Exact_predicates_exact_constructions_kernel>;
+  const auto curve = vfc::make_closed_braid<Traits>({1, 1}, 60);
+  EXPECT_EQ(vfc::linking_matrix(curve)[0][1], 1);
+}
+
+TEST(Curve_measures, scale_with_the_curve)
+{
+  const Polygons link = generators::braid_closure({1, 1, -2, 1, -2}, 150, 5);
+  const auto small = vfc::measure(closed(link), 0.25);
+  for(int exponent : {-480, -220, -40, 1, 60, 220, 480}) {
+    const double factor = std::ldexp(1., exponent);
+    const auto big = vfc::measure(closed(scaled(link, factor)), 0.25 * factor);
+    EXPECT_EQ(big.length, factor * small.length);
+    EXPECT_EQ(big.total_curvatures, small.total_curvatures);
+    EXPECT_EQ(big.max_curvature, small.max_curvature / factor);
+    EXPECT_EQ(big.polygonal_thickness, factor * small.polygonal_thickness);
+    EXPECT_EQ(big.ropelength, small.ropelength);
+    EXPECT_EQ(big.min_clearance, factor * small.min_clearance);
+    EXPECT_EQ(big.average_crossing_number, small.average_crossing_number);
+    EXPECT_EQ(big.linking_matrix, small.linking_matrix);
+  }
+}
+
+TEST(Curve_measures, of_an_empty_network_are_defined)
+{
+  const auto measures = vfc::measure(Curve());
+  EXPECT_EQ(measures.length, 0);
+  EXPECT_TRUE(measures.linking_matrix.empty());
+}
+
+} // namespace test_curve_measures

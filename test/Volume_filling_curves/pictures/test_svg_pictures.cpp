@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "pictures/Curve_view.h"
+#include "pictures/Stroke_layers.h"
+#include "pictures/curve_pictures.h"
+
+#include <CGAL/Volume_filling_curves/generators.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace test_svg_pictures {
+
+using namespace vfc;
+namespace generators = CGAL::Volume_filling_curves::internal;
+using generators::Polygons;
+using Point = Curve::Point_3;
+
+std::string svg_of(const Polygons& polygons)
+{
+  return svg_picture(generators::closed_network(polygons));
+}
+
+std::size_t count(const std::string& text, const std::string& word)
+{
+  std::size_t n = 0;
+  for(std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1)) ++n;
+  return n;
+}
+
+const std::vector<Polygons>& curves()
+{
+  static const std::vector<Polygons> all{
+      generators::torus_knot(2, 3, 200), generators::braid_closure({1, 1, -2, 1, -2}, 200),
+      generators::random_polygon(300, 1), generators::lattice_polygon(300, 1)};
+  return all;
+}
+
+TEST(Svg_picture, writes_elements_that_are_closed_and_references_that_exist)
+{
+  for(const Polygons& polygons : curves()) {
+    const std::string text = svg_of(polygons);
+    EXPECT_EQ(text.compare(0, 4, "<svg"), 0);
+    EXPECT_EQ(text.substr(text.size() - 7), "</svg>\n");
+    EXPECT_EQ(count(text, "<g"), count(text, "</g>"));
+    EXPECT_EQ(count(text, "<"), count(text, ">"));
+    EXPECT_EQ(count(text, "nan") + count(text, "inf"), 0u);
+    for(std::size_t i = text.find("href=\"#"); i != std::string::npos;
+        i = text.find("href=\"#", i + 1)) {
+      const std::string name = text.substr(i + 7, text.find('"', i + 7) - i - 7);
+      EXPECT_NE(text.find("id=\"" + name + '"'), std::string::npos) << name;
+    }
+  }
+}
+
+TEST(Svg_picture, stays_inside_the_picture)
+{
+  for(const Polygons& polygons : curves()) {
+    const Curve curve = generators::closed_network(polygons);
+    const Curve_view view(curve);
+    for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+      for(int k : {0, 1}) {
+        EXPECT_GT(view.point(v)[k], view.width());
+        EXPECT_LT(view.point(v)[k], Curve_view::picture_size - view.width());
+      }
+  }
+}
+
+TEST(Svg_picture, does_not_depend_on_size_and_repeats)
+{
+  for(Polygons polygons : curves()) {
+    const std::string text = svg_of(polygons);
+    EXPECT_EQ(text, svg_of(polygons));
+    for(auto& polygon : polygons)
+      for(Vector& v : polygon) v *= 0x1p-50;
+    EXPECT_EQ(text, svg_of(polygons));
+  }
+}
+
+// The view is a rotation: a mirror image would be a lie.
+TEST(Svg_picture, does_not_mirror_the_curve)
+{
+  for(const Polygons& polygons : curves()) {
+    const Curve curve = generators::closed_network(polygons);
+    const Curve_view view(curve);
+    const auto volume = [&](const auto& point) {
+      return (point(10) - point(0)).cross(point(25) - point(0)).dot(point(40) - point(0));
+    };
+    const double before = volume([&](std::size_t v) { return to_vector(curve.point(v)); });
+    const double after = volume([&](std::size_t v) -> Vector {
+      const Vector& p = view.point(v);
+      return {p.x(), -p.y(), p.z()}; // y points downwards in the picture
+    });
+    EXPECT_GT(before * after, 0);
+  }
+}
+
+// Layers by definition, for all pairs of pieces that cross in the picture.
+TEST(Stroke_layers, put_the_upper_strand_into_the_higher_layer)
+{
+  for(const Polygons& polygons : curves()) {
+    const Curve curve = generators::closed_network(polygons);
+    const Curve_view view(curve);
+    const Stroke_layers layers(curve, view);
+    const auto& pieces = layers.pieces();
+    int crossings = 0, wrong = 0;
+    for(std::size_t i = 0; i < pieces.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j) {
+        const auto &a = pieces[i], &b = pieces[j];
+        // next to each other along the curve strokes may overlap in one layer
+        if(a.strand == b.strand && (a.source - b.source).norm() < 5 * view.width()) continue;
+        const Vector u = a.target - a.source, v = b.target - b.source, w = b.source - a.source;
+        const double area = u.x() * v.y() - u.y() * v.x();
+        const double s = (w.x() * v.y() - w.y() * v.x()) / area;
+        const double t = (w.x() * u.y() - w.y() * u.x()) / area;
+        if(!(s > 0 && s < 1 && t > 0 && t < 1)) continue;
+        ++crossings;
+        const double height = s * u.z() - w.z() - t * v.z();
+        if((height > 0) != (a.layer > b.layer) || a.layer == b.layer) ++wrong;
+      }
+    EXPECT_GT(crossings, 2);
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
+TEST(Svg_picture, draws_components_in_their_own_colors_and_ends_as_dots)
+{
+  const Curve arc({Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0)}, {{0, 1}, {1, 2}});
+  EXPECT_EQ(count(svg_picture(arc), "h0"), 2u);
+  EXPECT_EQ(count(svg_of(curves()[0]), "h0"), 0u);
+}
+
+TEST(Svg_picture, takes_whatever_a_network_can_be)
+{
+  EXPECT_FALSE(svg_picture(Curve()).empty());
+  const Curve star({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)},
+                   {{0, 1}, {0, 2}, {0, 3}});
+  EXPECT_EQ(count(svg_picture(star), "nan"), 0u);
+  const Curve point({Point(1, 1, 1), Point(1, 1, 1)}, {{0, 1}});
+  EXPECT_EQ(count(svg_picture(point), "nan"), 0u);
+  const Curve line({Point(0, 0, 0), Point(0, 0, 1)}, {{0, 1}});
+  EXPECT_EQ(count(svg_picture(line), "nan"), 0u);
+}
+
+} // namespace test_svg_pictures

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// What the program vfc fill does.
+
+#include <gtest/gtest.h>
+
+#if __has_include(<nlohmann/json.hpp>) && !defined(_WIN32)
+
+#include "support/program_test_support.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace test_command_line_fill {
+
+using program_test::Finished;
+using program_test::Json;
+
+class Command_line_fill : public program_test::Program_test
+{
+protected:
+  // a cube with sides of 4
+  void make_cube() const
+  {
+    write("cube.off", "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
+                      "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n"
+                      "3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  }
+
+  // two ports
+  void make_arc() const { write("arc.obj", "v 0.5 2 2\nv 3.5 2 2\nl 1 2\n"); }
+};
+
+TEST_F(Command_line_fill, curve_stays_inside_and_covers)
+{
+  make_cube();
+  const Finished fill =
+      run("fill cube.off -o c.obj --thickness 0.6 --report r.json --max-iterations 200");
+  ASSERT_TRUE(fill.status == 0 || fill.status == 2) << fill.err;
+  EXPECT_EQ(run("check c.obj cube.off").status, 0);
+  const Json report = json("r.json");
+  EXPECT_EQ(report["input"], "cube.off");
+  EXPECT_EQ(report["outside_nodes"], 0);
+  EXPECT_EQ(report["outside_segments"], 0);
+  EXPECT_EQ(report["thickness"], 0.6);
+  EXPECT_GT(report["coverage"]["fraction_within_r"], 0.5);
+  EXPECT_TRUE(report["empty_regions"].is_array());
+  EXPECT_GT(report["medial_radius"], 0);
+}
+
+// A run in the cube was not one in its lower half.
+TEST_F(Command_line_fill, can_be_verified_to_have_stayed_inside)
+{
+  make_cube();
+  write("half.off", "OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  run("fill cube.off -o c.obj --certificate c.cert --thickness 0.6 --max-iterations 20");
+  const std::string check = "check --certificate c.cert c.cert.start.obj c.obj";
+  EXPECT_EQ(run(check).status, 0);
+  EXPECT_EQ(run(check + " --domain cube.off").status, 0);
+  const Finished rejected = run(check + " --domain half.off");
+  EXPECT_EQ(rejected.status, 4);
+  EXPECT_NE(rejected.out.find("domain"), std::string::npos) << rejected.out;
+  EXPECT_EQ(run("check c.obj --domain cube.off").status, 1);
+  // a file that would be overwritten
+  EXPECT_EQ(run("fill cube.off --certificate c.cert").status, 1);
+}
+
+// A thickness that does not fit is told before, and after.
+TEST_F(Command_line_fill, a_plate_that_is_too_thin_is_filled_in_part_only)
+{
+  write("plate.off", "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 .1\n4 0 .1\n4 4 .1\n0 4 .1\n"
+                     "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n"
+                     "3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  const Finished fill = run("fill plate.off --thickness 0.5 --report r.json");
+  EXPECT_EQ(fill.status, 2);
+  EXPECT_NE(fill.err.find("warning: the inside is too thin for the thickness 0.5 in 100 %"),
+            std::string::npos)
+      << fill.err;
+  const Json report = json("r.json");
+  EXPECT_EQ(report["status"], "partial");
+  EXPECT_GT(report["unfilled_fraction"], 0.01);
+  EXPECT_GT(report["thin_fraction"], 0.99);
+  EXPECT_GT(report["fitting_thickness"], 0.03);
+  EXPECT_LT(report["fitting_thickness"], 0.07);
+  EXPECT_NE(report["reason"].get<std::string>().find("walls are too thin"), std::string::npos);
+  EXPECT_EQ(report["parts"], 1);
+  EXPECT_EQ(report["unreachable_parts"], 0);
+}
+
+TEST_F(Command_line_fill, parts_get_a_curve_each_and_the_certificate_starts_from_all)
+{
+  write("two.off", "OFF\n8 8 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n10 0 0\n14 0 0\n10 4 0\n10 0 4\n"
+                   "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n");
+  run("fill two.off -o c.obj --certificate c.cert --thickness 0.4 --max-iterations 10 "
+      "--report r.json");
+  EXPECT_EQ(json("r.json")["components"], 2);
+  EXPECT_EQ(json("r.json")["parts"], 2);
+  EXPECT_EQ(run("check --certificate c.cert c.cert.start.obj c.obj --domain two.off").status, 0);
+}
+
+TEST_F(Command_line_fill, untangling_stays_inside_of_a_domain)
+{
+  make_cube();
+  write("loop.obj", "v 1 1 2\nv 3 1 2\nv 1.2 2.8 2.1\nv 3 3 1.9\nv 1 3 2\nl 1 2 3 4 5 1\n");
+  const std::string untangle = "untangle loop.obj --domain ";
+  ASSERT_EQ(run(untangle + "cube.off -o out.obj --certificate u.cert").status, 0);
+  EXPECT_EQ(run("check --certificate u.cert loop.obj out.obj --domain cube.off").status, 0);
+  EXPECT_EQ(run(untangle + "cube.off --strategy tighten").status, 1);
+  write("far.obj", "v 1 1 2\nv 9 1 2\nv 1 3 2\nl 1 2 3 1\n");
+  EXPECT_EQ(run("untangle far.obj --domain cube.off").status, 4);
+}
+
+TEST_F(Command_line_fill, default_thickness_is_told)
+{
+  make_cube();
+  EXPECT_NE(run("fill cube.off --max-iterations 1").err.find("thickness 0.4"), std::string::npos);
+}
+
+TEST_F(Command_line_fill, length_can_be_asked_for)
+{
+  make_cube();
+  ASSERT_EQ(run("fill cube.off --length 40 --report r.json").status, 0);
+  EXPECT_NEAR(json("r.json")["length_end"], 40, 0.8);
+}
+
+TEST_F(Command_line_fill, a_curve_with_ends_goes_from_port_to_port)
+{
+  make_cube();
+  make_arc();
+  run("fill cube.off --curve arc.obj -o c.obj --map map.txt --thickness 0.6 --max-iterations 50");
+  EXPECT_EQ(points("c.obj").front(), points("arc.obj").front());
+  EXPECT_EQ(points("c.obj").back(), points("arc.obj").back());
+  EXPECT_EQ(read("map.txt").substr(0, 2), "1\n");
+}
+
+TEST_F(Command_line_fill, a_start_outside_is_invalid_input)
+{
+  make_cube();
+  write("out.obj", "v 1 1 2\nv 5 1 2\nv 3 3 2\nl 1 2 3 1\n");
+  EXPECT_EQ(run("fill cube.off --curve out.obj --report r.json").status, 4);
+  EXPECT_EQ(json("r.json")["error"]["file"], "out.obj");
+  EXPECT_EQ(json("r.json")["error"]["nodes"], Json::array({2}));
+}
+
+TEST_F(Command_line_fill, thickness_may_vary)
+{
+  make_cube();
+  write("r.csv", "thickness\n0.4\n0.8\n0.8\n0.4\n0.4\n0.8\n0.8\n0.4\n");
+  run("fill cube.off --thickness-field r.csv --report a.json -o a.obj --max-iterations 60");
+  EXPECT_GT(json("a.json")["thickness"], 0.4);
+  EXPECT_LT(json("a.json")["thickness"], 0.8);
+  write("r.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty double thickness\nend_header\n"
+                 "0.4\n0.8\n0.8\n0.4\n0.4\n0.8\n0.8\n0.4\n");
+  run("fill cube.off --thickness-field r.ply -o b.obj --max-iterations 60");
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
+TEST_F(Command_line_fill, bad_values_of_the_thickness_are_named)
+{
+  make_cube();
+  const auto expect_refused = [&](const std::string& text, const std::string& message) {
+    write("r.csv", text);
+    const Finished fill = run("fill cube.off --thickness-field r.csv");
+    EXPECT_EQ(fill.status, 4) << text;
+    EXPECT_NE(fill.err.find(message), std::string::npos) << fill.err;
+  };
+  expect_refused("0.4\n0.8\n", "2 values for 8 vertices");
+  expect_refused("thickness\n0.4\nhello\n", "r.csv:3: error");
+  expect_refused("1\n1\n1\n1\n1\n1\n1\n-1\n", "r.csv:8: error");
+  EXPECT_EQ(run("fill cube.off --thickness-field missing.csv").status, 4);
+}
+
+TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
+{
+  make_cube();
+  for(const std::string options :
+      {"--thickness 1e-6", "--thickness 1e300", "--length 1e30", "--thickness 0.5 --spacing 1e-9"})
+    EXPECT_EQ(run("fill cube.off " + options).status, 1) << options;
+}
+
+TEST_F(Command_line_fill, the_mesh_is_never_replaced)
+{
+  make_cube();
+  const std::string before = read("cube.off");
+  for(const std::string option : {"--report cube.off", "--map cube.off"})
+    EXPECT_EQ(run("fill cube.off --force --max-iterations 1 " + option).status, 1) << option;
+  EXPECT_EQ(read("cube.off"), before);
+}
+
+} // namespace test_command_line_fill
+
+#endif // json.hpp

@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// What the program vfc does with surfaces.
+
+#include <gtest/gtest.h>
+
+#if __has_include(<nlohmann/json.hpp>) && !defined(_WIN32)
+
+#include "support/csv_cells.h"
+#include "support/program_test_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace test_command_line_meshes {
+
+using program_test::Finished;
+using program_test::Json;
+
+const std::string cube_vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\n"
+                                  "v 0 0 4\nv 4 0 4\nv 4 4 4\nv 0 4 4\n";
+
+const std::string cube_faces = "f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\n"
+                               "f 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n";
+
+class Command_line_meshes : public program_test::Program_test
+{
+protected:
+  // a cube with sides of 4 and a square loop of sides of 2 in its middle
+  void make_files() const
+  {
+    write("cube.obj", cube_vertices + cube_faces);
+    write("square.obj", "v 1 1 2\nv 3 1 2\nv 3 3 2\nv 1 3 2\nl 1 2 3 4 1\n");
+  }
+
+  std::vector<std::string> kinds(const std::string& report) const
+  {
+    std::vector<std::string> result;
+    const Json all = json(report);
+    for(const Json& defect : all["defects"]) result.push_back(defect["kind"]);
+    return result;
+  }
+};
+
+TEST_F(Command_line_meshes, check_judges_meshes_as_the_manifest_says)
+{
+  std::istringstream lines(read(VFC_SHARED_DATA "/MANIFEST_domains.csv"));
+  std::string line;
+  if(!std::getline(lines, line)) GTEST_SKIP() << "no " VFC_SHARED_DATA "/MANIFEST_domains.csv";
+  std::size_t count = 0;
+  for(; std::getline(lines, line); ++count) {
+    const std::vector<std::string> row = csv_cells(line);
+    const std::string& expected = row.at(19);
+    SCOPED_TRACE(row[0] + ": " + expected);
+    const bool is_accepted = expected.compare(0, 6, "accept") == 0;
+    const Finished checked =
+        run("check '" VFC_SHARED_DATA "/" + row[0] + "' --report r.json --force");
+    EXPECT_EQ(checked.status, is_accepted ? 0 : 4);
+    const Json defects = json("r.json")["defects"];
+    EXPECT_EQ(static_cast<std::size_t>(std::count(checked.out.begin(), checked.out.end(), '\n')),
+              defects.size());
+    const bool is_silent = is_accepted && expected.find("warning") == std::string::npos;
+    EXPECT_EQ(defects.empty(), is_silent) << checked.out;
+  }
+  EXPECT_GE(count, 20u);
+}
+
+TEST_F(Command_line_meshes, check_tells_curves_from_surfaces_by_what_an_obj_file_holds)
+{
+  make_files();
+  EXPECT_EQ(run("check cube.obj").status, 0);
+  EXPECT_EQ(run("check square.obj").status, 0);
+  write("both.obj", read("square.obj") + "f 1 2 3\n");
+  EXPECT_EQ(run("check both.obj").status, 0) << "lines make it a curve";
+  write("open.obj", cube_vertices + "f 1 3 2\n");
+  EXPECT_EQ(run("check open.obj --report r.json").status, 4);
+  EXPECT_EQ(kinds("r.json").back(), "open boundary");
+  EXPECT_EQ(run("check cube.obj cube.obj").status, 1);
+}
+
+TEST_F(Command_line_meshes, check_finds_where_a_curve_leaves_a_surface)
+{
+  make_files();
+  EXPECT_EQ(run("check square.obj cube.obj --report in.json").status, 0);
+  EXPECT_EQ(json("in.json")["outside_segments"], 0);
+  write("out.obj", "v 1 1 2\nv 5 1 2\nv 3 3 2\nl 1 2 3 1\n");
+  const Finished out = run("check out.obj cube.obj --report out.json");
+  EXPECT_EQ(out.status, 4);
+  EXPECT_EQ(json("out.json")["outside_nodes"], 1);
+  EXPECT_EQ(json("out.json")["outside_segments"], 2);
+  EXPECT_EQ(json("out.json")["defects"][0]["nodes"], Json::array({2}));
+  EXPECT_EQ(kinds("out.json"),
+            std::vector<std::string>({"outside node", "outside segment", "outside segment"}));
+  EXPECT_NE(out.out.find("out.obj: error: outside node: "), std::string::npos) << out.out;
+}
+
+TEST_F(Command_line_meshes, a_curve_that_touches_the_surface_is_outside)
+{
+  make_files();
+  write("touch.obj", "v 1 1 2\nv 4 1 2\nv 3 3 2\nl 1 2 3 1\n");
+  EXPECT_EQ(run("check touch.obj cube.obj --report r.json").status, 4);
+  EXPECT_EQ(json("r.json")["outside_nodes"], 1);
+  EXPECT_EQ(json("r.json")["outside_segments"], 2);
+}
+
+// The cube without its first face: a hole of three edges.
+TEST_F(Command_line_meshes, repair_mends_what_fill_refuses_and_says_so)
+{
+  write("open.obj", cube_vertices + cube_faces.substr(cube_faces.find('\n') + 1));
+  const Finished refused = run("fill open.obj -o a.obj --thickness 0.5");
+  EXPECT_EQ(refused.status, 4);
+  EXPECT_NE(refused.err.find("open boundary"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("vfc repair, or fill with --repair"), std::string::npos)
+      << refused.err;
+  const Finished mended = run("repair open.obj -o mended.off --report r.json");
+  EXPECT_EQ(mended.status, 0);
+  EXPECT_NE(mended.err.find("open.obj: mended: 1 holes closed"), std::string::npos) << mended.err;
+  const Json report = json("r.json");
+  EXPECT_EQ(report["status"], "done");
+  EXPECT_EQ(report["faces"], 12);
+  EXPECT_EQ(report["mending"]["steps"].size(), 1u);
+  EXPECT_GT(report["mending"]["distance_from_file"], 0.5) << "into the hole";
+  EXPECT_LT(report["mending"]["distance_to_mended"], 1e-12);
+  EXPECT_EQ(run("check mended.off").out, "");
+  EXPECT_EQ(run("repair mended.off -o again.ply").status, 0);
+  EXPECT_EQ(run("check again.ply").status, 0);
+  const Finished filled =
+      run("fill open.obj --repair -o b.obj --thickness 0.5 --max-iterations 2 --report f.json");
+  EXPECT_EQ(filled.status, 2) << filled.err;
+  EXPECT_EQ(json("f.json")["mending"]["steps"], report["mending"]["steps"]);
+  EXPECT_EQ(run("check b.obj mended.off").status, 0);
+}
+
+TEST_F(Command_line_meshes, repair_refuses_what_it_cannot_mend_or_write)
+{
+  make_files();
+  EXPECT_EQ(run("repair cube.obj -o cube.stl").status, 1) << "floats";
+  EXPECT_EQ(run("repair cube.obj -o cube.obj").status, 1) << "it exists";
+  write("nan.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n");
+  EXPECT_EQ(run("repair nan.off -o mended.off").status, 4);
+  EXPECT_EQ(run("repair square.obj -o mended.off").status, 4);
+  EXPECT_EQ(run("fill cube.obj --repair --thickness-field a.csv").status, 1);
+}
+
+TEST_F(Command_line_meshes, hints_tell_a_curve_from_a_surface)
+{
+  make_files();
+  EXPECT_NE(run("fill square.obj").err.find("it holds a curve"), std::string::npos);
+  EXPECT_NE(run("simplify cube.obj").err.find("it holds a surface"), std::string::npos);
+}
+
+TEST_F(Command_line_meshes, measure_tells_how_a_curve_fills_a_surface)
+{
+  make_files();
+  ASSERT_EQ(run("measure square.obj cube.obj --thickness 0.5 --report r.json").status, 0);
+  const Json report = json("r.json"), coverage = report["coverage"];
+  EXPECT_EQ(report["outside_nodes"], 0);
+  EXPECT_EQ(report["outside_segments"], 0);
+  EXPECT_GE(coverage["samples"], 20000);
+  for(const char* key : {"mean", "p50", "p95", "p99", "max", "fraction_within_r"})
+    EXPECT_GT(coverage[key], 0) << key;
+  EXPECT_LE(coverage["max"], 2 * std::sqrt(6.)) << "the corners are farthest";
+  EXPECT_GT(coverage["max"], 4.5);
+  ASSERT_FALSE(report["empty_regions"].empty());
+  EXPECT_EQ(report["empty_regions"][0]["point"].size(), 3u);
+  EXPECT_GT(report["empty_regions"][0]["volume"], 0);
+}
+
+TEST_F(Command_line_meshes, measure_without_a_thickness_gives_lengths)
+{
+  make_files();
+  ASSERT_EQ(run("measure square.obj cube.obj --report a.json").status, 0);
+  ASSERT_EQ(run("measure square.obj cube.obj --thickness 0.5 --report b.json").status, 0);
+  const Json a = json("a.json"), b = json("b.json");
+  EXPECT_NEAR(a["coverage"]["mean"], 0.5 * b["coverage"]["mean"].get<double>(), 1e-12);
+  EXPECT_TRUE(a["coverage"]["fraction_within_r"].is_null());
+  EXPECT_TRUE(a["empty_regions"].is_null());
+}
+
+TEST_F(Command_line_meshes, pictures_show_curve_and_surface)
+{
+  make_files();
+  ASSERT_EQ(run("draw square.obj cube.obj -o a.svg").status, 0);
+  EXPECT_NE(read("a.svg").find("#e9eef4"), std::string::npos);
+  ASSERT_EQ(run("draw square.obj cube.obj -o a.png").status, 0);
+  EXPECT_EQ(read("a.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(run("draw square.obj square.obj -o b.png").status, 4) << "no surface";
+}
+
+TEST_F(Command_line_meshes, bad_meshes_are_refused_by_every_command)
+{
+  make_files();
+  write("open.obj", cube_vertices + "f 1 3 2\n");
+  for(const std::string command : {"check square.obj open.obj", "measure square.obj open.obj",
+                                   "draw square.obj open.obj -o x.png"}) {
+    const Finished bad = run(command + " --report r.json --force");
+    EXPECT_EQ(bad.status, 4) << command;
+    EXPECT_EQ(json("r.json")["error"]["file"], "open.obj") << command;
+  }
+  EXPECT_FALSE(exists("x.png"));
+}
+
+} // namespace test_command_line_meshes
+
+#endif // json.hpp

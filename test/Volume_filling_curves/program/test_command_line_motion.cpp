@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// What vfc untangle does to curves.
+
+#include <gtest/gtest.h>
+
+#if __has_include(<nlohmann/json.hpp>) && !defined(_WIN32)
+
+#include "support/program_test_support.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace test_command_line_motion {
+
+namespace fs = std::filesystem;
+using program_test::Finished;
+using program_test::Json;
+
+using Point = std::array<double, 3>;
+
+// 4 pi times the area over the square of the length: 1 for a circle, 0.79 for a square
+double roundness(const std::vector<Point>& polygon)
+{
+  double length = 0;
+  Point area = {0, 0, 0};
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::size_t x = (k + 1) % 3, y = (k + 2) % 3;
+      area[k] += (p[x] * q[y] - p[y] * q[x]) / 2;
+    }
+  }
+  return 4 * M_PI * std::hypot(area[0], area[1], area[2]) / (length * length);
+}
+
+class Command_line_motion : public program_test::Program_test
+{
+protected:
+  // A tangle that keeps the program busy for as long as a test needs.
+  void make_tangle()
+  {
+    ASSERT_EQ(run("generate random-polygon --nodes 1500 --seed 7 -o tangle.obj").status, 0);
+  }
+
+  // An unknot with a kink, a proof of which is found at once.
+  void make_unknot()
+  {
+    ASSERT_EQ(run("generate braid --word 1 --nodes 60 -o unknot.obj").status, 0);
+  }
+
+  void make_arc() { write("arc.obj", "v 0 0 0\nv 1 2 0\nv 2 0 1\nv 3 0 0\nl 1 2 3 4\n"); }
+};
+
+TEST_F(Command_line_motion, unlink_and_link_are_told_apart)
+{
+  run("generate braid --word \"1 1\" -o hopf.obj");
+  EXPECT_EQ(run("untangle hopf.obj --report hopf.json").status, 0);
+  EXPECT_EQ(json("hopf.json")["link"], "linked");
+  EXPECT_EQ(std::abs(json("hopf.json")["linking_matrix"][0][1].get<int>()), 1);
+  run("generate braid --word \"1 -1\" -o unlink.obj");
+  EXPECT_EQ(run("untangle unlink.obj --report unlink.json").status, 0);
+  EXPECT_EQ(json("unlink.json")["link"], "trivial");
+  EXPECT_EQ(json("unlink.json")["status"], "unknotted");
+}
+
+TEST_F(Command_line_motion, pinned_nodes_stay)
+{
+  make_arc();
+  ASSERT_EQ(run("untangle arc.obj -o tight.obj --thickness 0.5").status, 0);
+  EXPECT_EQ(points("tight.obj").front(), points("arc.obj").front());
+  EXPECT_EQ(points("tight.obj").back(), points("arc.obj").back());
+  run("untangle arc.obj -o free.obj --thickness 0.5 --free-ends --max-iterations 3");
+  EXPECT_NE(points("free.obj").front(), points("arc.obj").front());
+  write("fixed.obj", read("arc.obj") + "fixed 2\n");
+  ASSERT_EQ(run("untangle fixed.obj -o fixed_tight.obj --pin 3 --thickness 0.5").status, 0);
+  const auto after = points("fixed_tight.obj");
+  for(const Point& p : points("arc.obj"))
+    EXPECT_NE(std::find(after.begin(), after.end(), p), after.end());
+}
+
+TEST_F(Command_line_motion, junctions_need_the_network_option)
+{
+  write("y.polylines.txt", "2 0 0 0 1 0 0\n2 0 0 0 0 1 0\n2 0 0 0 0 0 1\n");
+  EXPECT_EQ(run("check y.polylines.txt --network").status, 0);
+  EXPECT_EQ(run("untangle y.polylines.txt --network -o y.obj --thickness 0.3").status, 0);
+  EXPECT_EQ(run("check y.obj").status, 4);
+  EXPECT_EQ(run("check y.obj --network").status, 0);
+}
+
+TEST_F(Command_line_motion, threads_do_not_change_the_result)
+{
+  make_tangle();
+  run("untangle tangle.obj -o one.obj --threads 1 --max-iterations 5");
+  run("untangle tangle.obj -o two.obj --threads 2 --max-iterations 5");
+  EXPECT_FALSE(read("one.obj").empty());
+  EXPECT_EQ(read("one.obj"), read("two.obj"));
+}
+
+TEST_F(Command_line_motion, scaling_the_input_scales_the_output_exactly)
+{
+  make_trefoil();
+  const double scale = 0x1p-20;
+  std::ostringstream scaled;
+  scaled.precision(17);
+  for(const Point& p : points("trefoil.obj"))
+    scaled << "v " << scale * p[0] << ' ' << scale * p[1] << ' ' << scale * p[2] << '\n';
+  write("small.obj", scaled.str());
+  run("untangle trefoil.obj -o a.obj");
+  run("untangle small.obj -o b.obj");
+  const auto a = points("a.obj"), b = points("b.obj");
+  ASSERT_EQ(a.size(), b.size());
+  for(std::size_t i = 0; i < a.size(); ++i)
+    for(std::size_t k = 0; k < 3; ++k) EXPECT_EQ(scale * a[i][k], b[i][k]);
+}
+
+TEST_F(Command_line_motion, keep_length_keeps_the_length)
+{
+  make_trefoil();
+  ASSERT_EQ(run("untangle trefoil.obj -o tight.obj --keep-length --report r.json").status, 0);
+  const double start = json("r.json")["length_start"], end = json("r.json")["length_end"];
+  EXPECT_NEAR(end, start, 1e-9 * start);
+}
+
+TEST_F(Command_line_motion, an_unknot_comes_out_round)
+{
+  make_unknot();
+  ASSERT_EQ(run("untangle unknot.obj -o round.obj --report r.json").status, 0);
+  EXPECT_EQ(json("r.json")["is_round"], true);
+  EXPECT_GT(roundness(points("round.obj")), 0.99);
+}
+
+TEST_F(Command_line_motion, finish_makes_an_unknot_round)
+{
+  make_unknot();
+  const std::string untangle = "untangle unknot.obj --strategy flow ";
+  ASSERT_EQ(run(untangle + "-o proof.obj --report proof.json").status, 0);
+  EXPECT_EQ(json("proof.json")["status"], "unknotted");
+  EXPECT_LT(roundness(points("proof.obj")), 0.9);
+  ASSERT_EQ(run(untangle + "-o round.obj --finish --report round.json").status, 0);
+  const Json report = json("round.json");
+  EXPECT_EQ(report["status"], "unknotted");
+  EXPECT_LT(report["total_curvature"], 1.001 * 2 * M_PI);
+  EXPECT_GT(roundness(points("round.obj")), 0.99);
+}
+
+TEST_F(Command_line_motion, signals_interrupt_and_save_the_curve)
+{
+  make_tangle();
+  for(const int signal : {SIGINT, SIGTERM}) {
+    const std::string name = "interrupted" + std::to_string(signal);
+    program_test::Background_program vfc(path("."), {"untangle", "tangle.obj", "-o", name + ".obj",
+                                                     "--report", name + ".json", "--frames", name,
+                                                     "--quiet", "--tolerance", "0"});
+    ASSERT_TRUE(wait_for(name + "/frame_000001.obj"));
+    EXPECT_EQ(vfc.end(signal), 5);
+    EXPECT_EQ(json(name + ".json")["status"], "interrupted");
+    EXPECT_GE(json(name + ".json")["iterations"], 1);
+    EXPECT_EQ(run("check " + name + ".obj").status, 0);
+  }
+}
+
+} // namespace test_command_line_motion
+
+#endif // json.hpp

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_TEST_FILL_TEST_SUPPORT_H
+#define VFC_TEST_FILL_TEST_SUPPORT_H
+
+#include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/fill.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+// What the tests of filling share.
+namespace fill_test {
+
+namespace vfc = CGAL::Volume_filling_curves;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Traits = vfc::Curve_flow_traits_3<Kernel>;
+using Curve = vfc::Curve_network_3<Traits>;
+
+template <typename Domain>
+vfc::Coverage coverage(const Curve& curve, const Domain& domain, double thickness)
+{
+  const vfc::Domain_samples_3<Traits, Domain> samples(domain, 20000, 1);
+  return vfc::coverage(samples, vfc::sample_distances(curve, samples), thickness);
+}
+
+template <typename Domain>
+void expect_inside(const Curve& curve, const Domain& domain)
+{
+  const vfc::Containment outside = vfc::containment(curve, domain);
+  EXPECT_EQ(outside.outside_nodes.size(), 0u);
+  EXPECT_EQ(outside.outside_edges.size(), 0u);
+}
+
+inline Curve polyline(const std::vector<Point>& points)
+{
+  std::vector<std::array<std::size_t, 2>> edges;
+  for(std::size_t k = 1; k < points.size(); ++k) edges.push_back({k - 1, k});
+  return Curve(points, edges);
+}
+
+} // namespace fill_test
+
+#endif // VFC_TEST_FILL_TEST_SUPPORT_H
