@@ -106,7 +106,7 @@ TEST(Lists, stay_short)
   EXPECT_EQ(defects.back().message, "5000 of this kind in total, the first 1000 are listed");
 }
 
-TEST(Repair, merges_coincident_nodes_with_a_warning)
+TEST(Curve_repair, merges_coincident_nodes_with_a_warning)
 {
   const auto defects = check_obj(square + "v 0 1 -0\nl 1 2 3 4 5 1\n");
   EXPECT_FALSE(has_error(defects));
@@ -115,20 +115,20 @@ TEST(Repair, merges_coincident_nodes_with_a_warning)
   EXPECT_FALSE(has_error(check_obj(square + "l 1 1 2 2 2 3 4 4 1 1\n")));
 }
 
-TEST(Repair, drops_edges_that_are_given_again)
+TEST(Curve_repair, drops_edges_that_are_given_again)
 {
   expect_only(check_obj(square + "l 1 2 3 4 1 2\n"), Kind::DUPLICATE_EDGE, 5, {1, 2});
   expect_only(check_obj(square + "l 1 2 3 4 1\nl 4 3\n"), Kind::DUPLICATE_EDGE, 6, {4, 3});
   EXPECT_FALSE(has_error(check_obj(square + "l 1 2 3 4 1 2 3 4 1\n")));
 }
 
-TEST(Repair, ignores_vertices_without_edges)
+TEST(Curve_repair, ignores_vertices_without_edges)
 {
   expect_only(check_obj("v 7 7 7\n" + square + "v 8 8 8\nl 2 3 4 5 2\n"), Kind::ISOLATED_VERTEX, 1,
               {1, 6});
 }
 
-TEST(Repair, must_not_change_a_loop_into_an_arc)
+TEST(Curve_repair, must_not_change_a_loop_into_an_arc)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 0\n";
   for(const std::string lines : {"l 1 2 1", "l 1 2 3 1", "l 1 2 3 4 1", "l 1 2\nl 2 3\nl 3 1",
@@ -142,7 +142,7 @@ TEST(Repair, must_not_change_a_loop_into_an_arc)
   EXPECT_TRUE(has(check_txt("3 0 0 0 1 0 0 0 0 0"), Kind::DEGENERATE_LOOP));
 }
 
-TEST(Repair, does_not_hide_a_line_that_runs_straight_back)
+TEST(Curve_repair, does_not_hide_a_line_that_runs_straight_back)
 {
   for(const std::string line : {"l 1 2 3 2", "l 1 2 3 4 3 2 1", "l 1 2 3 3 2 4"})
     EXPECT_TRUE(has(check_obj(square + line), Kind::SELF_CONTACT)) << line;

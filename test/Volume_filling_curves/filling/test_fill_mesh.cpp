@@ -20,12 +20,12 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_fill_mesh {
+
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
 using Surface_mesh = CGAL::Surface_mesh<Point>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-
-namespace test_fill_mesh {
 
 template <typename Mesh>
 Mesh tetrahedron()

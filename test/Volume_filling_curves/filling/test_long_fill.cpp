@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_long_fill {
+
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -27,8 +29,6 @@ using Ball = vfc::Ball_domain_3<Kernel>;
 using Box = vfc::Box_domain_3<Kernel>;
 using Mesh_domain = vfc::Triangle_mesh_domain_3<Kernel>;
 using vfc::Filling_status;
-
-namespace test_long_fill {
 
 Mesh cube()
 {

@@ -19,9 +19,9 @@
 #include <sstream>
 #include <string>
 
-using namespace CGAL::Volume_filling_curves;
-
 namespace test_names {
+
+using namespace CGAL::Volume_filling_curves;
 
 template <typename Enum>
 std::string written(Enum value)

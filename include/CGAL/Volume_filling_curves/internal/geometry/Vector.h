@@ -65,6 +65,16 @@ inline Vector row(const Vector_field& field, std::size_t v)
   return field.row(static_cast<Eigen::Index>(v)).transpose();
 }
 
+// The mean of the rows. Eigen's adds them in an order that depends on where in memory the result
+// lies, so that compilers differ in the last bits.
+// \pre there is a row
+inline Vector centroid(const Vector_field& x)
+{
+  Vector sum = Vector::Zero();
+  for(Eigen::Index v = 0; v < x.rows(); ++v) sum += x.row(v).transpose();
+  return sum / static_cast<double>(x.rows());
+}
+
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL

@@ -128,7 +128,7 @@ private:
   void set_ball(double thickness)
   {
     const Vector_field x = coordinates(m_curve);
-    m_ball.center = x.colwise().mean().transpose();
+    m_ball.center = centroid(x);
     const double size = (x.rowwise() - m_ball.center.transpose()).rowwise().norm().maxCoeff();
     const double margin = (std::min)(margin_over_thickness * thickness, 100 * size);
     m_ball.radius = radius_over_size * size + margin;
@@ -164,8 +164,8 @@ private:
   // the mean of the nodes of the curve itself
   Vector own_mean() const
   {
-    Vector sum = coordinates(m_curve).colwise().sum().transpose();
     auto n = static_cast<double>(m_curve.number_of_nodes());
+    Vector sum = n * centroid(coordinates(m_curve));
     for(const std::size_t tip : tips_of_tails(m_curve)) {
       std::vector<std::size_t> nodes = nodes_from_tip(m_curve, tip);
       nodes.pop_back();

@@ -20,6 +20,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -40,7 +41,7 @@ public:
   explicit Round_polygon(const Network& curve)
       : m_x(coordinates(curve)),
         m_length(total_length(curve)),
-        m_center(m_x.colwise().mean().transpose())
+        m_center(centroid(m_x))
   {
     const Eigen::Index n = m_x.rows();
     Vector area = Vector::Zero();
@@ -85,17 +86,24 @@ private:
   Vector m_center, m_first, m_second;
 };
 
-// Returns whether the curve is round now; if not, it may have got rounder.
-// \pre the curve is a single closed component without pinned nodes and garbage
+// Removes every other node, until at most `most` are left or none can be removed.
 template <typename Guard>
-bool make_round(Guard& guard)
+void thin_out(Guard& guard, std::size_t most)
 {
-  constexpr double least_number_of_nodes = 64;
-  constexpr int most_moves = 100;
   const auto& curve = guard.curve();
-  const Clearance_scope<Guard> scope(guard, 0);
+  for(std::size_t before = 0; before != curve.number_of_nodes() && curve.number_of_nodes() > most;
+      guard.collect_garbage()) {
+    before = curve.number_of_nodes();
+    for(std::size_t v = 1; v < before; v += 2) guard.remove_node(v);
+  }
+}
+
+// Halves edges until none is longer than `longest`.
+template <typename Guard>
+void refine(Guard& guard, double longest)
+{
+  const auto& curve = guard.curve();
   for(bool is_coarse = true; is_coarse; guard.collect_garbage()) {
-    const double longest = total_length(curve) / least_number_of_nodes;
     is_coarse = false;
     for(const std::size_t e : curve.edges()) {
       if(edge_vector(curve, e).norm() <= longest) continue;
@@ -104,13 +112,44 @@ bool make_round(Guard& guard)
       is_coarse |= guard.insert_node(e, to_point(Vector((a + b) / 2), curve.traits()));
     }
   }
+}
+
+// Returns whether the nodes have reached the circle.
+template <typename Guard>
+bool move_to_circle(Guard& guard)
+{
+  constexpr int most_moves = 100;
   for(int k = 0; k < most_moves; ++k) {
-    const double fraction = guard.move_nodes(
-        Round_polygon<typename Guard::Curve_network>(curve).nodes(), Step_size::least_fraction);
+    const double fraction =
+        guard.move_nodes(Round_polygon<typename Guard::Curve_network>(guard.curve()).nodes(),
+                         Step_size::least_fraction);
     if(fraction == 1) return true;
     if(fraction == 0) return false;
   }
   return false;
+}
+
+// Returns whether the curve is round now; if not, it may have got rounder. Of many nodes, few go
+// there, and the others between them: a triangle of 10,000 nodes had millions of pairs of edges
+// that could meet, which took minutes.
+// \pre the curve is a single closed component without pinned nodes and garbage
+template <typename Guard>
+bool make_round(Guard& guard)
+{
+  constexpr std::size_t least_number_of_nodes = 64, most_nodes_at_once = 512;
+  const auto& curve = guard.curve();
+  const std::size_t wanted = curve.number_of_nodes();
+  const auto edge = [&](std::size_t n) { return total_length(curve) / static_cast<double>(n); };
+  const Clearance_scope<Guard> scope(guard, 0);
+  thin_out(guard, most_nodes_at_once);
+  refine(guard, edge(least_number_of_nodes));
+  bool is_round = move_to_circle(guard);
+  for(std::size_t n = 0; n != curve.number_of_nodes() && 3 * curve.number_of_nodes() < 2 * wanted;) {
+    n = curve.number_of_nodes();
+    refine(guard, edge((std::min)(2 * n, wanted)));
+    is_round = is_round && move_to_circle(guard);
+  }
+  return is_round;
 }
 
 } // namespace internal

@@ -50,7 +50,7 @@ double rescale_to_length(Guard& guard, double wanted)
     error = std::abs(rest - 1);
     const double factor = std::clamp(rest, 1 / step, step);
     const Vector_field x = coordinates(curve);
-    const Eigen::RowVector3d center = x.colwise().mean();
+    const Eigen::RowVector3d center = centroid(x).transpose();
     const Vector_field target = (factor * (x.rowwise() - center)).rowwise() + center;
     if(guard.move_nodes(target) == 1) continue;
     step = std::sqrt(step);
