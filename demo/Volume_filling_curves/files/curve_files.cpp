@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 
+#include <algorithm>
 #include <numeric>
 #include <system_error>
 #include <utility>
@@ -19,6 +20,16 @@
 namespace vfc {
 
 namespace curves = CGAL::Volume_filling_curves;
+
+// What a file that holds no valid curve should hold, and what would help.
+static std::string expected_curve(const std::string& file, const Defects& defects)
+{
+  if(is_mesh_file(file)) return "a valid curve; it holds a surface";
+  const bool has_junction = std::any_of(defects.begin(), defects.end(), [](const Defect& defect) {
+    return defect.kind == to_string(curves::Curve_defect_kind::JUNCTION);
+  });
+  return has_junction ? "a valid curve; --network accepts junctions" : "a valid curve";
+}
 
 Curve_and_defects read_curve_and_defects(const std::string& file, bool is_network)
 {
@@ -35,9 +46,10 @@ Curve read_curve(Session& session, const std::string& file, bool is_network)
   Report& report = session.report();
   report["input"] = file;
   Curve_and_defects read = read_curve_and_defects(file, is_network);
-  if(!read.is_valid)
-    throw Input_error(std::move(read.defects),
-                      is_mesh_file(file) ? "a valid curve; it holds a surface" : "a valid curve");
+  if(!read.is_valid) {
+    const std::string expected = expected_curve(file, read.defects);
+    throw Input_error(std::move(read.defects), expected);
+  }
   print_defects(session.console(), read.defects);
   report["components"] = read.curve.number_of_components();
   report["nodes_start"] = read.curve.number_of_nodes();

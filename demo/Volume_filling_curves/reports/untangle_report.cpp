@@ -96,7 +96,7 @@ void report_run(Report& report,
   report["tightenings"] = result.searches;
   if(result.status == Untangling_status::UNKNOTTED) report["is_round"] = result.is_round;
   report["is_input"] = result.is_input;
-  if(!result.is_closure_kept) report["is_closure_kept"] = false;
+  report["is_closure_kept"] = result.is_closure_kept;
 }
 
 std::string summary(Session& session, const Curve& curve, const Untangling_result& result)

@@ -103,11 +103,9 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
     Untangling_parameters run_parameters = parameters; // tails need the thickness before the flow
     internal::Tails<Isotopy_guard_3<Traits>> tails(*guard);
     tails.template grow<ConcurrencyTag>(run_parameters);
-    auto& unwrapped_visitor = internal::unwrapped(visitor);
-    internal::Strategic_untangler<Flow, ConcurrencyTag,
-                                  std::remove_reference_t<decltype(unwrapped_visitor)>>
-        run(*guard, tails, run_parameters, timer, unwrapped_visitor);
-    Untangling_result of_run = run();
+    const internal::Untangling_run run{*guard, tails, run_parameters, timer,
+                                       internal::unwrapped(visitor)};
+    Untangling_result of_run = internal::untangle_by_strategy<Flow, ConcurrencyTag>(run);
     of_run.is_closure_kept = tails.can_turn_outwards();
     return of_run;
   });

@@ -57,12 +57,10 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
   Guard guard(curves, inside);
   return internal::recorded_untangling(guard, parameters, [&] {
     internal::Tails<Guard> no_tails(guard);
-    auto& unwrapped_visitor = internal::unwrapped(visitor);
-    internal::Flow_untangler<Curve_flow_3<Traits, Inside, ConcurrencyTag>,
-                             std::remove_reference_t<decltype(unwrapped_visitor)>>
-        run(guard, no_tails, parameters, {parameters.thickness, 0, false, false}, timer,
-            unwrapped_visitor);
-    return run();
+    const internal::Untangling_run run{guard, no_tails, parameters, timer,
+                                       internal::unwrapped(visitor)};
+    return internal::untangle_by_flow<Curve_flow_3<Traits, Inside, ConcurrencyTag>>(
+        run, {parameters.thickness, 0, false, false});
   });
 }
 

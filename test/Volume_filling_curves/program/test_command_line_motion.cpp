@@ -92,6 +92,20 @@ TEST_F(Command_line_motion, pinned_nodes_stay)
     EXPECT_NE(std::find(after.begin(), after.end(), p), after.end());
 }
 
+// After an iteration strands are where the closing lines were not.
+TEST_F(Command_line_motion, an_arc_at_a_limit_says_whether_its_closure_is_kept)
+{
+  ASSERT_EQ(run("generate hard-unknot --nodes 100 --moves 2000 --seed 3 -o ring.obj").status, 0);
+  std::string arc = read("ring.obj");
+  arc.erase(arc.find_last_of(' ')); // the index that closes the ring
+  write("arc.obj", arc + '\n');
+  const Finished finished = run("untangle arc.obj -o out.obj --report r.json --max-iterations 1");
+  EXPECT_EQ(finished.status, 2) << finished.err;
+  EXPECT_TRUE(json("r.json")["is_closure_kept"].is_boolean());
+  ASSERT_EQ(run("untangle ring.obj -o round.obj --report round.json").status, 0);
+  EXPECT_EQ(json("round.json")["is_closure_kept"], true);
+}
+
 TEST_F(Command_line_motion, junctions_need_the_network_option)
 {
   write("y.polylines.txt", "2 0 0 0 1 0 0\n2 0 0 0 0 1 0\n2 0 0 0 0 0 1\n");
@@ -99,6 +113,7 @@ TEST_F(Command_line_motion, junctions_need_the_network_option)
   EXPECT_EQ(run("untangle y.polylines.txt --network -o y.obj --thickness 0.3").status, 0);
   EXPECT_EQ(run("check y.obj").status, 4);
   EXPECT_EQ(run("check y.obj --network").status, 0);
+  EXPECT_NE(run("untangle y.obj").err.find("--network accepts junctions"), std::string::npos);
 }
 
 TEST_F(Command_line_motion, threads_do_not_change_the_result)

@@ -12,21 +12,16 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/Untangling_result.h>
-#include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
 #include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
-#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Tails.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 
-#include <CGAL/Real_timer.h>
-
-#include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -50,33 +45,23 @@ class Flow_untangler
   using Guard = typename Flow::Guard;
 
 public:
-  // The timer has been started.
-  Flow_untangler(Guard& guard,
-                 Tails<Guard>& tails,
-                 const Untangling_parameters& parameters,
-                 const Flow_start& start,
-                 const Real_timer& timer,
-                 Visitor& visitor)
-      : m_guard(guard),
-        m_timer(timer),
-        m_tails(tails),
-        m_flow(guard, with_thickness(parameters, start.thickness)),
-        m_parameters(parameters),
-        m_start(start),
-        m_visitor(visitor)
+  Flow_untangler(const Untangling_run<Guard, Visitor>& run, const Flow_start& start)
+      : m_run(run),
+        m_flow(run.guard, with_thickness(run.parameters, start.thickness)),
+        m_start(start)
   {}
 
   Untangling_result operator()()
   {
-    m_visitor.on_start(m_flow);
+    m_run.visitor.on_start(m_flow);
     std::optional<Untangling_status> status = status_before_step();
     while(!status) {
       turn_tails();
       const bool did_move = m_flow.step();
-      m_visitor.on_iteration(m_flow);
-      const double length = m_flow.length() - m_tails.length();
+      m_run.visitor.on_iteration(m_flow);
+      const double length = m_flow.length() - m_run.tails.length();
       const bool is_stalled =
-          m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_tails.hold();
+          m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.tails.hold();
       status = status_before_step();
       if(!status && (is_stalled || has_lingered_for_long()))
         status = unless_proved(Untangling_status::STALLED);
@@ -88,15 +73,16 @@ public:
 private:
   std::optional<Untangling_status> status_before_step()
   {
-    prove();
+    m_unknottedness.update(m_flow.curve());
     const bool is_tight = is_converged();
-    if(is_unknotted() && (is_tight || can_stop_at_proof())) return Untangling_status::UNKNOTTED;
+    if(m_unknottedness.is_proved() && (is_tight || can_stop_at_proof()))
+      return Untangling_status::UNKNOTTED;
     if(is_tight && !is_suspicious()) return Untangling_status::CONVERGED;
     if(m_start.iterations_before + m_flow.statistics().iterations >=
-           m_parameters.number_of_iterations ||
-       m_timer.time() >= m_parameters.time_limit)
+           m_run.parameters.number_of_iterations ||
+       m_run.is_time_over())
       return unless_proved(Untangling_status::LIMIT);
-    if(!m_visitor.go_further(m_flow)) return Untangling_status::INTERRUPTED;
+    if(!m_run.visitor.go_further(m_flow)) return Untangling_status::INTERRUPTED;
     return std::nullopt;
   }
 
@@ -104,7 +90,7 @@ private:
   {
     constexpr double largest_turn = 1; // at a node; curves that flow get hardly below 0.7
     if(!is_settled()) return false;
-    if(!m_parameters.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
+    if(!m_run.parameters.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
     return !m_start.follows_search || largest_turning_angle(m_flow.curve()) < largest_turn;
   }
 
@@ -142,21 +128,23 @@ private:
   // In a domain a curve may be tight around an obstacle.
   bool ends_round() const
   {
-    return !m_parameters.stop_at_proof && m_flow.curve().number_of_components() == 1 &&
+    return !m_run.parameters.stop_at_proof && m_flow.curve().number_of_components() == 1 &&
            !Guard::Domain_boundary::is_bounded;
   }
 
   // A curve on its way from the proof to where it settles has got there already.
   Untangling_status unless_proved(Untangling_status status) const
   {
-    return m_parameters.stop_at_proof && is_unknotted() ? Untangling_status::UNKNOTTED : status;
+    return m_run.parameters.stop_at_proof && m_unknottedness.is_proved()
+               ? Untangling_status::UNKNOTTED
+               : status;
   }
 
   // While tails turn, the curve goes on flowing.
   bool is_converged()
   {
-    if(m_flow.gradient_norm() >= m_parameters.tolerance) return false;
-    if(!m_are_tails_turning) m_are_tails_turning = !m_tails.can_turn_outwards();
+    if(m_flow.gradient_norm() >= m_run.parameters.tolerance) return false;
+    if(!m_are_tails_turning) m_are_tails_turning = !m_run.tails.can_turn_outwards();
     return !m_are_tails_turning || m_number_of_turns == most_turns;
   }
 
@@ -165,9 +153,9 @@ private:
   {
     if(!m_are_tails_turning || m_number_of_turns == most_turns) return;
     ++m_number_of_turns;
-    if(m_tails.turn_outwards(clearance_of_tails * m_flow.thickness()))
+    if(m_run.tails.turn_outwards(clearance_of_tails * m_flow.thickness()))
       m_flow.set_parameters(m_flow.parameters()); // takes note of where the tails are
-    m_are_tails_turning = !m_tails.can_turn_outwards();
+    m_are_tails_turning = !m_run.tails.can_turn_outwards();
   }
 
   // Where on its way a curve is proved to be an unknot depends on details, while its length falls
@@ -197,42 +185,20 @@ private:
   // The last step went too far.
   void finish()
   {
-    const bool is_input = m_parameters.stop_at_proof && is_unknot_from_start();
-    const bool is_settling = m_parameters.stop_at_proof || ends_round();
+    const bool is_input = m_run.parameters.stop_at_proof && is_unknot_from_start();
+    const bool is_settling = m_run.parameters.stop_at_proof || ends_round();
     if(is_settling && !is_input && m_flow.length() <= settled_length())
-      rescale_to_length(m_guard, settled_length());
+      rescale_to_length(m_run.guard, settled_length());
     if(ends_round() || (m_start.makes_round && m_flow.curve().number_of_components() == 1))
-      m_is_round = make_round(m_guard);
+      m_is_round = make_round(m_run.guard);
     m_flow.update();
-  }
-
-  // A proof holds for good: the flow changes the curve by isotopies only.
-  void prove()
-  {
-    const Network& curve = m_flow.curve();
-    m_proofs.resize(curve.number_of_components(), Unknot_proof::NONE);
-    for(std::size_t c = 0; c < m_proofs.size(); ++c)
-      if(m_proofs[c] == Unknot_proof::NONE) m_proofs[c] = unknot_proof(curve, c);
-    const bool are_unknots = !m_proofs.empty() && std::find(m_proofs.begin(), m_proofs.end(),
-                                                            Unknot_proof::NONE) == m_proofs.end();
-    if(m_link == Link_status::UNDECIDED && are_unknots)
-      m_link = Link_triviality<Network>(curve)(m_proofs);
-  }
-
-  bool is_unknotted() const
-  {
-    return m_link == Link_status::TRIVIAL ||
-           (m_proofs.size() == 1 && m_proofs[0] != Unknot_proof::NONE);
   }
 
   Untangling_result result(Untangling_status status)
   {
-    if(m_link == Link_status::UNDECIDED)
-      m_link = Link_triviality<Network>(m_flow.curve())(m_proofs);
     Untangling_result result;
     result.status = status;
-    result.proofs = m_proofs;
-    result.link = m_link;
+    m_unknottedness.write(m_flow.curve(), result);
     result.is_round = m_is_round;
     result.thickness = m_flow.thickness();
     result.gradient_norm = m_flow.gradient_norm();
@@ -250,22 +216,24 @@ private:
   static constexpr std::size_t most_turns = 300;
   static constexpr double clearance_of_tails = 0.1; // in units of the thickness
 
-  Guard& m_guard;
-  const Real_timer& m_timer;
-  Tails<Guard>& m_tails;
+  Untangling_run<Guard, Visitor> m_run;
   Flow m_flow;
-  const Untangling_parameters& m_parameters;
   Flow_start m_start;
-  Visitor& m_visitor;
+  Unknottedness<Network> m_unknottedness;
   Stall_monitor m_stall_monitor;
   std::optional<std::size_t> m_iterations_to_proof;
   std::optional<bool> m_looks_unknotted;
   std::optional<Place> m_lingering;
   std::size_t m_number_of_turns = 0;
   bool m_are_tails_turning = false, m_is_round = false;
-  std::vector<Unknot_proof> m_proofs;
-  Link_status m_link = Link_status::UNDECIDED;
 };
+
+template <typename Flow, typename Guard, typename Visitor>
+Untangling_result untangle_by_flow(const Untangling_run<Guard, Visitor>& run,
+                                   const Flow_start& start)
+{
+  return Flow_untangler<Flow, Visitor>(run, start)();
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

@@ -12,13 +12,13 @@
 #include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/Untangling_strategy.h>
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_search.h>
 #include <CGAL/Volume_filling_curves/internal/remeshing/Curve_simplifier.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <cstddef>
 #include <limits>
@@ -40,34 +40,26 @@ class Strategic_untangler
   using Search = Polygon_search<Guard, ConcurrencyTag>;
 
 public:
-  // The timer has been started.
-  Strategic_untangler(Guard& guard,
-                      Tails<Guard>& tails,
-                      const Untangling_parameters& parameters,
-                      const Real_timer& timer,
-                      Visitor& visitor)
-      : m_guard(guard),
-        m_curve(guard.curve()),
-        m_tails(tails),
-        m_parameters(parameters),
-        m_thickness(parameters.thickness),
-        m_timer(timer),
-        m_visitor(visitor),
-        m_seeds(parameters.random_seed)
+  explicit Strategic_untangler(const Untangling_run<Guard, Visitor>& run)
+      : m_run(run),
+        m_curve(run.guard.curve()),
+        m_thickness(run.parameters.thickness),
+        m_seeds(run.parameters.random_seed)
   {
     // no flow follows that could jam, and be followed by a search with more patience
-    if(parameters.strategy == Untangling_strategy::SEARCH)
+    if(run.parameters.strategy == Untangling_strategy::SEARCH)
       m_search_parameters.patience_factor = patience_growth;
   }
 
   Untangling_result operator()()
   {
     // with tails the search might take the curve out of their sphere
-    if(m_parameters.strategy == Untangling_strategy::FLOW || m_tails.are_needed()) return flow();
+    if(m_run.parameters.strategy == Untangling_strategy::FLOW || m_run.tails.are_needed())
+      return flow();
     Untangling_status status = search();
     // a ring has no strands whose distance could be measured
     if(!(m_thickness > 0) && is_ring()) m_thickness = thickness_of_rings * total_length(m_curve);
-    while(m_parameters.strategy == Untangling_strategy::AUTO &&
+    while(m_run.parameters.strategy == Untangling_strategy::AUTO &&
           status == Untangling_status::CONVERGED) {
       const Untangling_result last = flow();
       if(last.status != Untangling_status::STALLED || m_searches == max_searches ||
@@ -89,33 +81,33 @@ private:
   // unknot is proved later, by the flow or the result.
   Untangling_status search()
   {
-    const double start = m_timer.time();
+    const double start = m_run.timer.time();
     const Network coarse = simplified(m_curve);
-    Search polygon_search(coarse, m_search_parameters, m_parameters.number_of_chains,
+    Search polygon_search(coarse, m_search_parameters, m_run.parameters.number_of_chains,
                           m_seeds.bits());
     Untangling_status status = run(polygon_search, start);
-    const bool is_flow_next = m_parameters.strategy == Untangling_strategy::AUTO;
+    const bool is_flow_next = m_run.parameters.strategy == Untangling_strategy::AUTO;
     const bool has_jammed = m_searches > 0;
     if(!is_flow_next || has_jammed || is_simpler(polygon_search, coarse)) adopt(polygon_search);
     ++m_searches;
     m_sweeps += polygon_search.progress().sweeps;
     m_search_parameters.patience_factor *= patience_growth;
-    m_seconds_of_searches += m_timer.time() - start;
-    if(is_flow_next && m_timer.time() >= m_parameters.time_limit) return Untangling_status::LIMIT;
+    m_seconds_of_searches += m_run.timer.time() - start;
+    if(is_flow_next && m_run.is_time_over()) return Untangling_status::LIMIT;
     return status;
   }
 
   Untangling_status run(Search& polygon_search, double start)
   {
     Untangling_status status = Untangling_status::CONVERGED;
-    const bool is_alone = m_parameters.strategy == Untangling_strategy::SEARCH;
+    const bool is_alone = m_run.parameters.strategy == Untangling_strategy::SEARCH;
     polygon_search.run([&] {
       if(is_alone && is_at_limit(polygon_search))
         status = Untangling_status::LIMIT;
-      else if(!m_visitor.on_search(polygon_search.progress()))
+      else if(!m_run.visitor.on_search(polygon_search.progress()))
         status = Untangling_status::INTERRUPTED;
       return status == Untangling_status::CONVERGED &&
-             (is_alone || !is_share_used_up(m_timer.time() - start));
+             (is_alone || !is_share_used_up(m_run.timer.time() - start));
     });
     return status;
   }
@@ -123,13 +115,14 @@ private:
   // Of the search alone a sweep is an iteration.
   bool is_at_limit(const Search& polygon_search) const
   {
-    return m_timer.time() + polygon_search.seconds_to_apply() >= m_parameters.time_limit ||
-           m_sweeps + polygon_search.progress().sweeps >= m_parameters.number_of_iterations;
+    return m_run.timer.time() + polygon_search.seconds_to_apply() >= m_run.parameters.time_limit ||
+           m_sweeps + polygon_search.progress().sweeps >= m_run.parameters.number_of_iterations;
   }
 
   bool is_share_used_up(double seconds_of_search) const
   {
-    return m_seconds_of_searches + seconds_of_search >= share_of_searches * m_parameters.time_limit;
+    return m_seconds_of_searches + seconds_of_search >=
+           share_of_searches * m_run.parameters.time_limit;
   }
 
   static void simplify(Guard& guard)
@@ -164,11 +157,11 @@ private:
   void adopt(const Search& polygon_search)
   {
     const double length = total_length(m_curve);
-    const Clearance_scope<Guard> scope(m_guard, 0);
-    simplify(m_guard);
-    polygon_search.apply(m_guard, [&] { return m_timer.time() < m_parameters.time_limit; });
-    m_guard.collect_garbage();
-    if(!has_pinned_node(m_curve)) rescale_to_length(m_guard, length);
+    const Clearance_scope<Guard> scope(m_run.guard, 0);
+    simplify(m_run.guard);
+    polygon_search.apply(m_run.guard, [&] { return !m_run.is_time_over(); });
+    m_run.guard.collect_garbage();
+    if(!has_pinned_node(m_curve)) rescale_to_length(m_run.guard, length);
     m_follows_search = true;
   }
 
@@ -181,9 +174,7 @@ private:
   {
     Flow_start start{m_thickness, m_statistics.iterations, m_follows_search, m_searches > 0};
     if(m_searches > 0 && m_searches < max_searches) start.patience = 0; // a search gets on faster
-    Flow_untangler<Flow, Visitor> untangler(m_guard, m_tails, m_parameters, start, m_timer,
-                                            m_visitor);
-    const Untangling_result result = untangler();
+    const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
     m_statistics += result.statistics;
     return completed(result);
   }
@@ -193,11 +184,10 @@ private:
   Untangling_result result(Untangling_status status)
   {
     Untangling_result result;
-    for(std::size_t c = 0; c < m_curve.number_of_components(); ++c)
-      result.proofs.push_back(unknot_proof(m_curve, c));
-    result.link = Link_triviality<Network>(m_curve)(result.proofs);
-    const bool is_unknotted = result.link == Link_status::TRIVIAL || is_ring();
-    result.status = is_unknotted && status != Untangling_status::INTERRUPTED
+    Unknottedness<Network> unknottedness;
+    unknottedness.update(m_curve);
+    unknottedness.write(m_curve, result);
+    result.status = unknottedness.is_proved() && status != Untangling_status::INTERRUPTED
                         ? Untangling_status::UNKNOTTED
                         : status;
     return completed(result);
@@ -211,20 +201,22 @@ private:
     return result;
   }
 
-  Guard& m_guard;
+  Untangling_run<Guard, Visitor> m_run;
   const Network& m_curve;
-  Tails<Guard>& m_tails;
-  const Untangling_parameters& m_parameters;
   double m_thickness; // of the next flow; 0 if it is to be measured
   Search_parameters m_search_parameters;
-  const Real_timer& m_timer;
-  Visitor& m_visitor;
   Random_source m_seeds;
   Curve_flow_statistics m_statistics;
   std::size_t m_searches = 0, m_sweeps = 0;
   double m_seconds_of_searches = 0;
   bool m_follows_search = false; // the curve
 };
+
+template <typename Flow, typename ConcurrencyTag, typename Guard, typename Visitor>
+Untangling_result untangle_by_strategy(const Untangling_run<Guard, Visitor>& run)
+{
+  return Strategic_untangler<Flow, ConcurrencyTag, Visitor>(run)();
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

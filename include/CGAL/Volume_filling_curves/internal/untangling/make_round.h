@@ -39,9 +39,7 @@ class Round_polygon
 public:
   // \pre the curve is a single closed component
   explicit Round_polygon(const Network& curve)
-      : m_x(coordinates(curve)),
-        m_length(total_length(curve)),
-        m_center(centroid(m_x))
+      : m_x(coordinates(curve)), m_length(total_length(curve)), m_center(centroid(m_x))
   {
     const Eigen::Index n = m_x.rows();
     Vector area = Vector::Zero();
@@ -144,9 +142,10 @@ bool make_round(Guard& guard)
   thin_out(guard, most_nodes_at_once);
   refine(guard, edge(least_number_of_nodes));
   bool is_round = move_to_circle(guard);
-  for(std::size_t n = 0; n != curve.number_of_nodes() && 3 * curve.number_of_nodes() < 2 * wanted;) {
-    n = curve.number_of_nodes();
-    refine(guard, edge((std::min)(2 * n, wanted)));
+  const auto n = [&] { return curve.number_of_nodes(); };
+  for(std::size_t before = 0; before != n() && 3 * n() < 2 * wanted;) {
+    before = n();
+    refine(guard, edge((std::min)(2 * before, wanted)));
     is_round = is_round && move_to_circle(guard);
   }
   return is_round;

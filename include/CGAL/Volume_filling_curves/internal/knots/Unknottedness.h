@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOTTEDNESS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOTTEDNESS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Untangling_result.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
+#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What is proved of curves on their way. A proof holds for good, since they change by isotopies
+// only; so each is found once.
+template <typename Network>
+class Unknottedness
+{
+public:
+  // looks whether more can be proved of the curves as they stand
+  void update(const Network& curves)
+  {
+    m_proofs.resize(curves.number_of_components(), Unknot_proof::NONE);
+    for(std::size_t c = 0; c < m_proofs.size(); ++c)
+      if(m_proofs[c] == Unknot_proof::NONE) m_proofs[c] = unknot_proof(curves, c);
+    if(are_unknots()) update_link(curves);
+  }
+
+  // whether the curves are an unknot, or a trivial link
+  bool is_proved() const
+  {
+    return m_link == Link_status::TRIVIAL || (m_proofs.size() == 1 && are_unknots());
+  }
+
+  // Also tells whether they are linked, which no run asks for on its way.
+  void write(const Network& curves, Untangling_result& result)
+  {
+    update_link(curves);
+    result.proofs = m_proofs;
+    result.link = m_link;
+  }
+
+private:
+  bool are_unknots() const
+  {
+    return !m_proofs.empty() &&
+           std::find(m_proofs.begin(), m_proofs.end(), Unknot_proof::NONE) == m_proofs.end();
+  }
+
+  void update_link(const Network& curves)
+  {
+    if(m_link == Link_status::UNDECIDED) m_link = Link_triviality<Network>(curves)(m_proofs);
+  }
+
+  std::vector<Unknot_proof> m_proofs; // one per component
+  Link_status m_link = Link_status::UNDECIDED;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOTTEDNESS_H
