@@ -27,9 +27,19 @@ Report::Json name_or_null(Enum value, Enum none)
   return report_name(to_string(value));
 }
 
+bool has_free_end(const Curve& curve)
+{
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.degree(v) == 1 && !curve.is_pinned(v)) return true;
+  return false;
+}
+
 // What a user would not expect of the result, and why it is so.
 std::string remark(const Curve& curve, const Untangling_result& result)
 {
+  constexpr double length_of_point = 2; // in units of the thickness
+  if(has_free_end(curve) && curves::length(curve) < length_of_point * result.thickness)
+    return ", free ends: nothing holds the curve, which shrinks to a point";
   if(result.is_input) return ", the input, which is tighter than what was found";
   if(!result.is_closure_kept)
     return ", the closure of an arc is not known to have the type that it had: let it converge";

@@ -85,6 +85,7 @@ TEST_F(Command_line_motion, pinned_nodes_stay)
   EXPECT_EQ(points("tight.obj").back(), points("arc.obj").back());
   run("untangle arc.obj -o free.obj --thickness 0.5 --free-ends --max-iterations 3");
   EXPECT_NE(points("free.obj").front(), points("arc.obj").front());
+  EXPECT_NE(run("untangle arc.obj --free-ends").out.find("shrinks to a point"), std::string::npos);
   write("fixed.obj", read("arc.obj") + "fixed 2\n");
   ASSERT_EQ(run("untangle fixed.obj -o fixed_tight.obj --pin 3 --thickness 0.5").status, 0);
   const auto after = points("fixed_tight.obj");
