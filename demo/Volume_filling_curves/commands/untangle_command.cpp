@@ -155,7 +155,7 @@ int run(Session& session, const Untangle_options& options)
   write_files(session, options, curve, certificate);
   if(session.has_report()) report_shape(session.report(), curve, result.thickness);
   session.end_stage("measuring");
-  report_run(session.report(), result, options.parameters.strategy);
+  report_run(session.report(), curve, result, options.parameters.strategy);
   session.print_summary(summary(session, curve, result));
   return exit_status(result.status);
 }

@@ -27,6 +27,13 @@ Report::Json name_or_null(Enum value, Enum none)
   return report_name(to_string(value));
 }
 
+bool has_ends(const Curve& curve)
+{
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
+    if(!curve.is_closed(c)) return true;
+  return false;
+}
+
 bool has_free_end(const Curve& curve)
 {
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
@@ -91,6 +98,7 @@ void report_work(Report& report, const curves::Curve_flow_statistics& work)
 }
 
 void report_run(Report& report,
+                const Curve& curve,
                 const Untangling_result& result,
                 curves::Untangling_strategy strategy)
 {
@@ -106,7 +114,7 @@ void report_run(Report& report,
   report["tightenings"] = result.searches;
   if(result.status == Untangling_status::UNKNOTTED) report["is_round"] = result.is_round;
   report["is_input"] = result.is_input;
-  report["is_closure_kept"] = result.is_closure_kept;
+  if(has_ends(curve)) report["is_closure_kept"] = result.is_closure_kept;
 }
 
 std::string summary(Session& session, const Curve& curve, const Untangling_result& result)

@@ -32,6 +32,7 @@ void report_stages(Session& session,
 void report_work(Report& report, const CGAL::Volume_filling_curves::Curve_flow_statistics& work);
 
 void report_run(Report& report,
+                const Curve& curve,
                 const CGAL::Volume_filling_curves::Untangling_result& result,
                 CGAL::Volume_filling_curves::Untangling_strategy strategy);
 

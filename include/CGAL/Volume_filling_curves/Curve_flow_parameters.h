@@ -95,7 +95,7 @@ inline std::ostream& operator<<(std::ostream& out, Wall wall)
 struct Curve_flow_parameters
 {
   /// The distance r that strands keep from the medial surface between them, in the input's unit.
-  /// 0 (default) stands for the 25th percentile of the medial radii of the input.
+  /// 0 (default) stands for the `default_thickness()` of the input.
   double thickness = 0;
 
   /// The number N of medial spheres per node.

@@ -93,7 +93,6 @@ TEST_F(Command_line_motion, pinned_nodes_stay)
     EXPECT_NE(std::find(after.begin(), after.end(), p), after.end());
 }
 
-// After an iteration strands are where the closing lines were not.
 TEST_F(Command_line_motion, an_arc_at_a_limit_says_whether_its_closure_is_kept)
 {
   ASSERT_EQ(run("generate hard-unknot --nodes 100 --moves 2000 --seed 3 -o ring.obj").status, 0);
@@ -104,7 +103,7 @@ TEST_F(Command_line_motion, an_arc_at_a_limit_says_whether_its_closure_is_kept)
   EXPECT_EQ(finished.status, 2) << finished.err;
   EXPECT_TRUE(json("r.json")["is_closure_kept"].is_boolean());
   ASSERT_EQ(run("untangle ring.obj -o round.obj --report round.json").status, 0);
-  EXPECT_EQ(json("round.json")["is_closure_kept"], true);
+  EXPECT_TRUE(json("round.json")["is_closure_kept"].is_null());
 }
 
 TEST_F(Command_line_motion, junctions_need_the_network_option)

@@ -155,7 +155,7 @@ void expect_sound(const Box_tree& tree, const Part& part)
 {
   for(std::size_t k = tree.first(part); k <= tree.last(part); ++k)
     EXPECT_EQ(part.hull() + tree.box(k), part.hull());
-  if(part.is_run()) return;
+  if(part.number_of_runs() == 1) return;
   const auto [left, right] = tree.children(part);
   EXPECT_EQ(tree.first(left), tree.first(part));
   EXPECT_EQ(tree.first(right), tree.last(left) + 1);

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
 #include <CGAL/Volume_filling_curves/internal/generators/regular_polygon.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 
 #include <cmath>
 #include <cstddef>
@@ -54,11 +55,8 @@ public:
   void refine(std::size_t number_of_nodes)
   {
     const std::size_t n = m_curve.number_of_edges();
-    for(std::size_t e = 0; e < n && m_curve.number_of_nodes() < number_of_nodes; ++e) {
-      const Vector a = to_vector(m_curve.point(m_curve.source(e)));
-      const Vector b = to_vector(m_curve.point(m_curve.target(e)));
-      m_guard.insert_node(e, to_point(Vector((a + b) / 2), m_curve.traits()));
-    }
+    for(std::size_t e = 0; e < n && m_curve.number_of_nodes() < number_of_nodes; ++e)
+      halve_edge(m_guard, e);
     m_guard.collect_garbage();
   }
 

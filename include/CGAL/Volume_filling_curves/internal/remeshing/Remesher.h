@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 
 #include <cstddef>
 #include <utility>
@@ -85,9 +86,8 @@ private:
 
   void split(std::size_t e)
   {
-    const Vector middle = (position(m_curve.source(e)) + position(m_curve.target(e))) / 2;
     const double h = spacing(e);
-    const bool is_done = m_guard.insert_node(e, to_point(middle, m_curve.traits()));
+    const bool is_done = halve_edge(m_guard, e);
     if(is_done) m_spacing.push_back(h);
     count(is_done);
   }

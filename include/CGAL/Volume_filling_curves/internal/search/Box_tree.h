@@ -65,7 +65,6 @@ public:
   public:
     const Bbox_3& hull() const { return *m_hull; }
     std::size_t number_of_runs() const { return m_size; }
-    bool is_run() const { return m_size == 1; }
 
   private:
     friend class Box_tree;

@@ -113,16 +113,9 @@ private:
     const auto n = static_cast<double>(m_x.rows());
     const double samples = most_samples + most_samples_per_node * n;
     const double least = length() / (samples_per_thickness * samples);
-    if(!has_junction()) return least;
+    if(!m_curve.has_junction()) return least;
     const double most_nodes = growth * (std::max)(n, coarse);
     return (std::max)(least, length() / (edge_per_thickness * most_nodes));
-  }
-
-  bool has_junction() const
-  {
-    for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
-      if(m_curve.degree(v) > 2) return true;
-    return false;
   }
 
   double length() const

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
+#include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
@@ -141,7 +142,7 @@ private:
     m_guard.m_editor.append_leaf(end, tip);
   }
 
-  // Certified, since the middle of an edge is rounded. Leaves garbage.
+  // Leaves garbage.
   void divide(double length)
   {
     const Clearance_scope<Guard> scope(m_guard, 0);
@@ -152,9 +153,7 @@ private:
   void divide(std::size_t e, double length)
   {
     if(edge_vector(m_curve, e).norm() <= length) return;
-    const Vector a = to_vector(m_curve.point(m_curve.source(e)));
-    const Vector b = to_vector(m_curve.point(m_curve.target(e)));
-    if(!m_guard.insert_node(e, to_point(Vector((a + b) / 2), m_curve.traits()))) return;
+    if(!halve_edge(m_guard, e)) return;
     const std::size_t middle = m_curve.target(e);
     m_guard.m_editor.set_pinned(middle);
     divide(e, length);
@@ -165,7 +164,8 @@ private:
   Vector own_mean() const
   {
     auto n = static_cast<double>(m_curve.number_of_nodes());
-    Vector sum = n * centroid(coordinates(m_curve));
+    Vector sum = Vector::Zero();
+    for(const auto& p : m_curve.points()) sum += to_vector(p);
     for(const std::size_t tip : tips_of_tails(m_curve)) {
       std::vector<std::size_t> nodes = nodes_from_tip(m_curve, tip);
       nodes.pop_back();

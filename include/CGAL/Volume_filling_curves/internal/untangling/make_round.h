@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
+#include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 #include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 
@@ -98,17 +99,13 @@ void thin_out(Guard& guard, std::size_t most)
 
 // Halves edges until none is longer than `longest`.
 template <typename Guard>
-void refine(Guard& guard, double longest)
+void halve_long_edges(Guard& guard, double longest)
 {
   const auto& curve = guard.curve();
   for(bool is_coarse = true; is_coarse; guard.collect_garbage()) {
     is_coarse = false;
-    for(const std::size_t e : curve.edges()) {
-      if(edge_vector(curve, e).norm() <= longest) continue;
-      const Vector a = to_vector(curve.point(curve.source(e)));
-      const Vector b = to_vector(curve.point(curve.target(e)));
-      is_coarse |= guard.insert_node(e, to_point(Vector((a + b) / 2), curve.traits()));
-    }
+    for(const std::size_t e : curve.edges())
+      if(edge_vector(curve, e).norm() > longest) is_coarse |= halve_edge(guard, e);
   }
 }
 
@@ -140,12 +137,12 @@ bool make_round(Guard& guard)
   const auto edge = [&](std::size_t n) { return total_length(curve) / static_cast<double>(n); };
   const Clearance_scope<Guard> scope(guard, 0);
   thin_out(guard, most_nodes_at_once);
-  refine(guard, edge(least_number_of_nodes));
+  halve_long_edges(guard, edge(least_number_of_nodes));
   bool is_round = move_to_circle(guard);
   const auto n = [&] { return curve.number_of_nodes(); };
   for(std::size_t before = 0; before != n() && 3 * n() < 2 * wanted;) {
     before = n();
-    refine(guard, edge((std::min)(2 * before, wanted)));
+    halve_long_edges(guard, edge((std::min)(2 * before, wanted)));
     is_round = is_round && move_to_circle(guard);
   }
   return is_round;
