@@ -9,7 +9,7 @@
 
 #include "files/curve_files.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace vfc {
 

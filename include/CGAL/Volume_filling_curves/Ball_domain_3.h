@@ -68,7 +68,8 @@ public:
   CGAL::Bbox_3 bbox() const
   {
     const double infinity = std::numeric_limits<double>::infinity();
-    Vector low = m_center.array() - m_radius, high = m_center.array() + m_radius;
+    const Vector reach = Vector::constant(m_radius);
+    Vector low = m_center - reach, high = m_center + reach;
     for(int i = 0; i < 3; ++i) {
       low[i] = std::nextafter(low[i], -infinity);
       high[i] = std::nextafter(high[i], infinity);

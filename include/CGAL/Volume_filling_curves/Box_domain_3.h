@@ -56,8 +56,7 @@ public:
     m_box.extend(internal::to_vector(q));
     if(!m_box.min().allFinite() || !m_box.max().allFinite())
       throw std::invalid_argument("a coordinate is not finite");
-    if((m_box.min().array() >= m_box.max().array()).any())
-      throw std::invalid_argument("the box is flat");
+    if(!(m_box.sizes().minCoeff() > 0)) throw std::invalid_argument("the box is flat");
   }
 
   /// returns the box.
@@ -98,7 +97,9 @@ public:
 private:
   bool is_strictly_inside(const Vector& x) const
   {
-    return (x.array() > m_box.min().array()).all() && (x.array() < m_box.max().array()).all();
+    for(int i = 0; i < 3; ++i)
+      if(!(m_box.min()[i] < x[i] && x[i] < m_box.max()[i])) return false;
+    return true;
   }
 
   internal::Box m_box;

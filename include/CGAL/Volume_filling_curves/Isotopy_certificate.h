@@ -62,6 +62,16 @@ public:
   std::string text() const { return internal::to_text_form(m_bytes); }
 
 private:
+  template <typename Traits, typename Domain>
+  friend class Isotopy_guard_3;
+
+  static Isotopy_certificate of_bytes(std::string bytes)
+  {
+    Isotopy_certificate certificate;
+    certificate.m_bytes = std::move(bytes);
+    return certificate;
+  }
+
   std::string m_bytes;
 };
 

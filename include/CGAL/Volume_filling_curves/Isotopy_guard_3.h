@@ -14,7 +14,7 @@
 #include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Domain_boundary.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Certified_motion.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Local_change_certifier.h>
@@ -174,7 +174,7 @@ public:
     CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == n,
                           "`targets` has one row per node");
     CGAL_precondition_msg(least_fraction > 0, "`least_fraction` is positive");
-    if(!internal::is_in_range(targets)) {
+    if(!are_in_range(targets)) {
       m_number_of_rejected += n;
       return 0;
     }
@@ -231,7 +231,7 @@ public:
   Isotopy_certificate certificate() const
   {
     CGAL_precondition_msg(is_recording(), "changes are recorded");
-    return Isotopy_certificate(m_record->certificate());
+    return Isotopy_certificate::of_bytes(m_record->certificate());
   }
 
   /// @}
@@ -275,6 +275,13 @@ private:
   static bool is_in_range(const Point_3& p)
   {
     return internal::is_in_range(internal::to_vector(p));
+  }
+
+  static bool are_in_range(const internal::Vector_field& targets)
+  {
+    for(Eigen::Index v = 0; v < targets.rows(); ++v)
+      if(!internal::is_in_range(internal::row(targets, v))) return false;
+    return true;
   }
 
   Point_3 rounded(const Point_3& p) const

@@ -172,7 +172,7 @@ TEST(Energy_gradient, vanishes_in_a_symmetric_bundle)
   for(int s = 0; s < 7; ++s)
     for(int k = 0; k < 81; ++k) {
       const double angle = CGAL_PI / 3 * s;
-      const Vector axis = s == 0 ? Vector::Zero() : Vector(0, std::cos(angle), std::sin(angle));
+      const Vector axis = s == 0 ? Vector() : Vector(0, std::cos(angle), std::sin(angle));
       points.push_back(1.5 * axis + Vector(0.1 * k, 0, 0));
       if(k > 0) edges.push_back({points.size() - 2, points.size() - 1});
     }

@@ -126,7 +126,8 @@ Point other_corner(const Point& p, Random& random)
 {
   const double scale = std::ldexp(1, -static_cast<int>(random() % 12));
   Vector x = internal::to_vector(p) + scale * random_vector(random);
-  if(random() % 3 == 0) x = (2 * x).array().round() / 2;
+  if(random() % 3 == 0)
+    x = internal::Vector(std::round(2 * x.x()), std::round(2 * x.y()), std::round(2 * x.z())) / 2;
   if(random() % 8 == 0) x = internal::to_vector(p);
   return to_point(x);
 }
@@ -254,14 +255,15 @@ TEST(Tangent_radius, is_known_in_a_box)
   for(const Point& p : points_inside(box, 1000, random)) {
     const Vector u = random_vector(random).normalized(), x = internal::to_vector(p);
     double expected = 1e3;
-    Vector normal = Vector::Zero();
+    Vector normal;
     for(int axis = 0; axis < 3; ++axis)
       for(const double side : {-1., 1.}) {
         const double distance = side > 0 ? high[axis] - x[axis] : x[axis] - low[axis];
         const double radius = distance / (1 + side * u[axis]);
         if(radius >= expected) continue;
         expected = radius;
-        normal = side * Vector::Unit(axis);
+        normal = Vector();
+        normal[axis] = side;
       }
     EXPECT_NEAR(walls.tangent_radius(p, u, 5, Curve_flow_traits_3<>()), expected,
                 tolerance(expected, u, normal));

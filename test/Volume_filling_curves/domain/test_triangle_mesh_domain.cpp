@@ -292,7 +292,7 @@ TEST(Triangle_mesh_domain, sees_through_no_edge_and_no_vertex)
   const Mesh_domain ball(meshes::to_mesh(meshes::sphere(1, 3)));
   for(int axis = 0; axis < 3; ++axis) {
     for(const double sign : {-1., 1.}) {
-      internal::Vector u = internal::Vector::Zero();
+      internal::Vector u;
       u[axis] = sign;
       EXPECT_EQ(domain.distance_along({1, 1, 1}, {u.x(), u.y(), u.z()}, 9), 1);
       EXPECT_EQ(domain.distance_along({.5, .5, .5}, {u.x(), u.y(), u.z()}, 9), sign < 0 ? .5 : 1.5);

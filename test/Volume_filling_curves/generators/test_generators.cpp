@@ -49,8 +49,9 @@ std::uint64_t hash(const Polygons& polygons)
   for(const Polygon& polygon : polygons)
     for(const Vector& v : polygon)
       for(int k = 0; k < 3; ++k) {
+        const double x = v[k];
         std::uint64_t bits;
-        std::memcpy(&bits, &v[k], sizeof bits);
+        std::memcpy(&bits, &x, sizeof bits);
         h = (h ^ bits) * 0x100000001b3u;
       }
   return h;
@@ -259,7 +260,8 @@ TEST(Lattice_polygon, visits_no_site_twice_and_takes_unit_steps)
   std::set<std::array<double, 3>> sites;
   for(std::size_t i = 0; i < polygon.size(); ++i) {
     sites.insert({polygon[i].x(), polygon[i].y(), polygon[i].z()});
-    EXPECT_EQ((polygon[(i + 1) % polygon.size()] - polygon[i]).lpNorm<1>(), 1);
+    const Vector step = (polygon[(i + 1) % polygon.size()] - polygon[i]).cwiseAbs();
+    EXPECT_EQ(step.x() + step.y() + step.z(), 1);
   }
   EXPECT_EQ(sites.size(), polygon.size());
 }

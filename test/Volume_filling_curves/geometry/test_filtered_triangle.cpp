@@ -29,7 +29,8 @@ const Traits traits;
 Vector near_lattice(double scale, Random& random)
 {
   Vector p;
-  for(double& x : p) {
+  for(int axis = 0; axis < 3; ++axis) {
+    double& x = p[axis];
     x = static_cast<double>(random() % 4);
     for(auto steps = random() % 3; steps > 0; --steps)
       x = std::nextafter(x, random() % 2 == 0 ? -10 : 10);

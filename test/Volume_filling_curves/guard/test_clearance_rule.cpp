@@ -62,11 +62,9 @@ TEST(Segment_distance, agrees_with_exact_arithmetic)
       std::array<Exact_vector, 4> y;
       for(std::size_t k = 0; k < 4; ++k) {
         const Lattice_point p = random_point(4, repeat % 2 == 0, random);
-        for(std::size_t i = 0; i < 3; ++i) {
-          x[k][static_cast<Eigen::Index>(i)] =
+        for(std::size_t i = 0; i < 3; ++i)
+          y[k][i] = x[k][static_cast<int>(i)] =
               static_cast<double>(p[i]) / 3 + noise * offset(random);
-          y[k][i] = x[k][static_cast<Eigen::Index>(i)];
-        }
       }
       const double exact =
           std::sqrt(CGAL::to_double(exact_squared_distance(y[0], y[1], y[2], y[3])));
@@ -176,8 +174,8 @@ bool change(Guard& guard, unsigned seed, std::vector<Edge_list>& former)
   default:
     Targets targets = coordinates(network);
     for(Eigen::Index w = 0; w < targets.rows(); ++w)
-      targets.row(w) =
-          to_vector(near(network.point(static_cast<std::size_t>(w)), size / 4, random)).transpose();
+      set_row(targets, w,
+              to_vector(near(network.point(static_cast<std::size_t>(w)), size / 4, random)));
     return guard.move_nodes(targets) == 1;
   }
 }

@@ -211,7 +211,7 @@ TEST(Polygonal_thickness, of_a_long_loop_is_half_its_width)
   for(int i = 0; i <= 100; ++i)
     stadium[0].push_back({-9 - std::sin(pi * i / 100), std::cos(pi * i / 100), 0});
   EXPECT_NEAR(vfc::polygonal_thickness(closed(stadium)), 1, 1e-3);
-  for(Vector& v : stadium[0]) v.y() *= std::abs(v.x() + 4.5) > 4.6 ? 1 : 0.5; // flatten the sides
+  for(Vector& v : stadium[0]) v[1] *= std::abs(v.x() + 4.5) > 4.6 ? 1 : 0.5; // flatten the sides
   EXPECT_LT(vfc::polygonal_thickness(closed(stadium)), 0.6);
 }
 
@@ -337,7 +337,7 @@ TEST(Linking_matrix, is_the_rounded_gauss_integral)
     Polygons polygons;
     for(std::uint64_t k = 0; k < 3; ++k) {
       polygons.push_back(generators::random_polygon(60, 10 * seed + k)[0]);
-      for(Vector& v : polygons.back()) v.x() += 0.3 * static_cast<double>(k);
+      for(Vector& v : polygons.back()) v[0] += 0.3 * static_cast<double>(k);
     }
     const Curve curve = closed(polygons);
     const Matrix matrix = vfc::linking_matrix(curve);

@@ -61,7 +61,9 @@ Network mapped(Polygons polygons, const Function& f)
 
 Network on_lattice(const Polygons& polygons, double scale)
 {
-  return mapped(polygons, [&](const Vector& p) { return Vector((scale * p).array().round()); });
+  return mapped(polygons, [&](const Vector& p) {
+    return Vector(std::round(scale * p.x()), std::round(scale * p.y()), std::round(scale * p.z()));
+  });
 }
 
 struct Search_outcome

@@ -209,10 +209,10 @@ TEST(Rescaling, stays_where_the_curve_is)
 {
   const Vector away(100, -300, 200);
   Network knot = transformed(make_torus_knot(2, 3, 80), 1, Eigen::Matrix3d::Identity(), away);
-  const Vector center = internal::coordinates(knot).colwise().mean();
+  const Vector center = internal::centroid(internal::coordinates(knot));
   Guard guard(knot);
   internal::rescale_to_length(guard, 20 * internal::total_length(knot));
-  const Vector after = internal::coordinates(knot).colwise().mean();
+  const Vector after = internal::centroid(internal::coordinates(knot));
   EXPECT_LT((after - center).norm(), 1e-11);
 }
 

@@ -70,7 +70,7 @@ TEST(Dynamic_box_tree, finds_all_boxes_that_overlap)
   Random random(1);
   for(const std::size_t n : {1u, 32u, 33u, 1024u, 1025u, 3000u})
     for(double reach : {1., 1e-200, 1e150}) {
-      Dynamic_box_tree blocks(Box{Vector::Constant(-reach), Vector::Constant(reach)});
+      Dynamic_box_tree blocks(Box{Vector::constant(-reach), Vector::constant(reach)});
       std::vector<Box> boxes;
       for(std::size_t k = 0; k < n; ++k) {
         boxes.push_back(random_box(reach, 0.1 * reach, random));
@@ -83,7 +83,7 @@ TEST(Dynamic_box_tree, finds_all_boxes_that_overlap)
 TEST(Dynamic_box_tree, follows_boxes_that_move_and_vanish)
 {
   Random random(3);
-  Dynamic_box_tree blocks(Box{Vector::Constant(-1), Vector::Constant(1)});
+  Dynamic_box_tree blocks(Box{Vector::constant(-1), Vector::constant(1)});
   std::vector<Box> boxes;
   for(std::size_t k = 0; k < 500; ++k) {
     boxes.push_back(random_box(1, 0.1, random));
@@ -96,41 +96,41 @@ TEST(Dynamic_box_tree, follows_boxes_that_move_and_vanish)
   }
   expect_complete(blocks, boxes, 1);
   for(std::size_t k = 0; k < boxes.size(); k += 2) blocks.clear(k);
-  for(const std::size_t k : found(blocks, Box{Vector::Constant(-1), Vector::Constant(1)}))
+  for(const std::size_t k : found(blocks, Box{Vector::constant(-1), Vector::constant(1)}))
     EXPECT_EQ(k % 2, 1u);
 }
 
 TEST(Dynamic_box_tree, finds_boxes_outside_the_frame)
 {
-  Dynamic_box_tree blocks(Box{Vector::Zero(), Vector::Ones()});
-  const Box far{Vector::Constant(1e9), Vector::Constant(2e9)};
+  Dynamic_box_tree blocks(Box{Vector(), Vector::constant(1)});
+  const Box far{Vector::constant(1e9), Vector::constant(2e9)};
   blocks.set(40, far); // those below were never set
   EXPECT_EQ(found(blocks, far), std::set<std::size_t>{40});
-  EXPECT_TRUE(found(blocks, Box{Vector::Zero(), Vector::Constant(0.5)}).empty());
+  EXPECT_TRUE(found(blocks, Box{Vector(), Vector::constant(0.5)}).empty());
 }
 
 TEST(Dynamic_box_tree, finds_touching_boxes_and_manages_a_frame_without_extent)
 {
   for(double side : {0., 1.}) {
-    Dynamic_box_tree blocks(Box{Vector::Zero(), Vector::Constant(side)});
-    blocks.set(0, Box{Vector::Zero(), Vector::Constant(0.1)});
-    EXPECT_EQ(found(blocks, Box{Vector::Constant(0.1), Vector::Constant(0.2)}).size(), 1u);
+    Dynamic_box_tree blocks(Box{Vector(), Vector::constant(side)});
+    blocks.set(0, Box{Vector(), Vector::constant(0.1)});
+    EXPECT_EQ(found(blocks, Box{Vector::constant(0.1), Vector::constant(0.2)}).size(), 1u);
   }
 }
 
 TEST(Dynamic_box_tree, stops_when_told)
 {
-  Dynamic_box_tree blocks(Box{Vector::Zero(), Vector::Ones()});
-  for(std::size_t k = 0; k < 100; ++k) blocks.set(k, Box{Vector::Zero(), Vector::Ones()});
+  Dynamic_box_tree blocks(Box{Vector(), Vector::constant(1)});
+  for(std::size_t k = 0; k < 100; ++k) blocks.set(k, Box{Vector(), Vector::constant(1)});
   std::size_t calls = 0;
-  EXPECT_FALSE(blocks.holds_near(Box{Vector::Zero(), Vector::Ones()},
+  EXPECT_FALSE(blocks.holds_near(Box{Vector(), Vector::constant(1)},
                                  [&](std::size_t) { return ++calls < 40; }));
   EXPECT_EQ(calls, 40u);
 }
 
 TEST(Dynamic_box_tree, may_be_empty)
 {
-  EXPECT_TRUE(found(Dynamic_box_tree(), Box{Vector::Zero(), Vector::Ones()}).empty());
+  EXPECT_TRUE(found(Dynamic_box_tree(), Box{Vector(), Vector::constant(1)}).empty());
 }
 
 } // namespace test_dynamic_box_tree

@@ -157,7 +157,7 @@ double radius_between_nodes(const Vector_field& x, const Vector& p, const Vector
 {
   double most = 0;
   for(Eigen::Index j = 0; j < x.rows(); ++j) {
-    const Vector d = x.row(j).transpose() - p;
+    const Vector d = internal::row(x, j) - p;
     if(d.squaredNorm() > 0) most = (std::max)(most, 2 * u.dot(d) / d.squaredNorm());
   }
   return 1 / most; // infinity if no node lies ahead

@@ -36,7 +36,7 @@ double brute_force_radius(const Vector_field& x,
 {
   double most = 1 / cap;
   for(Eigen::Index j = 0; j < x.rows(); ++j) {
-    const Vector d = x.row(j).transpose() - p;
+    const Vector d = internal::row(x, j) - p;
     if(d.squaredNorm() > 0) most = (std::max)(most, support(direction, d));
   }
   return 1 / most;
@@ -48,7 +48,7 @@ double bisected_radius(const Vector_field& x, const Vector& p, const Vector& dir
   const auto is_free = [&](double radius) {
     const Vector center = p + radius * direction;
     for(Eigen::Index j = 0; j < x.rows(); ++j) {
-      const Vector q = x.row(j).transpose();
+      const Vector q = internal::row(x, j);
       if(q != p && (q - center).norm() < radius * (1 - 1e-13)) return false;
     }
     return true;
@@ -211,7 +211,8 @@ TEST(Medial_spheres, turn_with_a_bent_curve)
   const Medial_spheres turned = spheres_of(transformed(curve, 1, quarter_turn), 16, 0.3);
   std::size_t number_of_bends = 0;
   for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
-    if((turned.circles()[c].u - quarter_turn * spheres.circles()[c].u).norm() > 1e-12) continue;
+    if((turned.circles()[c].u - product(quarter_turn, spheres.circles()[c].u)).norm() > 1e-12)
+      continue;
     ++number_of_bends; // other circles have an arbitrary first direction
     for(std::size_t l = 0; l < 16; ++l) {
       ASSERT_NEAR(turned.radius(c, l), spheres.radius(c, l), 1e-13);

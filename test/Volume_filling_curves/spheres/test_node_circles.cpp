@@ -73,7 +73,7 @@ TEST(Node_circles, of_ends_junctions_and_spikes_are_one_per_edge)
     const auto circles = circles_at(star, v);
     if(star.degree(v) == 1) {
       ASSERT_EQ(circles.size(), 1u);
-      const Vector edge = internal::to_vector(star.point(v)) - Vector::Zero();
+      const Vector edge = internal::to_vector(star.point(v)) - Vector();
       EXPECT_NEAR(circles[0].u.dot(edge), 0, 1e-14);
       EXPECT_NEAR(circles[0].v.dot(edge), 0, 1e-14);
     } else {

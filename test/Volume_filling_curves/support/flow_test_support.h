@@ -45,7 +45,7 @@ inline Vector random_point(Random& random)
 inline Vector_field random_field(std::size_t n, Random& random)
 {
   Vector_field field(static_cast<Eigen::Index>(n), 3);
-  for(Eigen::Index v = 0; v < field.rows(); ++v) field.row(v) = random_point(random).transpose();
+  for(Eigen::Index v = 0; v < field.rows(); ++v) internal::set_row(field, v, random_point(random));
   return field;
 }
 
@@ -56,7 +56,7 @@ inline Polygon random_polygon(std::size_t n, Random& random)
   return polygon;
 }
 
-inline Polygon circle(std::size_t n, double radius = 1, const Vector& center = Vector::Zero())
+inline Polygon circle(std::size_t n, double radius = 1, const Vector& center = Vector())
 {
   Polygon polygon;
   for(std::size_t k = 0; k < n; ++k) {
@@ -106,17 +106,22 @@ inline internal::Medial_spheres spheres_of(const Network& curve,
       internal::node_circles(curve, x), number_of_directions);
 }
 
+inline Vector product(const Eigen::Matrix3d& matrix, const Vector& v)
+{
+  return internal::to_vector(Eigen::Vector3d(matrix * Eigen::Vector3d(v.x(), v.y(), v.z())));
+}
+
 // The curve after x -> scale * (matrix * x) + shift.
 template <typename Network>
 Network transformed(const Network& curve,
                     double scale,
                     const Eigen::Matrix3d& matrix = Eigen::Matrix3d::Identity(),
-                    const Vector& shift = Vector::Zero())
+                    const Vector& shift = Vector())
 {
   std::vector<typename Network::Point_3> points;
   Edges edges;
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
-    const Vector p = scale * (matrix * internal::to_vector(curve.point(v))) + shift;
+    const Vector p = scale * product(matrix, internal::to_vector(curve.point(v))) + shift;
     points.push_back(internal::to_point(p, curve.traits()));
   }
   for(std::size_t e = 0; e < curve.number_of_edges(); ++e)

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 
 #include <array>
@@ -29,7 +29,7 @@ void check_size(const Network& curve)
 {
   if(curve.number_of_nodes() == 0) return;
   const Vector_field x = coordinates(curve);
-  if(!((x.colwise().maxCoeff() - x.colwise().minCoeff()).maxCoeff() >= least_size))
+  if(!(sides(x).maxCoeff() >= least_size))
     throw std::invalid_argument("the size of the curve is below 1e-150");
 }
 

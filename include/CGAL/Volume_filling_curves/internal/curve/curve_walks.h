@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
 #include <cstddef>
 #include <vector>
@@ -59,7 +59,7 @@ double box_diagonal(const Network& curve)
 {
   if(curve.number_of_nodes() == 0) return 0;
   const Vector_field x = coordinates(curve);
-  return (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+  return sides(x).norm();
 }
 
 template <typename Network>

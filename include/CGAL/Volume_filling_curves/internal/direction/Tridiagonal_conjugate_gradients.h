@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
 namespace CGAL {
 namespace Volume_filling_curves {

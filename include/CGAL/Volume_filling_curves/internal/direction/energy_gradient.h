@@ -61,12 +61,11 @@ public:
   void add_length(const std::vector<double>& tensions)
   {
     for(std::size_t e = 0; e < m_curve.number_of_edges(); ++e) {
-      const auto a = static_cast<Eigen::Index>(m_curve.source(e));
-      const auto b = static_cast<Eigen::Index>(m_curve.target(e));
-      const double tension = tensions[m_curve.component(m_curve.source(e))];
-      const Eigen::RowVector3d pull = tension * (m_x.row(b) - m_x.row(a)).normalized();
-      m_gradient.row(a) -= pull;
-      m_gradient.row(b) += pull;
+      const std::size_t a = m_curve.source(e), b = m_curve.target(e);
+      const double tension = tensions[m_curve.component(a)];
+      const Vector pull = tension * (row(m_x, b) - row(m_x, a)).normalized();
+      add(a, -pull);
+      add(b, pull);
     }
   }
 
@@ -87,25 +86,27 @@ public:
       const Node_circle& circle = spheres.circles()[c];
       if(is_left_out[circle.node]) continue;
       const double r = thickness[circle.node];
-      Vector sum = Vector::Zero(); // of m_il - x_i over the directions
+      Vector sum; // of m_il - x_i over the directions
       for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
         const double radius = spheres.radius(c, l),
                      push = (std::max)(0., contact_radius * r - radius);
         sum += (radius - push) * spheres.direction(c, l);
       }
-      m_gradient.row(static_cast<Eigen::Index>(circle.node)) -=
-          medial_weight / (r * r) * m_weights[circle.node] * circle.share / n * sum.transpose();
+      const double weight = medial_weight / (r * r) * m_weights[circle.node] * circle.share / n;
+      add(circle.node, -weight * sum);
     }
   }
 
   Vector_field result()
   {
     for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
-      if(m_curve.is_pinned(v)) m_gradient.row(static_cast<Eigen::Index>(v)).setZero();
+      if(m_curve.is_pinned(v)) set_row(m_gradient, v, Vector());
     return std::move(m_gradient);
   }
 
 private:
+  void add(std::size_t v, const Vector& x) { set_row(m_gradient, v, row(m_gradient, v) + x); }
+
   const Network& m_curve;
   const Vector_field& m_x;
   const std::vector<double>& m_weights;

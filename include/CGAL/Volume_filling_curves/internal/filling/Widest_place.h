@@ -84,8 +84,7 @@ private:
   bool try_neighbors(double step)
   {
     const Vector x = m_center;
-    for(const Vector& axis :
-        {Vector(Vector::UnitX()), Vector(Vector::UnitY()), Vector(Vector::UnitZ())})
+    for(const Vector& axis : {Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)})
       if(try_center(x + step * axis) || try_center(x - step * axis)) return true;
     return false;
   }

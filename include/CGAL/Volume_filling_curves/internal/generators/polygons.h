@@ -11,11 +11,10 @@
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
-
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
@@ -112,10 +111,9 @@ inline void turn_randomly(Polygons& polygons, std::uint64_t seed)
   const auto [a, b] = cos_sin(random.real());
   const auto [c, d] = cos_sin(random.real());
   const double p = std::sqrt(share), q = std::sqrt(1 - share);
-  const Eigen::Matrix3d rotation =
-      Eigen::Quaterniond(p * a, p * b, q * c, q * d).toRotationMatrix();
+  const Frame rotation = frame_of_quaternion(p * a, p * b, q * c, q * d);
   for(Polygon& polygon : polygons)
-    for(Vector& v : polygon) v = rotation * v;
+    for(Vector& v : polygon) v = rotation(v);
 }
 
 } // namespace internal

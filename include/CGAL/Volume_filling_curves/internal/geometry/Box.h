@@ -13,18 +13,55 @@
 
 #include <CGAL/Bbox_3.h>
 
-#include <Eigen/Geometry>
+#include <limits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
 // An axis-parallel box, closed; empty by default.
-using Box = Eigen::AlignedBox3d;
+class Box
+{
+public:
+  Box() = default;
+  explicit Box(const Vector& p) : m_min(p), m_max(p) {}
+  Box(const Vector& min, const Vector& max) : m_min(min), m_max(max) {}
+
+  const Vector& min() const { return m_min; }
+  const Vector& max() const { return m_max; }
+  Vector sizes() const { return m_max - m_min; }
+
+  Box& extend(const Vector& p)
+  {
+    m_min = m_min.cwiseMin(p);
+    m_max = m_max.cwiseMax(p);
+    return *this;
+  }
+
+  Box& extend(const Box& box)
+  {
+    m_min = m_min.cwiseMin(box.m_min);
+    m_max = m_max.cwiseMax(box.m_max);
+    return *this;
+  }
+
+  bool intersects(const Box& box) const
+  {
+    for(int k = 0; k < 3; ++k)
+      if(m_min[k] > box.m_max[k] || box.m_min[k] > m_max[k]) return false;
+    return true;
+  }
+
+private:
+  static constexpr double most = (std::numeric_limits<double>::max)();
+
+  Vector m_min = Vector::constant(most), m_max = Vector::constant(-most);
+};
 
 inline Box inflated(const Box& box, double distance)
 {
-  return {box.min().array() - distance, box.max().array() + distance};
+  const Vector margin = Vector::constant(distance);
+  return {box.min() - margin, box.max() + margin};
 }
 
 inline Bbox_3 to_bbox(const Box& box)

@@ -25,7 +25,7 @@ inline Vector in_own_units(const Vector& v)
   const double largest = v.cwiseAbs().maxCoeff();
   if(!(largest > 0) || !std::isfinite(largest)) return v;
   const int exponent = -std::ilogb(largest);
-  return v.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+  return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent), std::ldexp(v.z(), exponent)};
 }
 
 // The angle between two consecutive edges, in [0, pi]. atan2 is accurate for straight and for

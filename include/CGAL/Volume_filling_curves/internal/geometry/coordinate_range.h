@@ -22,11 +22,12 @@ namespace internal {
 // bounding box of a curve that is to move: squares of lengths neither overflow nor underflow.
 constexpr double largest_coordinate = 1e150, least_size = 1e-150;
 
-// returns whether all coordinates, a vector or a row for each point, are accepted; NaN is not
-template <typename Coordinates>
-bool is_in_range(const Eigen::MatrixBase<Coordinates>& x)
+// returns whether all coordinates are accepted; NaN is not
+inline bool is_in_range(const Vector& x)
 {
-  return (x.array().abs() <= largest_coordinate).all();
+  for(int k = 0; k < 3; ++k)
+    if(!(std::abs(x[k]) <= largest_coordinate)) return false;
+  return true;
 }
 
 // Throws std::invalid_argument, about what `name` says, unless the coordinates are accepted.

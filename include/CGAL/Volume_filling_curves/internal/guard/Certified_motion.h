@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Network_observer.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_rule.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Swept_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>

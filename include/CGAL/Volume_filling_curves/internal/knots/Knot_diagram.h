@@ -10,9 +10,8 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -40,12 +39,12 @@ public:
   // \pre the curve is a single closed component, and has no garbage
   template <typename Network>
   explicit Knot_diagram(const Network& curve)
-      : m_points(coordinates(curve) *
-                 Eigen::Quaterniond(0.771, 0.371, -0.291, 0.427).normalized().toRotationMatrix())
   {
-    const Eigen::Index n = m_points.rows();
-    for(Eigen::Index i = 0; i < n; ++i)
-      for(Eigen::Index j = i + 2; j < n; ++j)
+    const Frame frame = generic_frame();
+    for(const auto& p : curve.points()) m_points.push_back(frame(to_vector(p)));
+    const std::size_t n = m_points.size();
+    for(std::size_t i = 0; i < n; ++i)
+      for(std::size_t j = i + 2; j < n; ++j)
         if((j + 1) % n != i) cross(i, j);
     number_arcs();
   }
@@ -55,16 +54,16 @@ public:
 private:
   struct Pass
   {
-    Eigen::Index edge;
+    std::size_t edge;
     double parameter; // along the edge
     std::size_t crossing;
     bool is_over;
   };
 
-  Vector start(Eigen::Index e) const { return m_points.row(e).transpose(); }
-  Vector along(Eigen::Index e) const { return start((e + 1) % m_points.rows()) - start(e); }
+  const Vector& start(std::size_t e) const { return m_points[e]; }
+  Vector along(std::size_t e) const { return start((e + 1) % m_points.size()) - start(e); }
 
-  void cross(Eigen::Index i, Eigen::Index j)
+  void cross(std::size_t i, std::size_t j)
   {
     const Vector u = along(i), v = along(j), w = start(j) - start(i);
     const double area = u.x() * v.y() - u.y() * v.x();
@@ -95,7 +94,7 @@ private:
     }
   }
 
-  Vector_field m_points;
+  std::vector<Vector> m_points;
   std::vector<Pass> m_passes;
   std::vector<Diagram_crossing> m_crossings;
 };

@@ -10,12 +10,11 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
 #include <CGAL/Volume_filling_curves/internal/search/overlapping_boxes.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
-
-#include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
@@ -70,14 +69,13 @@ private:
 
   void look_from(int attempt)
   {
-    const Eigen::Quaterniond turn(0.613 + 0.1 * attempt, 0.297, -0.531, 0.7717);
-    m_frame = turn.normalized().toRotationMatrix();
+    m_frame = frame_of_quaternion(0.613 + 0.1 * attempt, 0.297, -0.531, 0.7717);
     Box box;
     for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
       box.extend(to_vector(m_curve.point(v)));
-    const Vector direction = m_frame.row(2).transpose();
-    const double distance = view_distance * box.sizes().stableNorm();
-    m_eye = (box.min() + box.max()) / 2 + distance * direction;
+    const Vector sizes = box.sizes();
+    const double distance = view_distance * std::hypot(sizes.x(), sizes.y(), sizes.z());
+    m_eye = (box.min() + box.max()) / 2 + distance * m_frame.third;
     m_viewpoint = to_point(m_eye, m_curve.traits());
   }
 
@@ -99,7 +97,7 @@ private:
 
   Vector projection(std::size_t v) const
   {
-    const Vector p = m_frame * (to_vector(m_curve.point(v)) - m_eye);
+    const Vector p = m_frame(to_vector(m_curve.point(v)) - m_eye);
     return {p.x() / p.z(), p.y() / p.z(), 0};
   }
 
@@ -130,7 +128,7 @@ private:
 
   const Network& m_curve;
   const typename Network::Traits::Orientation_3 m_orientation;
-  Eigen::Matrix3d m_frame; // the last row points from the curve to the eye
+  Frame m_frame; // whose third row points from the curve to the eye
   Vector m_eye;
   Point_3 m_viewpoint;
 };

@@ -59,7 +59,7 @@ private:
   static Vector extreme(const Points& points, const Vector& direction)
   {
     double most = -std::numeric_limits<double>::infinity();
-    Vector best = Vector::Zero();
+    Vector best;
     for(const Point_3& point : points) {
       const Vector x = to_vector(point);
       if(direction.dot(x) > most) {

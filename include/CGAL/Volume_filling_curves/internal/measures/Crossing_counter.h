@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <Eigen/Core>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ public:
       m_edges[e].nodes = {static_cast<Index>(curve.source(e)), static_cast<Index>(curve.target(e))};
   }
 
-  std::size_t operator()(const std::vector<Eigen::Vector2d>& projection)
+  std::size_t operator()(const std::vector<Vector>& projection)
   {
     if(!lay_out_grid(projection)) return 0;
     list_edges();
@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  using Point = Eigen::Vector2d;
+  using Point = Vector; // with z = 0
 
   static constexpr double margin = 1e-9; // in cells, for rounding
 

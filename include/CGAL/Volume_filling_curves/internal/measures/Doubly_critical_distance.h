@@ -70,7 +70,7 @@ private:
 
   struct Tangents
   {
-    Vector in = Vector::Zero(), out = Vector::Zero(); // zero beyond an end
+    Vector in = Vector(), out = Vector(); // zero beyond an end
   };
 
   Vector point(std::size_t v) const { return m_unit * to_vector(m_curve.point(v)); }

@@ -9,11 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Crossing_counter.h>
-
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>
@@ -30,21 +29,17 @@ namespace internal {
 
 constexpr std::size_t number_of_viewing_directions = 100;
 
-// returns a rotation whose last row is the k-th direction
-inline Eigen::Matrix3d viewing_frame(std::size_t k)
+// returns a rotation whose third row is the k-th direction
+inline Frame viewing_frame(std::size_t k)
 {
   constexpr double golden_angle = 0.38196601125010515; // in turns
   const double index = static_cast<double>(k);
   const double z = (index + 0.5) / static_cast<double>(number_of_viewing_directions);
   const double radius = std::sqrt(1 - z * z);
   const auto [x, y] = cos_sin(golden_angle * index);
-  const Eigen::Matrix3d generic =
-      Eigen::Quaterniond(0.771, 0.371, -0.291, 0.427).normalized().toRotationMatrix();
-  Eigen::Matrix3d frame;
-  frame.row(2) = generic * Vector(radius * x, radius * y, z);
-  frame.row(0) = frame.row(2).unitOrthogonal();
-  frame.row(1) = frame.row(2).cross(frame.row(0));
-  return frame;
+  const Vector front = generic_frame()(Vector(radius * x, radius * y, z));
+  const Vector right = front.unitOrthogonal();
+  return {right, front.cross(right), front};
 }
 
 // With a stride k of every k-th direction only.
@@ -52,12 +47,15 @@ template <typename Network>
 double average_crossing_number(const Network& curve, std::size_t stride = 1)
 {
   const Vector_field points = coordinates(curve);
-  std::vector<Eigen::Vector2d> projection(curve.number_of_nodes());
+  std::vector<Vector> projection(curve.number_of_nodes());
   Crossing_counter count(curve);
   std::size_t crossings = 0, directions = 0;
   for(std::size_t k = 0; k < number_of_viewing_directions; k += stride, ++directions) {
-    const Eigen::Matrix<double, 2, 3> frame = viewing_frame(k).topRows<2>();
-    for(std::size_t v = 0; v < projection.size(); ++v) projection[v] = frame * row(points, v);
+    const Frame frame = viewing_frame(k);
+    for(std::size_t v = 0; v < projection.size(); ++v) {
+      const Vector x = row(points, v);
+      projection[v] = {frame.first.dot(x), frame.second.dot(x), 0};
+    }
     crossings += count(projection);
   }
   return static_cast<double>(crossings) / static_cast<double>(directions);

@@ -110,7 +110,7 @@ private:
   {
     const Index name = m_polygon.name(v);
     if(!guard().remove_node(v)) return false;
-    m_operations.push_back({Elementary_operation::REMOVE, name, 0, Vector::Zero()});
+    m_operations.push_back({Elementary_operation::REMOVE, name, 0, Vector()});
     return true;
   }
 

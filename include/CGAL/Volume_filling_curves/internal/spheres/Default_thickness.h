@@ -63,11 +63,7 @@ private:
   static constexpr double edge_per_thickness = 0.28; // mean; edges are between 0.2 and 0.4
   static constexpr double most_samples = 1e5, most_samples_per_node = 10; // together
 
-  double box_diagonal() const
-  {
-    if(m_x.rows() == 0) return 0;
-    return (m_x.colwise().maxCoeff() - m_x.colwise().minCoeff()).norm();
-  }
+  double box_diagonal() const { return m_x.rows() == 0 ? 0 : sides(m_x).norm(); }
 
   // Nodes first, then points inside the edges.
   void sample(double spacing)
@@ -85,7 +81,7 @@ private:
     m_samples.resize(m_x.rows() + static_cast<Eigen::Index>(samples.size()), 3);
     m_samples.topRows(m_x.rows()) = m_x;
     for(std::size_t k = 0; k < samples.size(); ++k)
-      m_samples.row(m_x.rows() + static_cast<Eigen::Index>(k)) = samples[k].transpose();
+      set_row(m_samples, m_x.rows() + static_cast<Eigen::Index>(k), samples[k]);
   }
 
   double percentile(double largest) const

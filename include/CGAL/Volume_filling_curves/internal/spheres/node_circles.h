@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
 #include <cstddef>
 #include <vector>
@@ -39,7 +39,7 @@ struct Node_circle
   }
 
   Node_circle(std::size_t n, const Vector& tangent, double weight_share)
-      : Node_circle(n, tangent, Vector::Zero(), weight_share)
+      : Node_circle(n, tangent, Vector(), weight_share)
   {}
 };
 

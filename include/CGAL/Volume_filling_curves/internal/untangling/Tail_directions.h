@@ -30,7 +30,7 @@ namespace internal {
 // direction.
 struct Ball
 {
-  Vector center = Vector::Zero();
+  Vector center = Vector();
   double radius = 0;
 
   // returns where a tail ends
@@ -59,7 +59,7 @@ public:
       m_edges.push_back({curve.source(e), curve.target(e)});
     for(const std::size_t v : ends) {
       m_edges.push_back({v, m_points.size()});
-      m_points.push_back(tip(v, Vector::Zero()));
+      m_points.push_back(tip(v, Vector()));
     }
   }
 
@@ -91,7 +91,7 @@ private:
   Point_3 tip(std::size_t v, const Vector& tilt) const
   {
     const Vector p = to_vector(m_curve.point(v)), outwards = p - m_ball.center;
-    const Vector direction = outwards.norm() > 0 ? outwards.normalized() : Vector(Vector::UnitX());
+    const Vector direction = outwards.norm() > 0 ? outwards.normalized() : Vector(1, 0, 0);
     return to_point(m_ball.tip(p, (direction + tilt).normalized()), m_curve.traits());
   }
 

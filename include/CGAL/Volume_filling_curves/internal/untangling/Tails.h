@@ -130,7 +130,9 @@ private:
   {
     const Vector_field x = coordinates(m_curve);
     m_ball.center = centroid(x);
-    const double size = (x.rowwise() - m_ball.center.transpose()).rowwise().norm().maxCoeff();
+    double size = 0;
+    for(Eigen::Index v = 0; v < x.rows(); ++v)
+      size = (std::max)(size, (row(x, v) - m_ball.center).norm());
     const double margin = (std::min)(margin_over_thickness * thickness, 100 * size);
     m_ball.radius = radius_over_size * size + margin;
     m_inner_radius = m_ball.radius - (std::min)(thickness, margin / 2);
@@ -164,7 +166,7 @@ private:
   Vector own_mean() const
   {
     auto n = static_cast<double>(m_curve.number_of_nodes());
-    Vector sum = Vector::Zero();
+    Vector sum;
     for(const auto& p : m_curve.points()) sum += to_vector(p);
     for(const std::size_t tip : tips_of_tails(m_curve)) {
       std::vector<std::size_t> nodes = nodes_from_tip(m_curve, tip);
@@ -190,9 +192,7 @@ private:
         along > 0 && tangent < largest_tangent
             ? outwards
             : Vector((old_direction + largest_tangent * across.normalized()).normalized());
-    for(const std::size_t v : nodes)
-      x.row(static_cast<Eigen::Index>(v)) =
-          (end + (row(x, v) - end).norm() * direction).transpose();
+    for(const std::size_t v : nodes) set_row(x, v, end + (row(x, v) - end).norm() * direction);
   }
 
   Guard& m_guard;

@@ -19,7 +19,7 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ public:
       : m_x(coordinates(curve)), m_length(total_length(curve)), m_center(centroid(m_x))
   {
     const Eigen::Index n = m_x.rows();
-    Vector area = Vector::Zero();
+    Vector area;
     for(Eigen::Index v = 0; v < n; ++v) area += offset(v).cross(offset((v + 1) % n));
     m_first = area.unitOrthogonal();
     m_second = area.normalized().cross(m_first);
@@ -67,13 +67,13 @@ public:
     Vector_field result(m_x.rows(), 3);
     for(Eigen::Index v = 0; v < m_x.rows(); ++v) {
       const auto [c, s] = cos_sin(turns(v));
-      result.row(v) = (m_center + radius * (c * m_first + s * m_second)).transpose();
+      set_row(result, v, m_center + radius * (c * m_first + s * m_second));
     }
     return result;
   }
 
 private:
-  Vector offset(Eigen::Index v) const { return m_x.row(v).transpose() - m_center; }
+  Vector offset(Eigen::Index v) const { return row(m_x, v) - m_center; }
 
   double turns(Eigen::Index v) const
   {

@@ -49,10 +49,11 @@ double rescale_to_length(Guard& guard, double wanted)
       rest = wanted / total_length(curve)) {
     error = std::abs(rest - 1);
     const double factor = std::clamp(rest, 1 / step, step);
-    const Vector_field x = coordinates(curve);
-    const Eigen::RowVector3d center = centroid(x).transpose();
-    const Vector_field target = (factor * (x.rowwise() - center)).rowwise() + center;
-    if(guard.move_nodes(target) == 1) continue;
+    Vector_field x = coordinates(curve);
+    const Vector center = centroid(x);
+    for(Eigen::Index v = 0; v < x.rows(); ++v)
+      set_row(x, v, factor * (row(x, v) - center) + center);
+    if(guard.move_nodes(x) == 1) continue;
     step = std::sqrt(step);
     if(step < least_step) break;
   }
