@@ -99,7 +99,7 @@ public:
   {}
 
   /// returns a box that holds the domain.
-  CGAL::Bbox_3 bbox() const { return m_faces->tree().bbox(); }
+  CGAL::Bbox_3 bbox() const { return m_faces->bbox(); }
 
   /// returns whether `p` lies strictly inside.
   bool is_inside(const Point_3& p) const { return m_faces->encloses(p); }

@@ -15,19 +15,16 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Triangle_intersection.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/triangle_distance.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
-#include <CGAL/Volume_filling_curves/internal/support/cgal_compatibility.h>
+#include <CGAL/Volume_filling_curves/internal/search/Surface_area_tree.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Default.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
@@ -37,11 +34,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The faces of a closed surface in a CGAL AABB tree. Whether a triangle meets the surface is
-// decided exactly; distances are computed in double. For both the corners of the faces are kept in
-// the order of the tree's leaves, since a query spends most of its time waiting for memory.
-// Logarithmic time per query near the surface, more near the medial axis, where many faces are
-// equally far.
+// The faces of a closed surface in a tree. Whether a triangle meets the surface is decided exactly;
+// distances are computed in double. For both the corners of the faces are kept in the order of the
+// tree's leaves, since a query spends most of its time waiting for memory. Logarithmic time per
+// query near the surface, more near the medial axis, where many faces are equally far.
 template <typename Kernel>
 class Face_tree
 {
@@ -49,11 +45,6 @@ public:
   using Point_3 = typename Kernel::Point_3;
   using Mesh = CGAL::Surface_mesh<Point_3>;
   using Face = typename Mesh::Face_index;
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh,
-                                                             CGAL::Default,
-                                                             CGAL::Tag_true,
-                                                             CGAL::Tag_true>; // keeps its triangle
-  using Tree = CGAL::AABB_tree<Aabb_traits<Kernel, Primitive>>;
 
   struct Nearest_face
   {
@@ -61,32 +52,26 @@ public:
     double squared_distance;
   };
 
-  // \pre the mesh has at least two faces, all of them triangles, none degenerate, and no garbage
-  explicit Face_tree(Mesh mesh)
-      : m_mesh(std::move(mesh)),
-        m_tree(faces(m_mesh).begin(), faces(m_mesh).end(), m_mesh),
-        m_shells(m_mesh)
+  // \pre the mesh has faces, all of them triangles, none degenerate, and no garbage
+  explicit Face_tree(Mesh mesh) : m_mesh(std::move(mesh)), m_shells(m_mesh)
   {
-    m_tree.build(); // or the first queries would build it, one of many threads at a time
-    m_faces.reserve(m_mesh.number_of_faces());
-    Listing_query query{m_faces};
-    Nearest_first_descent<Tree, Listing_query>(query).run(m_tree);
-    for(const Face f : m_faces) {
-      m_triangles.push_back(triangle(f));
+    std::vector<Bbox_3> boxes;
+    boxes.reserve(m_mesh.number_of_faces());
+    for(const Face f : m_mesh.faces()) boxes.push_back(box_of(triangle(f)));
+    m_tree = Surface_area_tree(boxes);
+    for(const std::uint32_t i : m_tree.order()) {
+      m_faces.push_back(Face(i));
+      m_triangles.push_back(triangle(m_faces.back()));
       const auto& [p, q, r] = m_triangles.back();
       m_corners.push_back({to_vector(p), to_vector(q), to_vector(r)});
     }
-    const Bbox_3 box = m_tree.bbox();
     for(int i = 0; i < 3; ++i)
-      m_largest = (std::max)({m_largest, std::abs(box.min(i)), std::abs(box.max(i))});
+      m_largest = (std::max)({m_largest, std::abs(bbox().min(i)), std::abs(bbox().max(i))});
   }
-
-  Face_tree(const Face_tree&) = delete; // the tree points at the mesh
-  Face_tree& operator=(const Face_tree&) = delete;
 
   const Mesh& mesh() const { return m_mesh; }
 
-  const Tree& tree() const { return m_tree; }
+  const Bbox_3& bbox() const { return m_tree.root().box; }
 
   const Mesh_shells<Mesh>& shells() const { return m_shells; }
 
@@ -94,7 +79,7 @@ public:
   bool does_meet(const std::array<Point_3, 3>& triangle) const
   {
     Meeting_query query{*this, triangle, box_of(triangle), false};
-    Nearest_first_descent<Tree, Meeting_query>(query).run(m_tree);
+    Nearest_first_descent<Meeting_query>(m_tree, query).run();
     return query.has_met;
   }
 
@@ -128,7 +113,7 @@ public:
                        double bound = std::numeric_limits<double>::infinity()) const
   {
     Distance_query query{*this, p, {Mesh::null_face(), bound}};
-    Nearest_first_descent<Tree, Distance_query>(query).run(m_tree);
+    Nearest_first_descent<Distance_query>(m_tree, query).run();
     return query.nearest;
   }
 
@@ -136,21 +121,12 @@ public:
   double distance_along(const Vector& p, const Vector& u, double limit) const
   {
     Ray_query query{*this, p, u, Ray_entry(p, u, m_largest), limit};
-    Nearest_first_descent<Tree, Ray_query>(query).run(m_tree);
+    Nearest_first_descent<Ray_query>(m_tree, query).run();
     return query.bound();
   }
 
 private:
   using Triangle = std::array<Point_3, 3>;
-
-  struct Listing_query
-  {
-    std::vector<Face>& faces;
-
-    double bound() const { return 1; }
-    double entry(const Bbox_3&) const { return 0; }
-    void visit(const Primitive& primitive, std::size_t) { faces.push_back(primitive.id()); }
-  };
 
   struct Meeting_query
   {
@@ -163,7 +139,7 @@ private:
 
     double entry(const Bbox_3& other) const { return CGAL::do_overlap(box, other) ? 0 : 1; }
 
-    void visit(const Primitive&, std::size_t i)
+    void visit(std::size_t i)
     {
       const Triangle& face = faces.m_triangles[i];
       if(has_met || !CGAL::do_overlap(box, box_of(face))) return;
@@ -189,7 +165,7 @@ private:
       return is_met ? 0 : 1;
     }
 
-    void visit(const Primitive&, std::size_t i)
+    void visit(std::size_t i)
     {
       if(entry(box_of(faces.m_triangles[i])) < bound()) function(i);
     }
@@ -199,7 +175,7 @@ private:
   void for_each_face_above(const Point_3& p, const Function& function) const
   {
     Crossing_query<Function> query{*this, to_vector(p), function};
-    Nearest_first_descent<Tree, Crossing_query<Function>>(query).run(m_tree);
+    Nearest_first_descent<Crossing_query<Function>>(m_tree, query).run();
   }
 
   struct Distance_query
@@ -212,7 +188,7 @@ private:
 
     double entry(const Bbox_3& box) const { return squared_distance_to_box(p, box); }
 
-    void visit(const Primitive&, std::size_t i)
+    void visit(std::size_t i)
     {
       const double d2 = squared_distance_to_triangle(p, faces.m_corners[i], bound());
       if(d2 < bound()) nearest = {faces.m_faces[i], d2};
@@ -230,7 +206,7 @@ private:
 
     double entry(const Bbox_3& box) const { return ray_entry(box, nearest); }
 
-    void visit(const Primitive&, std::size_t i)
+    void visit(std::size_t i)
     {
       nearest = (std::min)(nearest, distance_along_to_triangle(p, u, faces.m_corners[i]));
     }
@@ -246,8 +222,8 @@ private:
   static Bbox_3 box_of(const Triangle& t) { return t[0].bbox() + t[1].bbox() + t[2].bbox(); }
 
   Mesh m_mesh;
-  Tree m_tree;
   Mesh_shells<Mesh> m_shells;
+  Surface_area_tree m_tree;
   double m_largest = 0; // absolute value of a coordinate
   // in the order of the leaves
   std::vector<Face> m_faces;

@@ -31,7 +31,7 @@ namespace internal {
 // child. (Splitting at the median of the longest axis, CGAL's default, takes longer than all
 // queries.) A leaf of CGAL's tree is a run of boxes, which lie next to each other in an array.
 // Building takes O(n log n) unions of boxes, 17 ns per box for 100,000 (kernel_broad_phase,
-// 2026-11-22). Queries walk over parts: Nearest_pair_descent, Distance_to_curve.
+// 2026-11-22). Queries walk over parts: Nearest_pair_descent.
 class Box_tree
 {
   using Kernel = CGAL::Simple_cartesian<double>;

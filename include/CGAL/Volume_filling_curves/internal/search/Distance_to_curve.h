@@ -9,13 +9,13 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
-#include <CGAL/Volume_filling_curves/internal/support/cgal_compatibility.h>
+#include <CGAL/Volume_filling_curves/internal/search/Surface_area_tree.h>
 
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
@@ -28,60 +28,39 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How far is a point from a curve? The edges in a CGAL AABB tree, each as a degenerate triangle
-// with the same box, and once more as pairs of points in the order of the leaves. Built in
-// O(n log n) time; a query takes O(log n) near the curve.
+// How far is a point from a curve? The edges are kept as pairs of points in the order of the leaves
+// of a tree. Built in O(n log n) time; a query takes O(log n) near the curve.
 class Distance_to_curve
 {
 public:
   template <typename Network>
   explicit Distance_to_curve(const Network& curve)
   {
-    m_triangles.reserve(curve.number_of_edges());
+    const auto segment = [&](std::size_t e) -> Segment {
+      return {to_vector(curve.point(curve.source(e))), to_vector(curve.point(curve.target(e)))};
+    };
+    std::vector<Bbox_3> boxes;
+    boxes.reserve(curve.number_of_edges());
     for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
-      const Vector p = to_vector(curve.point(curve.source(e)));
-      const Vector q = to_vector(curve.point(curve.target(e)));
-      const Point b(q.x(), q.y(), q.z());
-      m_triangles.emplace_back(Point(p.x(), p.y(), p.z()), b, b);
+      const auto [p, q] = segment(e);
+      boxes.push_back(to_bbox(Box(p.cwiseMin(q), p.cwiseMax(q))));
     }
-    m_tree.insert(m_triangles.cbegin(), m_triangles.cend());
-    m_tree.build();
-    Listing_query query{m_segments};
-    if(m_tree.size() > 1) Nearest_first_descent<Tree, Listing_query>(query).run(m_tree);
-    if(m_tree.size() == 1) query.visit(Primitive(m_triangles.cbegin()), 0);
+    m_tree = Surface_area_tree(boxes);
+    m_segments.reserve(boxes.size());
+    for(const std::size_t e : m_tree.order()) m_segments.push_back(segment(e));
   }
-
-  Distance_to_curve(const Distance_to_curve&) = delete; // the tree points at the triangles
-  Distance_to_curve& operator=(const Distance_to_curve&) = delete;
 
   // returns the distance of p to the curve, infinity if there are no edges
   double distance(const Vector& p) const
   {
     Distance_query query{m_segments, p, std::numeric_limits<double>::infinity()};
-    if(m_segments.size() > 1) Nearest_first_descent<Tree, Distance_query>(query).run(m_tree);
-    if(m_segments.size() == 1) query.visit(Primitive(m_triangles.cbegin()), 0);
+    Nearest_first_descent<Distance_query>(m_tree, query).run();
     return std::sqrt(query.squared_distance);
   }
 
 private:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Point = Kernel::Point_3;
-  using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = Aabb_triangle_primitive<Kernel, Triangles::const_iterator>;
-  using Tree = CGAL::AABB_tree<Aabb_traits<Kernel, Primitive>>;
-  using Segments = std::vector<std::array<Vector, 2>>;
-
-  struct Listing_query
-  {
-    Segments& segments;
-
-    double bound() const { return 1; }
-    double entry(const Bbox_3&) const { return 0; }
-    void visit(const Primitive& primitive, std::size_t)
-    {
-      segments.push_back({to_vector((*primitive.id())[0]), to_vector((*primitive.id())[1])});
-    }
-  };
+  using Segment = std::array<Vector, 2>;
+  using Segments = std::vector<Segment>;
 
   struct Distance_query
   {
@@ -91,15 +70,14 @@ private:
 
     double bound() const { return squared_distance; }
     double entry(const Bbox_3& box) const { return squared_distance_to_box(p, box); }
-    void visit(const Primitive&, std::size_t i)
+    void visit(std::size_t i)
     {
       const auto& [a, b] = segments[i];
       squared_distance = (std::min)(squared_distance, squared_distance_to_segment(p, a, b));
     }
   };
 
-  Triangles m_triangles;
-  Tree m_tree;
+  Surface_area_tree m_tree;
   Segments m_segments;
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/search/Surface_area_tree.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -32,54 +33,43 @@ inline double squared_distance_to_box(const Vector& p, const Bbox_3& box)
   return x * x + y * y + z * z;
 }
 
-// Visits the primitives of a CGAL AABB tree, the nearer child first, and leaves whatever cannot be
-// nearer than the best so far. CGAL's own traversal takes the left child first and decides with
+// Visits the boxes of a tree, the nearer child first, and leaves whatever cannot be nearer than the
+// best so far. (CGAL's traversal of its AABB tree takes the left child first and decides with
 // filtered predicates whether a sphere meets a box; comparing distances in plain double is enough
-// for a value that is rounded anyway.
+// for a value that is rounded anyway.)
 //
 // Query: `double entry(const Bbox_3&) const` is a lower bound for everything in the box,
-// `double bound() const` the best so far, and `void visit(const Primitive&, std::size_t i)` may
-// lower it; i is the number of the primitive in the order of the tree's leaves from left to right,
-// in which the caller may keep its own data, close together for neighbors.
-template <typename Tree, typename Query>
+// `double bound() const` the best so far, and `void visit(std::size_t i)` may lower it; i is the
+// place of the box in the order of the tree's leaves, in which the caller may keep its own data,
+// close together for neighbors.
+template <typename Query>
 class Nearest_first_descent
 {
 public:
-  explicit Nearest_first_descent(Query& query) : m_query(query) {}
+  Nearest_first_descent(const Surface_area_tree& tree, Query& query) : m_tree(tree), m_query(query)
+  {}
 
-  // \pre the tree is built and has at least two primitives
-  void run(const Tree& tree)
+  void run()
   {
-    if(m_query.entry(tree.root_node()->bbox()) < m_query.bound())
-      descend(*tree.root_node(), 0, tree.size());
+    if(!m_tree.is_empty() && m_query.entry(m_tree.root().box) < m_query.bound())
+      descend(m_tree.root());
   }
 
 private:
-  // the primitives below the node have the numbers from `first` on
-  template <typename Node>
-  void descend(const Node& node, std::size_t first, std::size_t size)
+  using Node = Surface_area_tree::Node;
+
+  void descend(const Node& node)
   {
-    if(size <= 3) return visit_last(node, first, size);
-    const Node &left = node.left_child(), &right = node.right_child();
-    const double to_left = m_query.entry(left.bbox()), to_right = m_query.entry(right.bbox());
-    const std::size_t half = size / 2;
-    const bool is_left_first = to_left <= to_right;
-    if(is_left_first && to_left < m_query.bound()) descend(left, first, half);
-    if(to_right < m_query.bound()) descend(right, first + half, size - half);
-    if(!is_left_first && to_left < m_query.bound()) descend(left, first, half);
+    for(std::size_t i = 0; i < node.number_of_boxes; ++i) m_query.visit(node.first + i);
+    if(node.number_of_boxes > 0) return;
+    const Node* const children = m_tree.children(node);
+    const double entries[] = {m_query.entry(children[0].box), m_query.entry(children[1].box)};
+    const int nearer = entries[1] < entries[0];
+    for(const int k : {nearer, 1 - nearer})
+      if(entries[k] < m_query.bound()) descend(children[k]);
   }
 
-  // a node of two primitives, or of one and a node of two
-  template <typename Node>
-  void visit_last(const Node& node, std::size_t first, std::size_t size)
-  {
-    m_query.visit(node.left_data(), first);
-    if(size == 2)
-      m_query.visit(node.right_data(), first + 1);
-    else if(m_query.entry(node.right_child().bbox()) < m_query.bound())
-      visit_last(node.right_child(), first + 1, 2);
-  }
-
+  const Surface_area_tree& m_tree;
   Query& m_query;
 };
 
