@@ -11,7 +11,7 @@
 //   --jitter SEED    move every coordinate by up to 1e-5 of the box diagonal
 //   --rotate SEED, --mirror, --scale X, --translate X (times the box diagonal)
 //   --iterations N   at most so many (5000)
-//   --finish         flow on after a proof until the curve is tight
+//   --finish         go on after a proof until the curve is tight, and lower the ropelength
 //   --thickness R    in the input's unit
 //   --repeat N       runs of every file (1)
 //   --threads N      (1)
@@ -80,7 +80,8 @@ vfc::Untangling_result untangle(Curve& curve,
                                                   .strategy(vfc::Untangling_strategy::FLOW)
                                                   .thickness(options.thickness)
                                                   .number_of_iterations(options.iterations)
-                                                  .stop_at_proof(!options.is_finished));
+                                                  .stop_at_proof(!options.is_finished)
+                                                  .lower_ropelength(options.is_finished));
 }
 
 vfc::Untangling_result untangle_with_threads(Curve& curve,

@@ -31,8 +31,13 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
   command.add_flag("--keep-length", parameters.keep_length,
                    "scale the result to the length of the input");
   command.add_flag_callback(
-      "--finish", [&parameters] { parameters.stop_at_proof = false; },
-      "after a proof that nothing is knotted go on until the curve is round; several get tight");
+      "--finish",
+      [&parameters] {
+        parameters.stop_at_proof = false;
+        parameters.lower_ropelength = true;
+      },
+      "after a proof that nothing is knotted go on until the curve is round; several get tight. "
+      "From where closed curves are tight go on to about their least ropelength");
   add_stop_options(command, parameters);
   command.get_option("--max-iterations")
       ->description("the largest number of iterations of the flow; with tighten, of sweeps");

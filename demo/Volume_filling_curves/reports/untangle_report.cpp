@@ -113,6 +113,7 @@ void report_run(Report& report,
   report["sweeps"] = result.sweeps;
   report["tightenings"] = result.searches;
   if(result.status == Untangling_status::UNKNOTTED) report["is_round"] = result.is_round;
+  report["is_ropelength_lowered"] = result.is_ropelength_lowered;
   report["is_input"] = result.is_input;
   if(has_ends(curve)) report["is_closure_kept"] = result.is_closure_kept;
 }

@@ -174,6 +174,15 @@ public:
     update_direction();
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // Likewise; the change counts as a step.
+  void note_step()
+  {
+    ++m_statistics.iterations;
+    update();
+  }
+  /// \endcond
+
   /// \name Reading
   /// @{
 

@@ -139,6 +139,9 @@ struct Untangling_result
   std::vector<Unknot_proof> proofs;                    ///< one per component
   Link_status link = Link_status::NOT_A_LINK;          ///< whether the components are linked
   bool is_round = false; ///< whether the curve is a regular polygon now
+  /// Whether the ropelength was lowered until the length hardly fell any more, see
+  /// `Untangling_parameters::lower_ropelength`.
+  bool is_ropelength_lowered = false;
   bool is_input = false; ///< whether it is the input, which is tighter than what was found
   /// Whether every open component with pinned ends, closed as `untangle()` says, is known to have
   /// the knot type that it had. It is after a run that has converged; at a limit, strands may still

@@ -26,6 +26,7 @@
   X(junctions)                     \
   X(keep_length)                   \
   X(length)                        \
+  X(lower_ropelength)              \
   X(max_displacement)              \
   X(max_distance)                  \
   X(max_radius)                    \

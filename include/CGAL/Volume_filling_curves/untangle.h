@@ -151,7 +151,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  *
  * \param curves the curves, replaced by the result
  * \param np an optional sequence of the named parameters `strategy`, `number_of_chains`,
- * `tolerance`, `stop_at_proof`, `keep_length` (see `Untangling_parameters`),
+ * `tolerance`, `stop_at_proof`, `lower_ropelength`, `keep_length` (see `Untangling_parameters`),
  * `number_of_iterations`, `time_limit`, `random_seed`, `certificate` (see `Curve_run_parameters`),
  * `thickness`, `number_of_directions`, `max_radius`, `spacing`, `screening`, `medial_weight`,
  * `coupling`, `preconditioner`, `max_displacement`, `time_step` (see `Curve_flow_parameters`), and

@@ -172,6 +172,19 @@ TEST_F(Command_line_motion, finish_makes_an_unknot_round)
   EXPECT_GT(roundness(points("round.obj")), 0.99);
 }
 
+TEST_F(Command_line_motion, finish_lowers_the_ropelength_of_a_knot)
+{
+  constexpr double ideal = 32.74;
+  make_trefoil();
+  ASSERT_EQ(run("untangle trefoil.obj -o tight.obj --report tight.json").status, 0);
+  EXPECT_EQ(json("tight.json")["is_ropelength_lowered"], false);
+  EXPECT_GT(json("tight.json")["ropelength"], 1.05 * ideal);
+  ASSERT_EQ(run("untangle trefoil.obj -o ideal.obj --finish --report ideal.json").status, 0);
+  EXPECT_EQ(json("ideal.json")["status"], "converged");
+  EXPECT_EQ(json("ideal.json")["is_ropelength_lowered"], true);
+  EXPECT_LT(json("ideal.json")["ropelength"], 1.01 * ideal);
+}
+
 TEST_F(Command_line_motion, signals_interrupt_and_save_the_curve)
 {
   make_tangle();

@@ -28,6 +28,14 @@ bool has_junction(const Network& curve, std::size_t c)
   return false;
 }
 
+template <typename Network>
+bool is_closed_everywhere(const Network& curve)
+{
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
+    if(!curve.is_closed(c)) return false;
+  return true;
+}
+
 // returns the edges of component `c` in the order of the curve; none if it has a junction
 template <typename Network>
 std::vector<std::size_t> edges_along(const Network& curve, std::size_t c)

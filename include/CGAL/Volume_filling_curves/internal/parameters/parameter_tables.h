@@ -90,6 +90,7 @@ constexpr auto parameter_table(const Untangling_parameters* p)
                       parameter<number_of_chains_t>(&P::number_of_chains, Range::POSITIVE),
                       parameter<tolerance_t>(&P::tolerance, Range::NOT_NEGATIVE),
                       parameter<stop_at_proof_t>(&P::stop_at_proof),
+                      parameter<lower_ropelength_t>(&P::lower_ropelength),
                       parameter<keep_length_t>(&P::keep_length)));
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
 #include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
@@ -35,6 +36,7 @@ struct Flow_start
   bool follows_search;           // then what is proved at once is coarse, and flows on
   bool makes_round;              // a single unknot
   std::size_t patience = 1000;   // iterations on a plateau, of what looks like an unknot
+  bool is_last = true;           // or else a search follows if it stalls
 };
 
 // Runs the flow until the curve is proved simple, tight, or does not get anywhere.
@@ -66,6 +68,7 @@ public:
       if(!status && (is_stalled || has_lingered_for_long()))
         status = unless_proved(Untangling_status::STALLED);
     }
+    if(can_lower_ropelength(*status)) status = lower_ropelength(*status);
     if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve())) finish();
     return result(*status);
   }
@@ -78,12 +81,16 @@ private:
     if(m_unknottedness.is_proved() && (is_tight || can_stop_at_proof()))
       return Untangling_status::UNKNOTTED;
     if(is_tight && !is_suspicious()) return Untangling_status::CONVERGED;
-    if(m_start.iterations_before + m_flow.statistics().iterations >=
-           m_run.parameters.number_of_iterations ||
-       m_run.is_time_over())
-      return unless_proved(Untangling_status::LIMIT);
+    if(is_at_limit()) return unless_proved(Untangling_status::LIMIT);
     if(!m_run.visitor.go_further(m_flow)) return Untangling_status::INTERRUPTED;
     return std::nullopt;
+  }
+
+  bool is_at_limit() const
+  {
+    return m_start.iterations_before + m_flow.statistics().iterations >=
+               m_run.parameters.number_of_iterations ||
+           m_run.is_time_over();
   }
 
   bool can_stop_at_proof()
@@ -194,12 +201,41 @@ private:
     m_flow.update();
   }
 
+  // The descent knows no walls.
+  bool can_lower_ropelength(Untangling_status status) const
+  {
+    const bool is_at_end = status == Untangling_status::CONVERGED ||
+                           (status == Untangling_status::STALLED && m_start.is_last);
+    return m_run.parameters.lower_ropelength && is_at_end && !is_at_limit() &&
+           !Guard::Domain_boundary::is_bounded && is_closed_everywhere(m_flow.curve()) &&
+           !has_pinned_node(m_flow.curve());
+  }
+
+  // Returns how the run ended: as the flow, unless it is cut short.
+  Untangling_status lower_ropelength(Untangling_status status_of_flow)
+  {
+    Untangling_status status = status_of_flow;
+    Ropelength_descent<Guard> descend(m_run.guard, m_flow.thickness() / 2);
+    m_is_ropelength_lowered = descend([&] {
+      m_flow.note_step();
+      m_run.visitor.on_iteration(m_flow);
+      if(is_at_limit())
+        status = Untangling_status::LIMIT;
+      else if(!m_run.visitor.go_further(m_flow))
+        status = Untangling_status::INTERRUPTED;
+      return status == status_of_flow;
+    });
+    m_flow.update();
+    return status;
+  }
+
   Untangling_result result(Untangling_status status)
   {
     Untangling_result result;
     result.status = status;
     m_unknottedness.write(m_flow.curve(), result);
     result.is_round = m_is_round;
+    result.is_ropelength_lowered = m_is_ropelength_lowered;
     result.thickness = m_flow.thickness();
     result.gradient_norm = m_flow.gradient_norm();
     result.statistics = m_flow.statistics();
@@ -225,7 +261,7 @@ private:
   std::optional<bool> m_looks_unknotted;
   std::optional<Place> m_lingering;
   std::size_t m_number_of_turns = 0;
-  bool m_are_tails_turning = false, m_is_round = false;
+  bool m_are_tails_turning = false, m_is_round = false, m_is_ropelength_lowered = false;
 };
 
 template <typename Flow, typename Guard, typename Visitor>

@@ -62,9 +62,7 @@ public:
     while(m_run.parameters.strategy == Untangling_strategy::AUTO &&
           status == Untangling_status::CONVERGED) {
       const Untangling_result last = flow();
-      if(last.status != Untangling_status::STALLED || m_searches == max_searches ||
-         is_share_used_up(0))
-        return last;
+      if(last.status != Untangling_status::STALLED || !can_search_again()) return last;
       status = search();
       if(m_thickness > 0) m_thickness *= thinning;
     }
@@ -118,6 +116,8 @@ private:
     return m_run.timer.time() + polygon_search.seconds_to_apply() >= m_run.parameters.time_limit ||
            m_sweeps + polygon_search.progress().sweeps >= m_run.parameters.number_of_iterations;
   }
+
+  bool can_search_again() const { return m_searches < max_searches && !is_share_used_up(0); }
 
   bool is_share_used_up(double seconds_of_search) const
   {
@@ -174,6 +174,7 @@ private:
   {
     Flow_start start{m_thickness, m_statistics.iterations, m_follows_search, m_searches > 0};
     if(m_searches > 0 && m_searches < max_searches) start.patience = 0; // a search gets on faster
+    start.is_last = m_searches == 0 || !can_search_again();
     const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
     m_statistics += result.statistics;
     return completed(result);

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
 
 #include <algorithm>
@@ -27,14 +28,6 @@ namespace internal {
 // A curve that comes tight must not go looser: the flow ends about 15 % above the ideal ropelength,
 // and a curve that was tightened otherwise may be below that. Then the input is the better result,
 // if it is as simple, too. Near linear time.
-
-template <typename Network>
-bool is_closed_everywhere(const Network& curves)
-{
-  for(std::size_t c = 0; c < curves.number_of_components(); ++c)
-    if(!curves.is_closed(c)) return false;
-  return true;
-}
 
 template <typename Network>
 std::vector<Unknot_proof> unknot_proofs(const Network& curves)
@@ -75,6 +68,7 @@ void keep_tighter_input(Network&& input,
   curves = std::move(input);
   result.is_input = true;
   result.is_round = false;
+  result.is_ropelength_lowered = false;
   result.thickness = 2 * polygonal_thickness(curves); // the distance that strands keep
   if(result.status == Untangling_status::UNKNOTTED) result.proofs = unknot_proofs(curves);
   if(!parameters.certificate) return;

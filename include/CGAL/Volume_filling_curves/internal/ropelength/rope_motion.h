@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_ROPELENGTH_ROPE_MOTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_ROPELENGTH_ROPE_MOTION_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// What moves the nodes of a rope on their own, without contacts: its tension, and its stiffness
+// where it bends more tightly than its radius allows. Linear.
+
+// Moves each node by `strength` times the sum of its edges' directions, times the mean edge: by 1/2
+// to the middle between its neighbors if its edges are that long. Slides it towards the longer one
+// of its edges, since corners between uneven edges bend sharply (Rawdon's MinRad).
+inline void pull(Rope& rope, double strength, std::vector<Vector>& before)
+{
+  constexpr double evening = 0.25; // of the difference of the edges
+  const double edge = rope.mean_edge();
+  before = rope.x;
+  for(std::size_t v = 0; v < rope.size(); ++v) {
+    const Vector in = before[v] - before[rope.previous[v]], out = before[rope.next[v]] - before[v];
+    const double length_in = in.norm(), length_out = out.norm();
+    if(!(length_in > 0 && length_out > 0)) continue;
+    const Vector ahead = out / length_out, behind = in / length_in;
+    rope.x[v] += strength * edge * (ahead - behind);
+    rope.x[v] += evening * (length_out - length_in) * (ahead + behind).normalized();
+  }
+}
+
+// Opens corners until the arc that is tangent to both edges and touches the shorter one in its
+// middle has radius 1: then |ahead - behind| = 2 sin(angle / 2), where tan(angle / 2) is half of
+// the shorter edge. A node goes a third of the excess, its neighbors a sixth each.
+inline void unbend(Rope& rope)
+{
+  for(std::size_t v = 0; v < rope.size(); ++v) {
+    const std::size_t u = rope.previous[v], w = rope.next[v];
+    const Vector in = rope.x[v] - rope.x[u], out = rope.x[w] - rope.x[v];
+    const double length_in = in.norm(), length_out = out.norm();
+    if(!(length_in > 0 && length_out > 0)) continue;
+    const double edge = (std::min)(length_in, length_out), tangent = edge / 2;
+    const Vector bend = edge * (out / length_out - in / length_in);
+    const double most = 2 * edge * tangent / std::sqrt(1 + tangent * tangent), size = bend.norm();
+    if(!(size > most)) continue;
+    const Vector sixth = (size - most) / (6 * size) * bend;
+    rope.x[v] += 2 * sixth;
+    rope.x[u] -= sixth;
+    rope.x[w] -= sixth;
+  }
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_ROPELENGTH_ROPE_MOTION_H
