@@ -17,6 +17,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -216,7 +218,7 @@ TEST(Ropelength_descent, does_not_depend_on_the_place)
 {
   const Network knot = braid("1 -2 1 -2", 80);
   const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(1, Vector(1, 2, 3).normalized()).toRotationMatrix();
+      Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   Network moved = transformed(knot, 1, turn, Vector(30, -20, 10));
   EXPECT_TRUE(untangle(moved, lowering).is_ropelength_lowered);
   EXPECT_LT(ropelength(moved), 1.01 * 42.09);

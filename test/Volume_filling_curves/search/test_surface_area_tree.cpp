@@ -38,6 +38,11 @@ Vector random_point(double reach, Random& random)
   return {x, y, uniform(-reach, reach, random)};
 }
 
+Vector rounded(const Vector& p)
+{
+  return {std::round(p.x()), std::round(p.y()), std::round(p.z())};
+}
+
 Bbox_3 box_between(const Vector& p, const Vector& q)
 {
   const Vector low = p.cwiseMin(q), high = p.cwiseMax(q);
@@ -58,7 +63,7 @@ std::vector<Boxes> box_sets()
           const double size = reach * std::exp(-uniform(0, shrinkage, random)) / 4;
           const Vector p = random_point(reach / 2, random), q = p + random_point(size, random);
           spread.push_back(box_between(p, q));
-          lattice.push_back(box_between(p.array().round(), p.array().round()));
+          lattice.push_back(box_between(rounded(p), rounded(p)));
           line.push_back(box_between({p.x(), 0, 0}, {q.x(), 0, 0}));
           point.push_back(box_between({1, 2, 3}, {1, 2, 3}));
         }

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Curve_interval.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_pair_distance.h>
 
@@ -70,7 +71,7 @@ private:
 
   struct Tangents
   {
-    Vector in = Vector(), out = Vector(); // zero beyond an end
+    Vector in, out; // zero beyond an end
   };
 
   Vector point(std::size_t v) const { return m_unit * to_vector(m_curve.point(v)); }
@@ -93,13 +94,7 @@ private:
   double chord_inside_both(std::size_t e, std::size_t f) const
   {
     const Vector a = point(m_curve.source(e)), c = point(m_curve.source(f));
-    const Vector u = edge(e), v = edge(f), w = a - c;
-    const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
-    const double uw = u.dot(w), vw = v.dot(w), denominator = uu * vv - uv * uv;
-    const double s = uv * vw - vv * uw, t = uu * vw - uv * uw;
-    if(!(s > 0 && s < denominator && t > 0 && t < denominator)) return infinity;
-    const Vector normal = u.cross(v);
-    return std::abs(w.dot(normal)) / normal.norm();
+    return std::sqrt(squared_common_perpendicular(edge(e), edge(f), a - c));
   }
 
   double chord_from_node(std::size_t v, std::size_t f) const

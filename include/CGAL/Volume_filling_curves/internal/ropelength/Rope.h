@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
 #include <cstddef>
 #include <vector>
@@ -46,8 +46,7 @@ struct Rope
   Vector_field coordinates(double radius) const
   {
     Vector_field result(static_cast<Eigen::Index>(x.size()), 3);
-    for(std::size_t v = 0; v < x.size(); ++v)
-      result.row(static_cast<Eigen::Index>(v)) = radius * x[v].transpose();
+    for(std::size_t v = 0; v < x.size(); ++v) set_row(result, v, radius * x[v]);
     return result;
   }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/ropelength/Way_back.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/rope_motion.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -108,11 +109,15 @@ private:
   void distort()
   {
     constexpr double strength = 0.05; // 0.02 frees the knots above, but not that soon
-    Vector center = Vector::Zero();
+    Vector center;
     for(const Vector& p : m_rope.x) center += p / static_cast<double>(m_rope.size());
-    Eigen::Matrix3d map;
-    for(Eigen::Index k = 0; k < map.size(); ++k) map(k) = strength * (2 * m_random.real() - 1);
-    for(Vector& p : m_rope.x) p += Vector(map * (p - center));
+    std::array<Vector, 3> columns;
+    for(Vector& column : columns)
+      for(int k = 0; k < 3; ++k) column[k] = strength * (2 * m_random.real() - 1);
+    for(Vector& p : m_rope.x) {
+      const Vector d = p - center;
+      p += d.x() * columns[0] + d.y() * columns[1] + d.z() * columns[2];
+    }
   }
 
   // Pulls until the length hardly falls.

@@ -149,7 +149,7 @@ private:
   Iterator m_first, m_beyond;
   std::size_t m_number_of_bins;
   // of the centers
-  Vector m_low = Vector::Constant(infinity), m_high = Vector::Constant(-infinity);
+  Vector m_low = Vector::constant(infinity), m_high = Vector::constant(-infinity);
 };
 
 } // namespace internal
