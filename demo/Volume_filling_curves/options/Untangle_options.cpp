@@ -37,7 +37,7 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
         parameters.lower_ropelength = true;
       },
       "after a proof that nothing is knotted go on until the curve is round; several get tight. "
-      "From where closed curves are tight go on to about their least ropelength");
+      "From where closed curves are tight go on to a lower ropelength");
   add_stop_options(command, parameters);
   command.get_option("--max-iterations")
       ->description("the largest number of iterations of the flow; with tighten, of sweeps");

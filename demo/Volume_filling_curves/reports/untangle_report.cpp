@@ -29,8 +29,8 @@ Report::Json name_or_null(Enum value, Enum none)
 
 bool has_ends(const Curve& curve)
 {
-  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
-    if(!curve.is_closed(c)) return true;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.degree(v) == 1) return true;
   return false;
 }
 

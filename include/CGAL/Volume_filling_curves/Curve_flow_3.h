@@ -79,6 +79,9 @@ public:
   /// the type of the guard that certifies every step
   using Guard = Isotopy_guard_3<Traits, Domain>;
 
+  /// the tag that enables parallel steps
+  using Concurrency_tag = ConcurrencyTag;
+
   /// the type of the curve
   using Curve_network = Curve_network_3<Traits>;
 
@@ -175,7 +178,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Likewise; the change counts as a step.
+  // Does what update() does, and counts the change as a step. For visitors, who see all of a flow.
   void note_step()
   {
     ++m_statistics.iterations;

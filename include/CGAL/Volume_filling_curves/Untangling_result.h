@@ -23,7 +23,7 @@ namespace Volume_filling_curves {
 /// How an untangling ended.
 enum class Untangling_status
 {
-  CONVERGED,  ///< the gradient is below the tolerance; the curve is tight, not necessarily simple,
+  CONVERGED,  ///< the gradient got below the tolerance; the curve is tight, not necessarily simple,
               ///< and does not look like an unknot by its Alexander polynomial
   UNKNOTTED,  ///< every component is a proved unknot and, if there are several, the link is trivial
   LIMIT,      ///< the limit of iterations or of time was reached
@@ -139,7 +139,8 @@ struct Untangling_result
   std::vector<Unknot_proof> proofs;                    ///< one per component
   Link_status link = Link_status::NOT_A_LINK;          ///< whether the components are linked
   bool is_round = false; ///< whether the curve is a regular polygon now
-  /// Whether the ropelength was lowered until the length hardly fell any more, see
+  /// Whether the ropelength was lowered until it hardly fell any more, which may have been at once;
+  /// it may also have been lowered, but not that far. See
   /// `Untangling_parameters::lower_ropelength`.
   bool is_ropelength_lowered = false;
   bool is_input = false; ///< whether it is the input, which is tighter than what was found
@@ -147,8 +148,10 @@ struct Untangling_result
   /// the knot type that it had. It is after a run that has converged; at a limit, strands may still
   /// be in the way of the closing lines.
   bool is_closure_kept = true;
-  double thickness = 0;             ///< r, in the input's unit
-  double gradient_norm = 0;         ///< at the end, see `Curve_flow_3::gradient_norm()`
+  double thickness = 0; ///< r, in the input's unit
+  double gradient_norm =
+      0; ///< at the end, see `Curve_flow_3::gradient_norm()`; larger again where the
+         ///< ropelength was lowered
   Curve_flow_statistics statistics; ///< the work; of all flows if there were several
   std::size_t searches = 0;         ///< for few edges: how often; after each jam once more
   std::size_t sweeps = 0;           ///< of all searches, see `Search_progress`

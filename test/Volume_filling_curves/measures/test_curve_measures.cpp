@@ -57,7 +57,7 @@ Curve path(const std::vector<Point>& points)
 Polygons scaled(Polygons polygons, double factor)
 {
   for(auto& polygon : polygons)
-    for(Vector& v : polygon) v *= factor;
+    for(Vector& v : polygon) v = factor * v;
   return polygons;
 }
 

@@ -8,12 +8,12 @@
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/nearest_points.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Way_back.h>
-#include <CGAL/Volume_filling_curves/internal/ropelength/nearest_points.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/rope_motion.h>
 
 #include <gtest/gtest.h>
@@ -89,12 +89,26 @@ TEST(Rope, is_in_units_of_its_radius)
 TEST(Rope, shortens_when_it_is_pulled)
 {
   Random random(2);
-  Rope rope = rope_of({random_polygon(50, random)});
+  Rope rope(internal::closed_network({random_polygon(50, random)}), 0.01);
   std::vector<Vector> workspace;
   for(int k = 0; k < 100; ++k) {
     const double before = rope.length();
     internal::pull(rope, 0.25, workspace);
     EXPECT_LT(rope.length(), before);
+  }
+}
+
+// Where nothing holds it a rope shrinks to the tightest ring that it can be, from either side.
+TEST(Rope, becomes_a_ring_if_it_is_free)
+{
+  for(const double radius : {0.7, 3.}) {
+    Rope rope(internal::closed_network({circle(20, radius)}), 1);
+    std::vector<Vector> workspace;
+    for(int k = 0; k < 2000; ++k) {
+      internal::pull(rope, 0.25, workspace);
+      internal::unbend(rope);
+    }
+    EXPECT_NEAR(rope.length(), internal::least_length_of_ring, 0.1) << radius;
   }
 }
 
@@ -177,7 +191,7 @@ TEST(Way_back, leads_to_the_start_if_nothing_was_better)
   const Vector_field before = internal::coordinates(curve);
   Guard guard(curve);
   Random random(4);
-  internal::Way_back<Guard> way(guard);
+  internal::Way_back<Guard, CGAL::Sequential_tag> way(guard);
   for(int k = 0; k < 3; ++k) {
     for(int i = 0; i < 3; ++i)
       EXPECT_GT(way.move(internal::coordinates(curve) +
@@ -187,7 +201,7 @@ TEST(Way_back, leads_to_the_start_if_nothing_was_better)
     EXPECT_TRUE(way.halve_edges());
   }
   EXPECT_EQ(curve.number_of_nodes(), 8 * 60u);
-  way.return_to_least_ropelength();
+  EXPECT_TRUE(way.return_to_least_ropelength());
   EXPECT_EQ(internal::coordinates(curve), before);
   EXPECT_EQ(contents(curve), start);
 }
@@ -199,7 +213,7 @@ TEST(Way_back, leads_to_the_least_ropelength)
   Vector_field flat = internal::coordinates(curve);
   flat.col(0) *= 0.8;
   ASSERT_EQ(guard.move_nodes(flat), 1);
-  internal::Way_back<Guard> way(guard);
+  internal::Way_back<Guard, CGAL::Sequential_tag> way(guard);
   Vector_field rounder = flat, flatter = flat;
   rounder.col(0) *= 1.1;
   flatter.col(0) *= 0.9;
@@ -207,8 +221,21 @@ TEST(Way_back, leads_to_the_least_ropelength)
     EXPECT_EQ(way.move(next), 1);
     way.note();
   }
-  way.return_to_least_ropelength();
+  EXPECT_TRUE(way.return_to_least_ropelength());
   EXPECT_EQ(internal::coordinates(curve), rounder);
+}
+
+// A side of this triangle has no double between its ends.
+TEST(Way_back, does_not_mistake_a_refused_halving_for_a_motion)
+{
+  const double next = std::nextafter(1., 2.);
+  Network curve = internal::closed_network({{{1, 1, 1}, {next, 1, 1}, {1, next, 1}}});
+  const auto start = contents(curve);
+  Guard guard(curve);
+  internal::Way_back<Guard, CGAL::Sequential_tag> way(guard);
+  EXPECT_FALSE(way.halve_edges());
+  EXPECT_TRUE(way.return_to_least_ropelength());
+  EXPECT_EQ(contents(curve), start);
 }
 
 // A radius far from the curve's: there is nothing to be won, and nothing is lost.
@@ -220,7 +247,7 @@ TEST(Ropelength_descent, keeps_a_curve_that_does_not_fit)
     const double before = ropelength(curve);
     Guard guard(curve);
     std::size_t motions = 0;
-    internal::Ropelength_descent<Guard> descend(guard, radius);
+    internal::Ropelength_descent<Guard, CGAL::Sequential_tag> descend(guard, radius);
     descend([&] { return ++motions < 20; });
     EXPECT_LE(ropelength(curve), before) << radius;
   }

@@ -20,8 +20,8 @@ namespace internal {
 
 // A vector or a place in space. Geometry that decides nothing is done in double with it; the exact
 // predicates of the traits see only points. The names and the order of sums are those of Eigen's
-// Vector3d, whose expressions took a quarter of the time to compile a program that untangles (29.7
-// and 22.4 s of g++ 12 at -O3, 2026-11-22).
+// Vector3d, beside which it stands in formulas, and whose expressions took a quarter of the time to
+// compile a program that untangles (29.7 and 22.4 s of g++ 12 at -O3, 2026-11-22).
 class Vector
 {
 public:
@@ -35,7 +35,6 @@ public:
   double z() const { return m_coordinates[2]; }
   double operator[](int k) const { return m_coordinates[k]; }
   double& operator[](int k) { return m_coordinates[k]; }
-  const double* data() const { return m_coordinates; }
 
   double dot(const Vector& v) const { return x() * v.x() + y() * v.y() + z() * v.z(); }
   double squaredNorm() const { return dot(*this); }
@@ -84,7 +83,6 @@ public:
 
   Vector& operator+=(const Vector& v) { return *this = *this + v; }
   Vector& operator-=(const Vector& v) { return *this = *this - v; }
-  Vector& operator*=(double s) { return *this = *this * s; }
   Vector& operator/=(double s) { return *this = *this / s; }
 
   friend Vector operator-(const Vector& v) { return {-v.x(), -v.y(), -v.z()}; }

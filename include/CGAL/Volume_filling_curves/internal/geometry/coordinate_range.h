@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 

@@ -17,6 +17,7 @@
 #include <CGAL/enum.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>

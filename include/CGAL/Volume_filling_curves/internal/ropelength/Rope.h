@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -58,8 +59,30 @@ struct Rope
   double length() const
   {
     double sum = 0;
-    for(std::size_t v = 0; v < size(); ++v) sum += edge(v).norm();
+    for(const Part& part : parts()) sum += part.length;
     return sum;
+  }
+
+  struct Part
+  {
+    double length = 0, size = 0; // the number of nodes
+    Vector center;               // the mean of the nodes
+
+    double mean_edge() const { return length / size; }
+  };
+
+  // of each component
+  std::vector<Part> parts() const
+  {
+    std::vector<Part> parts(1 + *std::max_element(component.begin(), component.end()));
+    for(std::size_t v = 0; v < size(); ++v) {
+      Part& part = parts[component[v]];
+      part.length += edge(v).norm();
+      part.center += x[v];
+      ++part.size;
+    }
+    for(Part& part : parts) part.center /= part.size;
+    return parts;
   }
 
   double mean_edge() const { return length() / static_cast<double>(size()); }

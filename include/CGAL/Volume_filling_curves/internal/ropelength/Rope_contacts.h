@@ -11,8 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/nearest_points.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
-#include <CGAL/Volume_filling_curves/internal/ropelength/nearest_points.h>
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 #include <CGAL/Volume_filling_curves/internal/search/overlapping_boxes.h>
 

@@ -68,7 +68,7 @@ public:
   // the same, with as many boxes on either side, along the axis along which they reach farthest
   Iterator halve()
   {
-    const auto axes = {0, 1, 2};
+    const std::array<int, 3> axes = {0, 1, 2};
     const int axis = *std::max_element(axes.begin(), axes.end(),
                                        [&](int i, int j) { return extent(i) < extent(j); });
     const Iterator middle = m_first + (m_beyond - m_first) / 2;

@@ -33,7 +33,7 @@ public:
   {
     Bbox_3 box;
     std::uint32_t first; // box, by its place among the leaves; or else child, the other is the next
-    std::uint32_t number_of_boxes; // 0 if there are children
+    std::uint32_t number_of_boxes; // 0 if there are children, or if the tree is empty
   };
 
   Surface_area_tree() = default;

@@ -12,6 +12,8 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/Untangling_result.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/turning.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
 #include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
@@ -68,7 +70,8 @@ public:
       if(!status && (is_stalled || has_lingered_for_long()))
         status = unless_proved(Untangling_status::STALLED);
     }
-    if(can_lower_ropelength(*status)) status = lower_ropelength(*status);
+    if constexpr(!Guard::Domain_boundary::is_bounded)
+      if(can_lower_ropelength(*status)) status = lower_ropelength(*status);
     if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve())) finish();
     return result(*status);
   }
@@ -207,19 +210,23 @@ private:
     const bool is_at_end = status == Untangling_status::CONVERGED ||
                            (status == Untangling_status::STALLED && m_start.is_last);
     return m_run.parameters.lower_ropelength && is_at_end && !is_at_limit() &&
-           !Guard::Domain_boundary::is_bounded && is_closed_everywhere(m_flow.curve()) &&
+           m_flow.curve().number_of_components() > 0 && is_closed_everywhere(m_flow.curve()) &&
            !has_pinned_node(m_flow.curve());
   }
 
-  // Returns how the run ended: as the flow, unless it is cut short.
+  // Returns how the run ended: as the flow, unless it is cut short, or unties what had stalled.
   Untangling_status lower_ropelength(Untangling_status status_of_flow)
   {
     Untangling_status status = status_of_flow;
-    Ropelength_descent<Guard> descend(m_run.guard, m_flow.thickness() / 2);
+    Ropelength_descent<Guard, typename Flow::Concurrency_tag> descend(m_run.guard,
+                                                                      m_flow.thickness() / 2);
     m_is_ropelength_lowered = descend([&] {
       m_flow.note_step();
       m_run.visitor.on_iteration(m_flow);
-      if(is_at_limit())
+      m_unknottedness.update(m_flow.curve());
+      if(m_unknottedness.is_proved())
+        status = Untangling_status::UNKNOTTED;
+      else if(is_at_limit())
         status = Untangling_status::LIMIT;
       else if(!m_run.visitor.go_further(m_flow))
         status = Untangling_status::INTERRUPTED;

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A curve that comes tight must not go looser: the flow ends about 15 % above the ideal ropelength,
+// A curve that comes tight must not go looser: the flow ends about 16 % above the ideal ropelength,
 // and a curve that was tightened otherwise may be below that. Then the input is the better result,
 // if it is as simple, too. Near linear time.
 

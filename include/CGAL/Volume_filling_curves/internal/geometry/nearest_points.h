@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_ROPELENGTH_NEAREST_POINTS_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_ROPELENGTH_NEAREST_POINTS_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_NEAREST_POINTS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_NEAREST_POINTS_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -44,4 +44,4 @@ inline std::pair<double, double> nearest_points(const Vector& a,
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_ROPELENGTH_NEAREST_POINTS_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_NEAREST_POINTS_H
