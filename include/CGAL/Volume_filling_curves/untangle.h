@@ -121,17 +121,17 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * simple shape.
  *
  * With the strategy `AUTO` (default) a random search brings the curves to polygons with as few
- * edges as it finds, for at most a quarter of the time limit, and then they flow, as
- * `Curve_flow_3` moves them, from there or, if that is as simple, from where they were, until
- * they are tight, or are proved to be unknots, of which a single one becomes round. If closed
- * curves were tighter before, and no thickness is given, they are the result. With `FLOW` they
- * do nothing but flow, until they are proved to be unknots, are tight, or get nowhere. With
- * `SEARCH` they stay the polygons that the search ends with: of at most 5 edges per component if
- * they are unknots, and else as short of edges as the search got. Every change is certified with
- * exact predicates, hence the result is ambient isotopic to the input, whatever the status that
- * is returned. Nodes are removed and inserted on the way; `Curve_network_3::origin()` tells
- * which node of the input a node was. Components keep their order and orientation; pinned nodes
- * stay where they are.
+ * edges as it finds, for at most a quarter of the time limit, and then they flow, as `Curve_flow_3`
+ * moves them, from there or, if that is as simple, from where they were, until they are tight, or
+ * are proved to be unknots, of which a single one becomes round. With `lower_ropelength` closed
+ * curves that are tight are pulled on. If closed curves were tighter before, and no thickness is
+ * given, they are the result. With `FLOW` they do nothing but flow, until they are proved to be
+ * unknots, are tight, or get nowhere. With `SEARCH` they stay the polygons that the search ends
+ * with: of at most 5 edges per component if they are unknots, and else as short of edges as the
+ * search got. Every change is certified with exact predicates, hence the result is ambient isotopic
+ * to the input, whatever the status that is returned. Nodes are removed and inserted on the way;
+ * `Curve_network_3::origin()` tells which node of the input a node was. Components keep their order
+ * and orientation; pinned nodes stay where they are.
  *
  * A component with ends keeps its knot if all of its ends are pinned: no strand slips off them. The
  * type of an open knot is that of its closure by straight lines from the ends away from the mean of

@@ -90,6 +90,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * \param np an optional sequence of the named parameters that `untangle()` takes without a domain,
  * and `wall` (see `Curve_flow_parameters`); with a mesh also `vertex_point_map`, as for
  * `Triangle_mesh_domain_3`. The `strategy` must not be `SEARCH`; `AUTO` stands for `FLOW`.
+ * `lower_ropelength` changes nothing.
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
