@@ -49,12 +49,11 @@ struct Untangling_parameters : Curve_run_parameters
   /// Whether curves are pulled tighter where the flow has converged or stalled, to a lower
   /// `ropelength()`. The flow ends 16 % above the least that is known, in the median of 14 prime
   /// knots of 3 to 7 crossings, and this 0.3 %, in 1.7 times the time (2026-11-22). Strands stay
-  /// one thickness apart, edges get at most 0.15 thicknesses long in the mean, and every certified motion
-  /// counts as an iteration. The ropelength is not higher in the end, not even at a limit; the gradient of
-  /// the flow, which weighs spheres instead, grows again. Of unknots that are proved, of curves
-  /// with ends, junctions or pinned nodes, in a domain, and with the strategy `SEARCH`
-  /// nothing is lowered. See
-  /// `Untangling_result::is_ropelength_lowered`.
+  /// one thickness apart, edges get at most 0.15 thicknesses long in the mean, and every certified
+  /// motion counts as an iteration. The ropelength is not higher in the end, not even at a limit;
+  /// the gradient of the flow, which weighs spheres instead, grows again. Of unknots that are
+  /// proved, of curves with ends, junctions or pinned nodes, in a domain, and with the strategy
+  /// `SEARCH` nothing is lowered. See `Untangling_result::is_ropelength_lowered`.
   bool lower_ropelength = false;
 
   /// Whether to scale the result, by certified steps, to the length of the input. The thickness

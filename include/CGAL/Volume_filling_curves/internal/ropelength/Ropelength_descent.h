@@ -33,7 +33,8 @@ namespace internal {
 // diameter, and every few iterations, the guard takes the curve there, straight and certified: too
 // short a way for strands that are a diameter apart to meet. What is refused the rope takes back.
 // The curve ends where its ropelength, as it is measured, was least on the way, if need be where it
-// started. An iteration is linear in the number of nodes, 0.1 ms for 200; one to five thousand are made.
+// started. An iteration is linear in the number of nodes, 0.1 ms for 200; one to five thousand are
+// made.
 template <typename Guard, typename ConcurrencyTag>
 class Ropelength_descent
 {
