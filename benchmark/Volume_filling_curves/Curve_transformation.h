@@ -9,6 +9,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
 #include <Eigen/Geometry>
 
@@ -62,7 +63,7 @@ private:
 
   static double diagonal(const Vector_field& x)
   {
-    return (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+    return CGAL::Volume_filling_curves::internal::sides(x).norm();
   }
 
   void add_noise(Vector_field& x) const
@@ -76,7 +77,8 @@ private:
   Eigen::Matrix3d rotation() const
   {
     Random_source random(rotation_seed);
-    const Eigen::Vector3d axis = random.direction();
+    const auto direction = random.direction();
+    const Eigen::Vector3d axis(direction.x(), direction.y(), direction.z());
     return Eigen::AngleAxisd(6 * random.real(), axis).toRotationMatrix();
   }
 

@@ -83,7 +83,7 @@ TEST(Svg_picture, does_not_depend_on_size_and_repeats)
     const std::string text = svg_of(polygons);
     EXPECT_EQ(text, svg_of(polygons));
     for(auto& polygon : polygons)
-      for(auto& v : polygon) v *= 0x1p-50;
+      for(auto& v : polygon) v = 0x1p-50 * v;
     EXPECT_EQ(text, svg_of(polygons));
   }
 }

@@ -17,6 +17,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -121,7 +123,7 @@ TEST_F(Shared_curves, place_and_size_and_mirror_images_do_not_matter)
   Eigen::Matrix3d mirror_image = Eigen::Matrix3d::Identity();
   mirror_image(0, 0) = -1;
   const Eigen::Matrix3d rotation =
-      Eigen::AngleAxisd(1, internal::Vector(1, 2, 3).normalized()).toRotationMatrix();
+      Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   for(const std::string& name : unknots) {
     const Network original = read_of_paper(name);
     Network reference = original;

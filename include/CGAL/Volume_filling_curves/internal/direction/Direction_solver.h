@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/direction/Tridiagonal_conjugate_gradients.h>
 #include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
 #include <Eigen/SparseCholesky>
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/direction/touching_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
 #include <Eigen/SparseCore>
 
