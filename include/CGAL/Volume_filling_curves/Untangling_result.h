@@ -149,9 +149,9 @@ struct Untangling_result
   /// be in the way of the closing lines.
   bool is_closure_kept = true;
   double thickness = 0; ///< r, in the input's unit
-  double gradient_norm =
-      0; ///< at the end, see `Curve_flow_3::gradient_norm()`; larger again where the
-         ///< ropelength was lowered
+  /// At the end, see `Curve_flow_3::gradient_norm()`; larger again where the ropelength was
+  /// lowered.
+  double gradient_norm = 0;
   Curve_flow_statistics statistics; ///< the work; of all flows if there were several
   std::size_t searches = 0;         ///< for few edges: how often; after each jam once more
   std::size_t sweeps = 0;           ///< of all searches, see `Search_progress`

@@ -66,7 +66,7 @@ inline Polygons random_polygon(std::size_t number_of_nodes, std::uint64_t seed)
     if(i != j) turn_pair(edges[i], edges[j], random);
   }
   for(std::size_t i = n - 1; i > 0; --i) std::swap(edges[i], edges[random.index(i + 1)]);
-  Polygon polygon(1, Vector());
+  Polygon polygon(1);
   while(polygon.size() < n) polygon.push_back(polygon.back() + edges[polygon.size() - 1]);
   return {polygon};
 }

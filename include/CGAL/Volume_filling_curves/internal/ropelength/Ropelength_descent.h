@@ -17,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/ropelength/rope_motion.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -125,9 +126,7 @@ private:
   {
     for(int k = 0; k < most_blocks; ++k) {
       const double before = m_rope.length();
-      for(int i = 0; i < block; ++i)
-        if(!iterate(strongest_pull, go_on)) return false;
-      if(!carry_out(go_on)) return false;
+      if(!make_block(strongest_pull, go_on)) return false;
       if(m_rope.length() > (1 - noticeable) * before) break;
     }
     return true;
@@ -136,11 +135,9 @@ private:
   template <typename Function>
   bool relax(const Function& go_on)
   {
-    for(double strength = strongest_pull; strength > weakest_pull;) {
-      for(int i = 0; i < block; ++i, strength *= weakening)
-        if(!iterate(strength, go_on)) return false;
-      if(!carry_out(go_on)) return false;
-    }
+    const double weakening_of_block = std::pow(weakening, block);
+    for(double strength = strongest_pull; strength > weakest_pull; strength *= weakening_of_block)
+      if(!make_block(strength, go_on, weakening)) return false;
     return true;
   }
 
@@ -150,12 +147,19 @@ private:
   {
     for(int k = 0; k < most_blocks; ++k) {
       const double before = m_way.least_ropelength();
-      for(int i = 0; i < block; ++i)
-        if(!iterate(weakest_pull, go_on)) return false;
-      if(!carry_out(go_on)) return false;
+      if(!make_block(weakest_pull, go_on)) return false;
       if(m_way.least_ropelength() > (1 - helpful) * before) return true;
     }
     return false;
+  }
+
+  // Iterates with a pull that fades by a factor each time, and carries out the rest of the way.
+  template <typename Function>
+  bool make_block(double strength, const Function& go_on, double fading = 1)
+  {
+    for(int i = 0; i < block; ++i, strength *= fading)
+      if(!iterate(strength, go_on)) return false;
+    return carry_out(go_on);
   }
 
   template <typename Function>

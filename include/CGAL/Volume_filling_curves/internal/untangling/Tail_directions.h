@@ -30,7 +30,7 @@ namespace internal {
 // direction.
 struct Ball
 {
-  Vector center = Vector();
+  Vector center;
   double radius = 0;
 
   // returns where a tail ends
