@@ -11,6 +11,7 @@
 namespace vfc {
 namespace {
 
+using CGAL::Volume_filling_curves::Filling_start;
 using CGAL::Volume_filling_curves::Wall;
 
 // The three ways to say how dense the curve is.
@@ -42,6 +43,10 @@ void add_start_options(CLI::App& command, Fill_options& options)
   add_curve_options(command, options.curve);
   for(const char* option : {"--network", "--pin", "--free-ends"})
     command.get_option(option)->needs(&curve);
+  add_choice(command, "--start", options.parameters.start,
+             {{"tree", Filling_start::TREE}, {"circle", Filling_start::CIRCLE}},
+             "tree: fingers reach out from there all over the inside at once; circle: the curve "
+             "grows from there, which makes a film, and takes several times as long");
 }
 
 } // namespace
@@ -66,10 +71,11 @@ void add_fill_options(CLI::App& command, Fill_options& options)
       "cover: strands up to the wall; keep-clear: the curve keeps away from it as from itself");
   add_stop_options(command, options.parameters);
   add_seed_option(command, options.parameters.random_seed,
-                  "of the samples that coverage is measured with");
+                  "of the tree, and of the samples that coverage is measured with");
   add_flow_options(command, options.parameters);
   command.get_option("--lambda")
-      ->description("locality of the flow, in units of 1/r^2; 30 times that while the curve grows");
+      ->description(
+          "locality of the flow, in units of 1/r^2; 30 times that while the curve opens or grows");
 }
 
 } // namespace vfc

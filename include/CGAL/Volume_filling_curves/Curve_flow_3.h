@@ -24,7 +24,6 @@
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/mean_radius.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
-#include <CGAL/Volume_filling_curves/internal/step/Single_moves.h>
 #include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/step/Strand_separator.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
@@ -155,10 +154,10 @@ public:
   bool step()
   {
     ++m_statistics.iterations;
-    const double fraction = move();
+    const bool has_moved = move();
     remesh();
     update();
-    return fraction > 0;
+    return has_moved;
   }
 
   /// takes note of the curve as it stands. To be called when the guard has changed the curve since
@@ -314,35 +313,26 @@ private:
     return sum;
   }
 
-  // Returns the fraction of the step that was certified.
-  double move()
+  // Returns whether any node moved.
+  bool move()
   {
     const internal::Stage_timer stage(m_statistics.seconds_motion);
-    if(m_direction.isZero(0)) return 0;
-    const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
-                                                    : m_step_size.next(m_direction, m_thickness);
-    const Vector_field targets = m_positions + scale * m_direction;
-    const double fraction = m_guard.template move_nodes<ConcurrencyTag>(
-        targets, m_is_obstructed ? 1 : internal::Step_size::least_fraction);
-    m_is_obstructed = Guard::Domain_boundary::is_bounded && fraction == 0;
-    if(fraction < 1) {
-      ++m_statistics.shortened_steps;
-      m_step_size.on_shortened_step();
-    }
-    return fraction > 0 ? fraction : free_nodes(targets);
+    if(m_direction.isZero(0)) return false;
+    const std::vector<double> fractions =
+        m_guard.template advance_nodes<ConcurrencyTag>(m_positions + displacements());
+    const auto n = static_cast<double>(fractions.size());
+    const double mean = std::accumulate(fractions.begin(), fractions.end(), 0.) / n;
+    m_step_size.note_fraction(mean);
+    if(mean < 1) ++m_statistics.shortened_steps;
+    const bool are_all_free = std::count(fractions.begin(), fractions.end(), 0) == 0;
+    // strands that almost touch let one another not go anywhere
+    return (!are_all_free && internal::Strand_separator<Guard>(m_guard, clearance())()) || mean > 0;
   }
 
-  // A step that fails for all is made by those nodes that can: others may be held by a wall for
-  // good. Returns what fraction of it.
-  double free_nodes(const Vector_field& targets)
+  Vector_field displacements()
   {
-    // strands that almost touch let no step pass
-    const bool are_freed = internal::Strand_separator<Guard>(m_guard, clearance())();
-    const double freed = are_freed ? internal::Step_size::least_fraction : 0;
-    if constexpr(Guard::Domain_boundary::is_bounded)
-      return (std::max)(freed, internal::Single_moves<Guard>(m_guard)(targets));
-    else
-      return freed;
+    if(m_parameters.time_step > 0) return m_parameters.time_step * m_direction;
+    return m_step_size.displacements(m_direction, m_thickness);
   }
 
   void remesh()
@@ -388,7 +378,6 @@ private:
   Curve_flow_parameters m_parameters;
   Thickness_field m_thickness_field; // none if the thickness is the same everywhere
   Curve_flow_statistics m_statistics;
-  bool m_is_obstructed = false; // whether no part of the last step was certified as a whole
   internal::Step_size m_step_size;
   internal::Direction_solver m_solver;
 

@@ -17,15 +17,25 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// How a curve that is to fill a domain sets out.
+enum class Filling_start
+{
+  TREE,  ///< fingers reach out all over the domain at once, see `grow_fingers()`
+  CIRCLE ///< it grows from what it is, as in the paper, where that is a small circle
+};
+
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
  * \brief The parameters of `fill()`.
  *
- * Of the flow's some are not the same from the start to the end. While the curve grows, `screening`
- * is 30 times larger; `max_radius`, whose default is 6 here, is the speed of the growth, and at
- * most 2 in the end; `max_displacement` shrinks from at most 0.1 in the end. With a `medial_weight`
- * of 3.15^2, the default here, the curve settles with a mean medial radius of r.
+ * Of the flow's some are not the same from the start to the end. While the curve opens or grows,
+ * `screening` is 30 times larger, 3 times when it settles; `max_radius`, whose default is 6 here,
+ * is at most 3 while fingers open, the speed of the growth from a circle, and at most 2 in the end;
+ * `max_displacement` shrinks from at most 0.3 in the end. With a `medial_weight` of 3.15^2, the
+ * default here, the curve settles with a mean medial radius of r.
  *
  * The default of the `thickness` is a quarter of the radius of the widest ball inside. With a
  * `length` the thickness is the one that leads to it.
@@ -43,6 +53,9 @@ struct Filling_parameters : Curve_run_parameters
     medial_weight = 3.15 * 3.15;
     max_radius = 6; // 12 is as fast on the bunny
   }
+
+  /// How the curve sets out, be it given or a circle.
+  Filling_start start = Filling_start::TREE;
 
   /// A thickness that varies in space, instead of `thickness`: a function of the point, which must
   /// be positive and safe to call concurrently. None by default.

@@ -18,11 +18,14 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Certified_motion.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Local_change_certifier.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Motion_limits.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Shortened_motion.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -169,17 +172,15 @@ public:
   double move_nodes(const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& targets,
                     double least_fraction = 1)
   {
+    check_targets(targets);
     const size_type n = m_curve.number_of_nodes();
-    CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
-    CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == n,
-                          "`targets` has one row per node");
     CGAL_precondition_msg(least_fraction > 0, "`least_fraction` is positive");
     if(!are_in_range(targets)) {
       m_number_of_rejected += n;
       return 0;
     }
-    const internal::Certified_motion<Curve_network, Domain_boundary, ConcurrencyTag> motion(
-        m_curve, targets, m_clearance, m_walls);
+    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
+    const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits);
     for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
       if(motion.keeps_clearance(fraction)) {
         const auto rounds = motion.certify(fraction);
@@ -192,6 +193,40 @@ public:
       m_number_of_rejected += n;
     }
     return 0;
+  }
+
+  /*!
+   * moves each node towards its target as far as those near it let it: where nodes are in the way
+   * of one another, or of a boundary, they and no others go 1/2, 1/4, ..., 1/64 of the way, or
+   * stay.
+   *
+   * \tparam ConcurrencyTag enables a parallel run (`Parallel_tag`); the result is the same
+   *
+   * \param targets one row per node with its x, y and z
+   *
+   * \returns the fraction of the way that each node went
+   *
+   * \pre the network has no garbage
+   * \pre `targets` has one row per node
+   */
+  template <typename ConcurrencyTag = Sequential_tag>
+  std::vector<double> advance_nodes(
+      const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& targets)
+  {
+    check_targets(targets);
+    const size_type n = m_curve.number_of_nodes();
+    if(!are_in_range(targets)) {
+      m_number_of_rejected += n;
+      return std::vector<double>(n, 0);
+    }
+    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
+    internal::Shortened_motion<Motion_limits, ConcurrencyTag> motion(limits);
+    m_editor.move_nodes(motion());
+    const auto held =
+        static_cast<size_type>(std::count(motion.fractions().begin(), motion.fractions().end(), 0));
+    m_number_of_certified += n - held;
+    m_number_of_rejected += held;
+    return motion.fractions();
   }
 
   /// @}
@@ -264,6 +299,15 @@ private:
         m_certifier(curve, m_predicates, m_locator, m_walls)
   {
     m_editor.add(m_locator);
+  }
+
+  using Motion_limits = internal::Motion_limits<Curve_network, Domain_boundary>;
+
+  void check_targets([[maybe_unused]] const internal::Vector_field& targets) const
+  {
+    CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
+    CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == m_curve.number_of_nodes(),
+                          "`targets` has one row per node");
   }
 
   bool count(bool is_certified)

@@ -37,6 +37,7 @@
   X(preconditioner)                \
   X(screening)                     \
   X(spacing)                       \
+  X(start)                         \
   X(stop_at_proof)                 \
   X(strategy)                      \
   X(thickness)                     \

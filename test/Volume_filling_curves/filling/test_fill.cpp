@@ -72,7 +72,8 @@ TEST(Fill, reports_where_the_curve_did_not_get_to)
 {
   const Box box(Point(0, 0, 0), Point(4, 1, 1));
   Curve curve;
-  const auto result = vfc::fill(curve, box, np::thickness(0.1).number_of_iterations(5));
+  const auto result = vfc::fill(
+      curve, box, np::thickness(0.1).number_of_iterations(5).start(vfc::Filling_start::CIRCLE));
   EXPECT_EQ(result.status, Filling_status::LIMIT);
   ASSERT_FALSE(result.empty_regions.empty());
   EXPECT_GT(result.empty_regions.front().volume, 0.5);

@@ -84,8 +84,9 @@ TEST(Parts, without_samples_are_found_in_their_boxes)
   const Soup soup = meshes::cube(40) + moved(meshes::cube(0.5), 50, 0, 0);
   const Mesh_domain domain(meshes::to_mesh(soup));
   Curve curve;
-  const auto result =
-      vfc::fill(curve, domain, np::thickness(0.4).number_of_iterations(1).spacing(1));
+  const auto result = vfc::fill(
+      curve, domain,
+      np::thickness(0.4).number_of_iterations(1).spacing(1).start(vfc::Filling_start::CIRCLE));
   EXPECT_EQ(result.parts, 2u);
   EXPECT_EQ(curve.number_of_components(), 2u);
 }

@@ -79,7 +79,7 @@ TEST(Widest_place, has_room_for_a_circle)
   const exact_surface::Surface surface(exact_surface::corner_piece());
   const Mesh_domain domain(meshes::to_mesh(exact_surface::corner_piece()));
   const auto widest = widest_place(domain, 500);
-  const Network circle(widest.circle());
+  const Network circle(widest.circle(widest.radius(), 24));
   EXPECT_EQ(circle.number_of_components(), 1u);
   EXPECT_TRUE(circle.is_closed(0));
   EXPECT_EQ(surface.count_outside(circle), (std::array<std::size_t, 2>{0, 0}));

@@ -104,8 +104,9 @@ double fraction_by_all_pairs(const Network& network, const Targets& targets, dou
   using namespace CGAL::Volume_filling_curves::internal;
   using Unbounded = Guard::Domain_boundary;
   const Unbounded walls;
-  const Certified_motion<Network, Unbounded, Sequential_tag, All_pairs> motion(
-      network, targets, Clearance_rule(), walls);
+  using Limits = Motion_limits<Network, Unbounded, All_pairs>;
+  const Limits limits(Sequential_tag(), network, targets, Clearance_rule(), walls);
+  const Certified_motion<Limits, Sequential_tag> motion(limits);
   for(double fraction = 1; fraction >= least_fraction; fraction /= 2)
     if(!motion.certify(fraction).positions.empty()) return fraction;
   return 0;

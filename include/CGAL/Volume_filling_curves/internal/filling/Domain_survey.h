@@ -72,12 +72,17 @@ public:
   // the thickness to start from, the mean in the domain if it varies
   double thickness() const { return m_thickness; }
 
+  double thickness_at(const Point_3& p) const
+  {
+    return m_parameters.thickness_field ? m_parameters.thickness_field(p) : m_thickness;
+  }
+
   // A circle in each part that is wide enough for a curve, as closed polylines.
   std::vector<std::vector<Point_3>> circles() const
   {
     std::vector<std::vector<Point_3>> circles;
     for(std::size_t k = 0; k < m_is_wide.size(); ++k)
-      if(m_is_wide[k]) circles.push_back(m_parts.widest_places()[k].circle());
+      if(m_is_wide[k]) circles.push_back(circle(m_parts.widest_places()[k]));
     return circles;
   }
 
@@ -114,9 +119,13 @@ private:
   // if that is smaller; smaller parts are dust.
   static constexpr double least_radius = 0.125;
 
-  double thickness_at(const Point_3& p) const
+  // The root of a tree is as wide as the tips of its fingers.
+  std::vector<Point_3> circle(const typename Parts::Widest& place) const
   {
-    return m_parameters.thickness_field ? m_parameters.thickness_field(p) : m_thickness;
+    if(m_parameters.start == Filling_start::CIRCLE) return place.circle(place.radius(), 24);
+    constexpr double radius_of_root = 0.7; // in units of the thickness
+    const double r = thickness_at(to_point(place.center(), m_samples.traits()));
+    return place.circle(radius_of_root * r, 6);
   }
 
   bool is_wide(const Vector& center, double radius) const

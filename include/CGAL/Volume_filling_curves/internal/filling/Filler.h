@@ -36,10 +36,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Grows a curve until it fills a domain. Coarse to fine: with a multiple of the thickness first,
-// which takes few nodes and long steps, then with halves of it. While the curve grows, a large cap
-// of the medial radii pulls it into empty space, and lambda is large, which makes the
-// preconditioner close to the Hessian; at last it settles with what was asked for.
+// Lets a curve fill a domain. If fingers have reached out all over it, the curve opens in a few
+// iterations; otherwise it grows, coarse to fine: with a multiple of the thickness first, which
+// takes few nodes and long steps, then with halves of it. While it opens or grows, a large cap of
+// the medial radii pulls it into empty space, and lambda is large, which makes the preconditioner
+// close to the Hessian; at last it settles with what was asked for.
 template <typename Flow, typename Samples, typename Visitor>
 class Filler
 {
@@ -90,6 +91,11 @@ private:
 
   void grow()
   {
+    if(m_parameters.start == Filling_start::TREE) {
+      run(Filling_stage::opening());
+      return_to_empty_regions();
+      return;
+    }
     double factor = 1;
     while(2 * factor * m_thickness <= m_coarsest_thickness) factor *= 2;
     for(; factor > 1; factor /= 2) run(Filling_stage::coarse_growth(), factor);
@@ -100,7 +106,7 @@ private:
   void settle()
   {
     run(Filling_stage::settling());
-    return_to_empty_regions();
+    if(return_to_empty_regions()) run(Filling_stage::settling());
     if(!(m_parameters.length > 0)) return;
     for(int k = 0; k < max_corrections_of_thickness && !m_end; ++k) {
       const double excess = m_flow.length() / m_parameters.length;
@@ -123,13 +129,16 @@ private:
   }
 
   // Where the curve has drawn back, since the place is too thin for the thickness asked for, it
-  // stays thinner.
-  void return_to_empty_regions()
+  // stays thinner. Returns whether there is such a place.
+  bool return_to_empty_regions()
   {
-    if(!find_paths(kept_thinness)) return;
-    m_thinning = thinning(kept_thinness);
-    run(Filling_stage::growth());
-    run(Filling_stage::settling());
+    if(!find_paths(kept_thinness)) return false;
+    m_thinning = [last = m_thinning, now = thinning(kept_thinness)](const Point_3& p) {
+      return last ? (std::min)(last(p), now(p)) : now(p);
+    };
+    run(m_parameters.start == Filling_start::TREE ? Filling_stage::opening()
+                                                  : Filling_stage::growth());
+    return true;
   }
 
   // returns whether there are empty regions, and paths to them

@@ -21,6 +21,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
+#include <CGAL/Volume_filling_curves/internal/fingers/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -33,7 +34,8 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // A run of fill(): surveys the domain, warns if it is too thin, places a circle in each part if no
-// curves are given, lets them grow, and tells what was not filled, and why.
+// curves are given, lets fingers reach out from them unless they are to grow, lets them fill the
+// domain, and tells what was not filled, and why.
 template <typename Traits, typename Domain, typename ConcurrencyTag, typename Visitor>
 class Filling_run
 {
@@ -82,12 +84,19 @@ private:
   {
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
     if(m_parameters.certificate) guard.start_recording();
+    if(m_parameters.start == Filling_start::TREE) reach_out(guard);
     Filler<Flow, typename Survey::Samples, Visitor> filler(
         guard, m_survey.samples(), m_survey.distances_to_boundary(), m_parameters,
         start_thickness(), m_survey.widest_radius(), m_deadline, m_visitor);
     const Result result = filler();
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
     return result;
+  }
+
+  void reach_out(Isotopy_guard_3<Traits, Domain>& guard) const
+  {
+    const auto thickness = [this](const Point_3& p) { return m_survey.thickness_at(p); };
+    finger_tree(guard, m_domain, thickness, m_parameters.random_seed, m_deadline).grow();
   }
 
   double start_thickness() const

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -45,11 +46,24 @@ struct Filling_stage
     return stage;
   }
 
+  // What fingers have reached is filled after six iterations; more of them make the strands no more
+  // even (2026-11-22, bunny).
+  static Filling_stage opening()
+  {
+    Filling_stage stage = growth();
+    stage.max_radius = 3;
+    stage.window = 6;
+    stage.change_of_length = std::numeric_limits<double>::infinity();
+    return stage;
+  }
+
   // Without cooling the length of the torus goes on trembling by 0.4 % for good.
   static Filling_stage settling()
   {
     Filling_stage stage;
-    stage.cooling = 0.97;
+    stage.screening = 3;
+    stage.max_displacement = 0.3;
+    stage.cooling = 0.75;
     stage.window = 20;
     stage.change_of_length = 1e-3;
     return stage;

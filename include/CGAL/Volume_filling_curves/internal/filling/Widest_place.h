@@ -45,14 +45,14 @@ public:
   const Vector& center() const { return m_center; }
   double radius() const { return m_radius; }
 
-  // A circle around the center, as a polyline whose last point repeats the first.
-  std::vector<Point_3> circle() const
+  // A circle around the center of at most that radius, as a polyline whose last point repeats the
+  // first.
+  std::vector<Point_3> circle(double largest_radius, std::size_t nodes) const
   {
-    const double radius = radius_of_circle * m_radius;
+    const double radius = (std::min)(largest_radius, radius_of_circle * m_radius);
     std::vector<Point_3> points;
-    for(std::size_t k = 0; k < nodes_of_circle; ++k) {
-      const auto [cosine, sine] =
-          cos_sin(static_cast<double>(k) / static_cast<double>(nodes_of_circle));
+    for(std::size_t k = 0; k < nodes; ++k) {
+      const auto [cosine, sine] = cos_sin(static_cast<double>(k) / static_cast<double>(nodes));
       points.push_back(to_point(Vector(m_center + radius * Vector(cosine, sine, 0)), m_traits));
     }
     points.push_back(points.front());
@@ -60,8 +60,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t nodes_of_circle = 24;
-  static constexpr double radius_of_circle = 0.5;             // in units of the ball's
+  static constexpr double radius_of_circle = 0.5;             // in units of the ball's, at most
   static constexpr double first_step = 0.5, last_step = 0.01; // in units of the radius
 
   bool try_center(const Vector& x)

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
 #include <CGAL/Volume_filling_curves/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/Finger_parameters.h>
 #include <CGAL/Volume_filling_curves/Simplification_parameters.h>
 #include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
@@ -102,7 +103,19 @@ constexpr auto parameter_table(const Filling_parameters<Point_3>* p)
   using P = Filling_parameters<Point_3>;
   return std::tuple_cat(parameter_table(static_cast<const Curve_run_parameters*>(p)),
                         std::make_tuple(parameter<thickness_t>(&P::thickness_field),
-                                        parameter<length_t>(&P::length, Range::NOT_NEGATIVE)));
+                                        parameter<length_t>(&P::length, Range::NOT_NEGATIVE),
+                                        parameter<start_t>(&P::start)));
+}
+
+template <typename Point_3>
+constexpr auto parameter_table(const Finger_parameters<Point_3>*)
+{
+  using namespace internal_np;
+  using P = Finger_parameters<Point_3>;
+  return std::make_tuple(parameter<thickness_t>(&P::thickness, Range::NOT_NEGATIVE),
+                         parameter<thickness_t>(&P::thickness_field),
+                         parameter<random_seed_t>(&P::random_seed),
+                         parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER));
 }
 
 constexpr auto parameter_table(const Simplification_parameters*)

@@ -55,6 +55,9 @@ using Fill_mesh_signature =
     Signature<Filling_parameters<Point_3>,
               Tag_list<internal_np::visitor_t, internal_np::vertex_point_map_t>>;
 
+template <typename Point_3>
+using Finger_signature = Signature<Finger_parameters<Point_3>>;
+
 using Simplify_signature = Signature<Simplification_parameters>;
 
 using Simplify_polylines_signature =

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_FINGER_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_FINGER_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief The parameters of `grow_fingers()`.
+ *
+ * Each member can be set by the named parameter of the same name; the named parameter `thickness`
+ * takes a function, too, and sets `thickness_field` then.
+ *
+ * \tparam Point_3 the type of points
+ */
+template <typename Point_3 = Curve_flow_traits_3<>::Point_3>
+struct Finger_parameters
+{
+  /// The thickness r that the curves are to fill the domain with, in the input's unit. There is no
+  /// default.
+  double thickness = 0;
+
+  /// A thickness that varies in space, instead of `thickness`: a function of the point, which must
+  /// be positive. None by default.
+  std::function<double(const Point_3&)> thickness_field;
+
+  /// The seed of the points and of the tree.
+  std::size_t random_seed = 0;
+
+  /// The longest time to grow, in seconds. Infinite by default.
+  double time_limit = std::numeric_limits<double>::infinity();
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_FINGER_PARAMETERS_H

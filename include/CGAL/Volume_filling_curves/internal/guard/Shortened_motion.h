@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GUARD_SHORTENED_MOTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GUARD_SHORTENED_MOTION_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/Network_observer.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Certified_motion.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A motion of all nodes in which each goes as far as those near it let it: where some are in the
+// way of one another they, and no others, go half of the way, a quarter, ..., or stand still. So a
+// tight spot does not hold a whole curve, as it does where all go the same part of the way.
+//
+// A test of a pair of edges or of a node reads where its nodes end, hence all that passed since
+// the nodes were shortened last certify the motion as a whole. After the first round only those
+// near nodes that were shortened are tested again, and a node is shortened seven times at most:
+// near linear in the number of edges and candidate pairs. The first round runs in parallel if asked
+// to.
+template <typename Limits, typename ConcurrencyTag>
+class Shortened_motion
+{
+  using Point_3 = typename Limits::Point_3;
+  using Swept = typename Limits::Swept;
+  using Index = std::uint32_t;
+  using Indices = std::vector<Index>;
+
+public:
+  using Rounds = typename Certified_motion<Limits, ConcurrencyTag>::Rounds;
+
+  explicit Shortened_motion(const Limits& limits)
+      : m_limits(limits),
+        m_start(limits.positions(0)),
+        m_end(limits.positions(1)),
+        m_swept(limits.curve(), m_start, m_end, false),
+        m_fractions(m_end.size(), 1)
+  {}
+
+  // Finds out how far the nodes can go, and returns what was certified.
+  Rounds operator()()
+  {
+    Indices blocked = blocked_nodes();
+    if(blocked.empty()) return one_round();
+    // strands that travel together, farther than their distance, fail in one round
+    const Certified_motion<Limits, ConcurrencyTag> whole(m_limits);
+    if(whole.keeps_clearance(1)) {
+      Rounds rounds = whole.certify(1);
+      if(!rounds.positions.empty()) return rounds;
+    }
+    sort_pairs_by_edges();
+    while(!blocked.empty()) {
+      for(const Index v : blocked) shorten(v);
+      blocked = blocked_nodes_near(blocked);
+    }
+    return one_round();
+  }
+
+  // the part of its way that each node goes
+  const std::vector<double>& fractions() const { return m_fractions; }
+
+private:
+  static constexpr double least_fraction = 1. / 64; // a node that cannot go that far stands still
+  static constexpr std::size_t block = 512;         // nodes or pairs per task
+
+  Rounds one_round() { return {{std::move(m_end)}, false}; }
+
+  bool is_pair_free(std::size_t k) const
+  {
+    return m_limits.is_pair_clear(k, m_end) && m_limits.is_pair_safe(k, m_swept);
+  }
+
+  bool is_node_free(std::size_t v) const
+  {
+    return m_limits.is_corner_clear(v, m_end) && m_limits.is_node_safe(v, m_swept);
+  }
+
+  Indices blocked_nodes()
+  {
+    const Indices pairs =
+        failing(m_limits.number_of_pairs(), [this](std::size_t k) { return is_pair_free(k); });
+    const Indices nodes =
+        failing(m_start.size(), [this](std::size_t v) { return is_node_free(v); });
+    for(const Index k : pairs) block_pair(k);
+    for(const Index v : nodes) block_node(v);
+    return take_blocked();
+  }
+
+  // Near nodes that were shortened.
+  Indices blocked_nodes_near(const Indices& shortened)
+  {
+    const auto& curve = m_limits.curve();
+    for(const Index v : shortened) {
+      test_node(v);
+      for(std::size_t i = 0; i < curve.degree(v); ++i) {
+        test_node(curve.neighbor(v, i));
+        test_pairs(curve.incident_edge(v, i));
+      }
+    }
+    ++m_round;
+    return take_blocked();
+  }
+
+  // Returns the indices below n for which a test fails.
+  template <typename Test>
+  Indices failing(std::size_t n, const Test& passes) const
+  {
+    std::vector<Indices> found((n + block - 1) / block);
+    for_each_block<ConcurrencyTag>(n, block, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+        if(!passes(k)) found[begin / block].push_back(static_cast<Index>(k));
+    });
+    Indices all;
+    for(const Indices& some : found) all.insert(all.end(), some.begin(), some.end());
+    return all;
+  }
+
+  void test_node(std::size_t v)
+  {
+    if(std::exchange(m_round_of_node[v], m_round) != m_round && !is_node_free(v)) block_node(v);
+  }
+
+  void test_pairs(std::size_t e)
+  {
+    for(std::size_t i = m_first_pair[e]; i < m_first_pair[e + 1]; ++i) {
+      const Index k = m_pairs_of_edges[i];
+      if(std::exchange(m_round_of_pair[k], m_round) != m_round && !is_pair_free(k)) block_pair(k);
+    }
+  }
+
+  void block_pair(std::size_t k)
+  {
+    for(const std::size_t e : m_limits.pair(k)) {
+      m_blocked.push_back(static_cast<Index>(m_limits.curve().source(e)));
+      m_blocked.push_back(static_cast<Index>(m_limits.curve().target(e)));
+    }
+  }
+
+  void block_node(std::size_t v)
+  {
+    m_blocked.push_back(static_cast<Index>(v));
+    for(std::size_t i = 0; i < m_limits.curve().degree(v); ++i)
+      m_blocked.push_back(static_cast<Index>(m_limits.curve().neighbor(v, i)));
+  }
+
+  // those blocked since the last call that do not stand still, each once
+  Indices take_blocked()
+  {
+    Indices nodes = std::exchange(m_blocked, {});
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto stands_still = [this](Index v) {
+      return to_vector(m_start[v]) == to_vector(m_end[v]);
+    };
+    nodes.erase(std::remove_if(nodes.begin(), nodes.end(), stands_still), nodes.end());
+    return nodes;
+  }
+
+  void shorten(std::size_t v)
+  {
+    m_fractions[v] = m_fractions[v] > least_fraction ? m_fractions[v] / 2 : 0;
+    m_end[v] = m_limits.position(v, m_fractions[v]);
+  }
+
+  // Groups the pairs by their edges, each pair twice.
+  void sort_pairs_by_edges()
+  {
+    m_first_pair.assign(m_limits.curve().number_of_edges() + 1, 0);
+    for(std::size_t k = 0; k < m_limits.number_of_pairs(); ++k)
+      for(const std::size_t e : m_limits.pair(k)) ++m_first_pair[e];
+    std::partial_sum(m_first_pair.begin(), m_first_pair.end(), m_first_pair.begin());
+    m_pairs_of_edges.resize(2 * m_limits.number_of_pairs());
+    for(std::size_t k = m_limits.number_of_pairs(); k-- > 0;)
+      for(const std::size_t e : m_limits.pair(k))
+        m_pairs_of_edges[--m_first_pair[e]] = static_cast<Index>(k);
+    m_round_of_node.assign(m_start.size(), 0);
+    m_round_of_pair.assign(m_limits.number_of_pairs(), 0);
+  }
+
+  const Limits& m_limits;
+  const std::vector<Point_3> m_start;
+  std::vector<Point_3> m_end;
+  const Swept m_swept;
+  std::vector<double> m_fractions;
+  Indices m_blocked;
+
+  std::vector<std::size_t> m_first_pair; // in the next, of each edge
+  Indices m_pairs_of_edges;
+  Index m_round = 1;
+  Indices m_round_of_node, m_round_of_pair; // in which each was tested last
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GUARD_SHORTENED_MOTION_H
