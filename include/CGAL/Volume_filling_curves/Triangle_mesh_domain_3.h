@@ -126,6 +126,11 @@ public:
     return m_faces->distance_along(internal::to_vector(p), internal::to_vector(direction), limit);
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // What `distance_along()` does, for all directions of a plane at once.
+  void shorten(internal::Planar_rays& rays) const { m_faces->shorten(rays); }
+  /// \endcond
+
   /// \name Connected Parts
   /// Shells that do not lie within one another bound different parts, and so do those that touch in
   /// vertices or edges; a part may have cavities.

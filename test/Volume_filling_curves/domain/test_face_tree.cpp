@@ -85,6 +85,36 @@ TEST(Face_tree, measures_like_all_faces_together)
   }
 }
 
+// to the last bit, and rays of length 0 stay as they are
+TEST(Face_tree, shortens_the_rays_of_a_plane_as_one_by_one)
+{
+  Random random(10);
+  const std::size_t n = 16;
+  for(const Soup& soup : {drum(), meshes::sphere(2, 3) + meshes::sphere(1, 2).inverted()}) {
+    const Face_tree tree(meshes::to_mesh(soup));
+    int hits = 0;
+    for(int i = 0; i < 300; ++i) {
+      internal::Planar_rays rays;
+      rays.source = internal::to_vector(random_point(random, tree.bbox()));
+      rays.normal = random.direction();
+      const Vector u = rays.normal.unitOrthogonal(), v = rays.normal.cross(u);
+      for(std::size_t l = 0; l < n; ++l)
+        rays.lengths.push_back(l == 5 ? 0. : 0.2 * static_cast<double>(l % 7));
+      for(std::size_t l = 0; l < n; ++l) {
+        const double angle = 2 * CGAL_PI * static_cast<double>(l) / n;
+        rays.set_direction(l, std::cos(angle) * u + std::sin(angle) * v);
+      }
+      const std::vector<double> lengths = rays.lengths;
+      tree.shorten(rays);
+      for(std::size_t l = 0; l < n; ++l) {
+        ASSERT_EQ(rays.lengths[l], tree.distance_along(rays.source, rays.direction(l), lengths[l]));
+        hits += rays.lengths[l] < lengths[l];
+      }
+    }
+    EXPECT_GT(hits, 100);
+  }
+}
+
 TEST(Face_tree, knows_the_inside_between_slivers)
 {
   const Soup soup = drum();

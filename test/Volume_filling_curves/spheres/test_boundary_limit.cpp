@@ -266,6 +266,33 @@ TYPED_TEST(Spheres_in, a_domain_with_a_thickness_that_varies)
   }
 }
 
+// What is known of one node's spheres helps to find those of the next, and does not show: they are
+// the same bits if each node is asked for alone.
+TYPED_TEST(Spheres_in, a_domain_do_not_depend_on_what_else_is_sought)
+{
+  Random random(5);
+  const TypeParam space;
+  using Domain_boundary = internal::Domain_boundary<std::decay_t<decltype(space.domain)>>;
+  const Domain_boundary walls(space.domain);
+  for(const std::size_t n : {60u, 600u})
+    for(const Wall wall : {Wall::COVER, Wall::KEEP_CLEAR}) {
+      const Network curve = random_curve(space.domain, n, random);
+      const Vector_field x = internal::coordinates(curve);
+      const std::vector<double> thickness(n, 0.2);
+      internal::Medial_sphere_search search(
+          CGAL::Sequential_tag(), x, thickness, 6,
+          internal::Boundary_limit<Network, Domain_boundary>(curve, walls, wall));
+      const Medial_spheres all = search(internal::node_circles(curve, x), 16);
+      for(std::size_t c = 0; c < all.circles().size(); ++c) {
+        const Medial_spheres one = search({all.circles()[c]}, 16);
+        for(std::size_t l = 0; l < 16; ++l) {
+          ASSERT_EQ(one.radius(0, l), all.radius(c, l));
+          ASSERT_EQ(one.touching_node(0, l), all.touching_node(c, l));
+        }
+      }
+    }
+}
+
 // The caps that are tried one after another do not show.
 TEST(Boundary_limit, leaves_the_spheres_alone_where_the_walls_are_far)
 {

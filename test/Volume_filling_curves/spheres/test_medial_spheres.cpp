@@ -222,14 +222,36 @@ TEST(Medial_spheres, turn_with_a_bent_curve)
   EXPECT_GT(number_of_bends, 200u);
 }
 
-TEST(Node_neighborhoods, are_the_distinct_nodes_within_a_distance)
+// What is known of one node's spheres helps to find those of the next, and does not show: they are
+// the same bits if each node is asked for alone.
+TEST(Medial_spheres, do_not_depend_on_what_else_is_sought)
+{
+  Random random(8);
+  for(double cap : {0.4, 1., 30.}) {
+    const Network curve = junctions_and_ends(400, random);
+    const Vector_field x = internal::coordinates(curve);
+    const std::vector<double> thickness(curve.number_of_nodes(), 0.2);
+    const Medial_spheres all = spheres_of(curve, 16, cap, 0.2);
+    for(std::size_t c = 0; c < all.circles().size(); ++c) {
+      const Medial_spheres one =
+          Medial_sphere_search(CGAL::Sequential_tag(), x, thickness, cap)({all.circles()[c]}, 16);
+      for(std::size_t l = 0; l < 16; ++l) {
+        ASSERT_EQ(one.radius(0, l), all.radius(c, l));
+        ASSERT_EQ(one.touching_node(0, l), all.touching_node(c, l));
+      }
+    }
+  }
+}
+
+TEST(Node_neighborhoods, are_distinct_nodes_with_all_within_a_distance)
 {
   Random random(7);
   for(std::size_t n : {0u, 1u, 19u, 500u}) {
     Vector_field x = random_field(n, random);
     for(Eigen::Index v = 100; v + 3 < x.rows(); v += 3) x.row(v) = x.row(v % 50);
     const internal::Node_neighborhoods neighborhoods(x);
-    std::vector<internal::Node_neighborhoods::Index> found = {7};
+    internal::Node_list found;
+    found.push_back(7, Vector(1, 2, 3));
     for(double radius : {0., 0.1, 0.5, 4.}) {
       const Vector center = n > 0 && radius == 0 ? internal::row(x, n / 2) : random_point(random);
       std::multiset<std::size_t> expected;
@@ -242,7 +264,13 @@ TEST(Node_neighborhoods, are_the_distinct_nodes_within_a_distance)
         if(first == v && (internal::row(x, v) - center).norm() <= radius) expected.insert(v);
       }
       neighborhoods.find(center, radius, found);
-      EXPECT_EQ(std::multiset<std::size_t>(found.begin(), found.end()), expected);
+      for(std::size_t k = 0; k < found.size(); ++k)
+        EXPECT_EQ(Vector(found.x()[k], found.y()[k], found.z()[k]),
+                  internal::row(x, found.index(k)));
+      found.keep_within(center, radius);
+      std::multiset<std::size_t> near;
+      for(std::size_t k = 0; k < found.size(); ++k) near.insert(found.index(k));
+      EXPECT_EQ(near, expected);
     }
   }
 }

@@ -47,6 +47,12 @@ public:
     for(std::size_t k = 0; k < n; ++k) m_distance[k].store(unknown, std::memory_order_relaxed);
   }
 
+  // returns whether x, inside, is known to be farther from the boundary than that
+  bool is_farther(const Vector& x, double distance) const
+  {
+    return conservative(bound_of_cell(x)) > distance;
+  }
+
   // Returns a distance that p = x, inside, is known to have from the boundary: any that is more
   // than `needed`, or else the distance itself, but for rounding errors.
   double operator()(const Point_3& p, const Vector& x, double needed) const

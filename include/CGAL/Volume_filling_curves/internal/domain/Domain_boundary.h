@@ -11,13 +11,29 @@
 
 #include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Distance_bounds.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Whether a domain shortens all rays of a plane at once, see `Face_tree`.
+template <typename Domain, typename = void>
+struct Shortens_planar_rays : std::false_type
+{};
+
+template <typename Domain>
+struct Shortens_planar_rays<
+    Domain,
+    std::void_t<decltype(std::declval<const Domain&>().shorten(std::declval<Planar_rays&>()))>>
+    : std::true_type
+{};
 
 // The boundary of a domain, as the flow sees it: what a triangle must miss (exact), and how large a
 // sphere that touches a node inside may be. Nearly all questions are answered by a bound of the
@@ -49,12 +65,25 @@ public:
     return m_bounds(p, to_vector(p), needed);
   }
 
-  // How far the center of a sphere can go from p before it leaves the domain, at most `limit`.
-  double distance_along(const Point_3& p, const Vector& direction, double limit) const
+  // returns whether x, inside, is known to be farther from the boundary than that
+  bool is_farther(const Vector& x, double distance) const
   {
-    using Vector_3 = typename Domain::Vector_3;
-    return m_domain->distance_along(p, Vector_3(direction.x(), direction.y(), direction.z()),
-                                    limit);
+    return m_bounds.is_farther(x, distance);
+  }
+
+  // Shortens rays from p to where they leave the domain.
+  void shorten(const Point_3& p, Planar_rays& rays) const
+  {
+    if constexpr(Shortens_planar_rays<Domain>::value)
+      m_domain->shorten(rays);
+    else {
+      using Vector_3 = typename Domain::Vector_3;
+      const double clear = clearance(p, rays.longest());
+      for(std::size_t l = 0; l < rays.size(); ++l)
+        if(rays.lengths[l] >= clear)
+          rays.lengths[l] = m_domain->distance_along(p, Vector_3(rays.x[l], rays.y[l], rays.z[l]),
+                                                     rays.lengths[l]);
+    }
   }
 
   // The radius, at most `limit`, of the largest sphere inside that touches p and has its center in

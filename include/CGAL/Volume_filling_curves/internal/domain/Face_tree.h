@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/Mesh_shells.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Planar_rays_query.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Ray_entry.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Vertical_ray.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Triangle_intersection.h>
@@ -123,6 +124,13 @@ public:
     Ray_query query{*this, p, u, Ray_entry(p, u, m_largest), limit};
     Nearest_first_descent<Ray_query>(m_tree, query).run();
     return query.bound();
+  }
+
+  // Shortens rays to where they meet the surface. One descent serves all of them.
+  void shorten(Planar_rays& rays) const
+  {
+    Planar_rays_query query(m_corners, rays, m_largest);
+    Nearest_first_descent<Planar_rays_query>(m_tree, query).run();
   }
 
 private:

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 
 #include <algorithm>
@@ -34,39 +35,39 @@ public:
       : m_curve(curve), m_boundary(boundary), m_wall(wall)
   {}
 
-  // Limits the spheres of a circle. Radii up to `limited_radius` have been limited before.
-  void operator()(Medial_spheres& spheres, std::size_t c, double limited_radius) const
+  // Shortens the ways of centers from a circle's node to the boundary, if only they are limited.
+  void limit_centers(const Medial_spheres& spheres, std::size_t c, Planar_rays& rays) const
   {
-    const std::size_t v = spheres.circles()[c].node;
+    if(m_wall != Wall::COVER) return;
+    const auto& p = m_curve.point(spheres.circles()[c].node);
+    rays.source = to_vector(p);
+    if(m_boundary.is_farther(rays.source, rays.longest())) return;
+    rays.normal = spheres.circles()[c].u.cross(spheres.circles()[c].v);
+    for(std::size_t l = 0; l < rays.size(); ++l) rays.set_direction(l, spheres.direction(c, l));
+    m_boundary.shorten(p, rays);
+  }
+
+  // Limits the spheres of a circle, if they are. Radii up to `limited_radius` have been limited
+  // before.
+  void limit_spheres(Medial_spheres& spheres, std::size_t c, double limited_radius) const
+  {
+    if(m_wall != Wall::KEEP_CLEAR) return;
+    const auto& p = m_curve.point(spheres.circles()[c].node);
     double largest = 0;
     for(std::size_t l = 0; l < spheres.number_of_directions(); ++l)
       largest = (std::max)(largest, spheres.radius(c, l));
     constexpr double slack = 1 - 1e-9; // rounding of radii
-    const double least = (std::max)(free_radius(v, largest), slack * limited_radius);
+    const double least =
+        (std::max)(m_boundary.clearance(p, 2 * largest) / 2, slack * limited_radius);
     for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
       if(spheres.radius(c, l) < least) continue;
-      const double radius = limited(v, spheres.direction(c, l), spheres.radius(c, l));
+      const double radius = m_boundary.tangent_radius(p, spheres.direction(c, l),
+                                                      spheres.radius(c, l), m_curve.traits());
       if(radius < spheres.radius(c, l)) spheres.set(c, l, radius, Medial_spheres::no_node);
     }
   }
 
 private:
-  // a radius up to which the boundary limits no sphere at node v; if it is below `needed`, no
-  // larger one is known
-  double free_radius(std::size_t v, double needed) const
-  {
-    const double reach = m_wall == Wall::COVER ? 1 : 2; // of a sphere, in units of its radius
-    return m_boundary.clearance(m_curve.point(v), reach * needed) / reach;
-  }
-
-  double limited(std::size_t v, const Vector& direction, double radius) const
-  {
-    const auto& p = m_curve.point(v);
-    return m_wall == Wall::COVER
-               ? m_boundary.distance_along(p, direction, radius)
-               : m_boundary.tangent_radius(p, direction, radius, m_curve.traits());
-  }
-
   const Network& m_curve;
   const Domain_boundary& m_boundary;
   Wall m_wall;

@@ -9,9 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Boundary_limit.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Moving_neighborhood.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_neighborhoods.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Support_function.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -29,13 +32,15 @@ namespace internal {
 
 // Finds the medial spheres of a curve: neighbors of the nodes -> support function of their images
 // under inversion -> radii. (The paper bisects each radius, with a query for the nearest node at
-// every step.) One query for the nodes within 2 r_max serves all directions of a node, and those of
-// a run of consecutive nodes, which lie close together: 7 to 14 times faster, and the same radii to
-// 3e-15.
+// every step.) One look at the nodes within reach of the largest sphere of a node serves all of its
+// directions. How far that is, is known beforehand but for little: the nodes that the spheres of
+// the last node on the curve touch are obstacles to this one's, too, and what the boundary leaves
+// of them is found before the nodes. None of this changes the result: the spheres of a node are the
+// same bits if it is asked for alone.
 //
 // Where r_max is much larger than the thickness, as while a curve fills a volume, most spheres are
 // not: they are sought with a small cap first, which is doubled for the nodes with a sphere that
-// reaches it. After each round the boundary limits what was found.
+// reaches it.
 template <typename ConcurrencyTag, typename BoundaryLimit = No_boundary_limit>
 class Medial_sphere_search
 {
@@ -66,8 +71,7 @@ public:
     for_each_sphere(open, [&](std::size_t c, std::size_t l) { set(c, l, 0, still_open); });
     for(double last_cap = 0; last_cap < m_max_radius && !open.empty();) {
       const double cap = (std::min)((std::max)(first_cap, cap_growth * last_cap), m_max_radius);
-      find_radii(open, cap);
-      limit_by_boundary(open, last_cap);
+      find_radii(open, last_cap, cap);
       const auto is_done = [&](std::size_t c) { return !has_open_sphere(c); };
       open.erase(std::remove_if(open.begin(), open.end(), is_done), open.end());
       last_cap = cap;
@@ -81,8 +85,8 @@ public:
 private:
   // In units of the thickness. 1.2 and 1.5 take 30 % longer to fill the bunny (2026-11-21).
   static constexpr double first_cap = 2, cap_growth = 2;
-  static constexpr std::size_t longest_run = 16; // 8 is as fast
   static constexpr std::size_t block = 256;
+  static constexpr bool is_bounded = !std::is_same_v<BoundaryLimit, No_boundary_limit>;
 
   // stands for the touching node of a sphere that touches nothing up to the cap tried last
   static constexpr Index still_open = Medial_spheres::no_node - 1;
@@ -114,61 +118,99 @@ private:
   Vector position(std::size_t c) const { return row(m_x, m_spheres.circles()[c].node); }
   double thickness(std::size_t c) const { return m_thickness[m_spheres.circles()[c].node]; }
 
+  // What consecutive circles share.
+  struct Workspace
+  {
+    Support_function support;
+    Moving_neighborhood neighborhood;
+    Node_list touched;                // by the spheres of the last circle
+    Planar_rays ways;                 // of the centers: as far as the boundary leaves them
+    std::vector<double> free_lengths; // of the ways, without the boundary
+  };
+
   // Finds the radii of some circles that are below a cap, in units of the thickness.
-  void find_radii(const Circles& circles, double cap)
+  void find_radii(const Circles& circles, double last_cap, double cap)
   {
     for_each_block<ConcurrencyTag>(circles.size(), block, [&](std::size_t begin, std::size_t end) {
-      Support_function support;
-      while(begin < end) {
-        const std::size_t run_end = find_neighbors(circles, begin, end, cap, support.nodes());
-        support.load(m_x);
-        for(; begin < run_end; ++begin) find_radii(circles[begin], cap, support);
-      }
+      Workspace work{Support_function(m_spheres.directions()),
+                     Moving_neighborhood(m_neighborhoods),
+                     {},
+                     {},
+                     {}};
+      for(; begin < end; ++begin) find_radii(circles[begin], last_cap, cap, work);
     });
   }
 
-  // Finds the nodes near a run of circles from `begin` on, and returns where the run ends.
-  std::size_t find_neighbors(const Circles& circles,
-                             std::size_t begin,
-                             std::size_t end,
-                             double cap,
-                             std::vector<Index>& nodes) const
+  void find_radii(std::size_t c, double last_cap, double cap, Workspace& work)
   {
-    const Vector first = position(circles[begin]);
-    Vector low = first, high = first;
-    double radius = cap * thickness(circles[begin]);
-    std::size_t run_end = begin + 1;
-    for(; run_end < end && run_end < begin + longest_run; ++run_end) {
-      const Vector p = position(circles[run_end]);
-      if((p - first).squaredNorm() > radius * radius) break;
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-      radius = (std::max)(radius, cap * thickness(circles[run_end]));
-    }
-    const double slack = 1 + 1e-12; // rounding of the center
-    m_neighborhoods.find((low + high) / 2, slack * ((high - low).norm() / 2 + 2 * radius), nodes);
-    return run_end;
+    constexpr double slack = 1 + 1e-12; // rounding
+    const double unit = thickness(c);
+    start(c, cap, work);
+    if(work.touched.size() > 0) work.support.add(work.touched);
+    limit_ways(c, cap, work);
+    const double reach = slack * 2 * unit / work.support.least();
+    work.support.add(work.neighborhood(position(c), reach));
+    for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l)
+      if(is_open(c, l)) set_radius(c, l, cap, work);
+    note_touched(cap, work);
+    if constexpr(is_bounded) m_boundary_limit.limit_spheres(m_spheres, c, last_cap * unit);
   }
 
-  void find_radii(std::size_t c, double cap, Support_function& support)
+  void start(std::size_t c, double cap, Workspace& work) const
   {
-    const double largest = cap * thickness(c);
-    support.evaluate(position(c), m_spheres.circles()[c], largest, m_spheres.directions());
+    work.support.start(position(c), m_spheres.circles()[c], thickness(c));
     for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l)
       if(is_open(c, l))
-        set(c, l, largest / support(l),
-            support.is_supported(l) ? support.supporting_node(l) : still_open);
+        work.support.bound(l, 1 / cap);
+      else
+        work.support.close(l);
   }
 
-  // Radii below the cap tried last have been limited already.
-  void limit_by_boundary(const Circles& circles, double last_cap)
+  // Finds how far centers can go before they meet the boundary, if they do so before their spheres
+  // meet one of the nodes touched last.
+  void limit_ways(std::size_t c, double cap, Workspace& work) const
   {
-    if constexpr(!std::is_same_v<BoundaryLimit, No_boundary_limit>)
-      for_each_block<ConcurrencyTag>(
-          circles.size(), block, [&](std::size_t begin, std::size_t end) {
-            for(; begin < end; ++begin)
-              m_boundary_limit(m_spheres, circles[begin], last_cap * thickness(circles[begin]));
-          });
+    constexpr double slack = 1 - 1e-15; // rounding: a sphere of that radius touches no node
+    const double unit = thickness(c);
+    std::vector<double>& lengths = work.ways.lengths;
+    lengths.assign(m_spheres.number_of_directions(), cap * unit);
+    if constexpr(is_bounded) {
+      for(std::size_t l = 0; l < lengths.size(); ++l)
+        if(!is_open(c, l))
+          lengths[l] = 0;
+        else if(work.support.is_supported(l))
+          lengths[l] = unit / work.support(l);
+      work.free_lengths = lengths;
+      m_boundary_limit.limit_centers(m_spheres, c, work.ways);
+      for(std::size_t l = 0; l < lengths.size(); ++l)
+        if(lengths[l] < work.free_lengths[l])
+          work.support.bound(l, slack * unit / lengths[l]);
+        else
+          lengths[l] = cap * unit;
+    }
+  }
+
+  void set_radius(std::size_t c, std::size_t l, double cap, const Workspace& work)
+  {
+    const double unit = thickness(c), limit = work.ways.lengths[l];
+    const double radius = work.support.is_supported(l) ? unit / work.support(l) : limit;
+    if(work.support.is_supported(l) && radius <= limit)
+      set(c, l, radius, work.support.supporting_node(l));
+    else
+      set(c, l, limit, limit < cap * unit ? Medial_spheres::no_node : still_open);
+  }
+
+  // If a sphere reaches the cap, nothing is gained by knowing what others touch.
+  void note_touched(double cap, Workspace& work) const
+  {
+    work.touched.clear();
+    if(work.support.least() <= 1 / cap) return;
+    Index last = Medial_spheres::no_node;
+    for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l) {
+      if(!work.support.is_supported(l) || work.support.supporting_node(l) == last) continue;
+      last = work.support.supporting_node(l);
+      work.touched.push_back(last, row(m_x, last));
+    }
   }
 
   const Vector_field& m_x;

@@ -10,18 +10,18 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
 
-#include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -30,13 +30,15 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The nodes within a distance of a point, from a CGAL kd-tree over node indices. Of coincident
-// nodes the tree holds one only: more than a bucketful of them degenerates it (before CGAL 6.2).
+// The nodes near a point, from a CGAL kd-tree over node indices. Of coincident nodes the tree holds
+// one only: more than a bucketful of them degenerates it (before CGAL 6.2). Who asks computes with
+// all that he gets, several nodes at a time, so that it is faster to hand out the leaves that a
+// ball meets than to look at their nodes; for that the nodes are kept in the order of the leaves.
 // O(n log n) to build; queries of a built tree are safe in parallel.
 class Node_neighborhoods
 {
 public:
-  using Index = std::uint32_t;
+  using Index = Node_list::Index;
 
   explicit Node_neighborhoods(const Vector_field& x)
   {
@@ -46,16 +48,18 @@ public:
     const std::vector<Index> indices = distinct_nodes();
     const Traits traits(CGAL::make_property_map(m_points));
     m_tree = std::make_unique<Tree>(indices.begin(), indices.end(), Splitter(bucket_size), traits);
-    if(!indices.empty()) m_tree->build();
+    if(indices.empty()) return;
+    m_tree->build();
+    for(const Index v : *m_tree) m_nodes.push_back(v, row(x, v));
   }
 
-  // Replaces the contents of `found` by the nodes within `radius` of `center`, in no order.
-  void find(const Vector& center, double radius, std::vector<Index>& found) const
+  // Replaces the contents of `found` by the nodes within `radius` of `center`, and some more.
+  void find(const Vector& center, double radius, Node_list& found) const
   {
     found.clear();
     if(m_points.empty()) return;
-    m_tree->search(std::back_inserter(found),
-                   Sphere(to_kernel_point(center), radius, 0., m_tree->traits()));
+    Descent descent{center, radius * radius, found};
+    descend(*m_tree->root(), descent, Vector());
   }
 
 private:
@@ -66,9 +70,36 @@ private:
                                              CGAL::Search_traits_3<Kernel>>;
   using Splitter = CGAL::Sliding_midpoint<Traits>;
   using Tree = CGAL::Kd_tree<Traits, Splitter>;
-  using Sphere = CGAL::Fuzzy_sphere<Traits>;
+
+  struct Descent
+  {
+    Vector center;
+    double squared_radius;
+    Node_list& found;
+  };
 
   static constexpr unsigned bucket_size = 20;
+
+  // Takes how far the center is from the node's cell along each axis.
+  void descend(const Tree::Node& node, Descent& descent, const Vector& gap) const
+  {
+    if(node.is_leaf()) {
+      const auto& leaf = static_cast<const Tree::Leaf_node&>(node);
+      const auto first = static_cast<std::size_t>(leaf.begin() - m_tree->begin());
+      descent.found.append(m_nodes, first, first + leaf.size());
+      return;
+    }
+    const auto& inner = static_cast<const Tree::Internal_node&>(node);
+    const int axis = inner.cutting_dimension();
+    const double place = descent.center[axis];
+    const auto descend_if_near = [&](const Tree::Node& child, double distance) {
+      Vector farther = gap;
+      farther[axis] = (std::max)(gap[axis], distance);
+      if(farther.squaredNorm() <= descent.squared_radius) descend(child, descent, farther);
+    };
+    descend_if_near(*inner.lower(), place - inner.lower_high_value());
+    descend_if_near(*inner.upper(), inner.upper_low_value() - place);
+  }
 
   static Point to_kernel_point(const Vector& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -107,6 +138,7 @@ private:
 
   std::vector<Point> m_points;
   std::unique_ptr<Tree> m_tree;
+  Node_list m_nodes; // in the order of the tree's leaves
 };
 
 } // namespace internal

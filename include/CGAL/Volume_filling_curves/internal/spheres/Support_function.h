@@ -9,11 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -25,90 +26,138 @@ namespace internal {
 // with its center in direction x_l is free as long as
 //   1 / R >= max over j of x_l . 2 d_j / |d_j|^2,
 // which is the support function of the images. Only their projections to the plane of the
-// directions matter. Everything is in units of the cap r_max of the radii, where the cap itself is
-// an image of length 1 in all directions. One array for each coordinate, so that loops take several
-// nodes, or directions, at a time. Linear in the number of nodes, times N for those within reach.
+// directions matter. Everything is in units of the thickness. One array for each coordinate, so
+// that loops take several nodes, or directions, at a time: compilers do so with the greatest value,
+// but not with its place, which is sought afterwards. Linear in the number of nodes, times N for
+// those within reach.
+//
+// The support in a direction is at least what it is bounded by beforehand. The higher these bounds,
+// the fewer images have to be looked at.
 class Support_function
 {
 public:
-  using Index = Medial_spheres::Index;
+  using Index = Node_list::Index;
 
-  // the nodes that might matter, in any order; to be followed by load()
-  std::vector<Index>& nodes() { return m_nodes; }
+  explicit Support_function(const Circle_directions& directions)
+      : m_directions(directions),
+        m_support(directions.size()),
+        m_supporting_nodes(directions.size())
+  {}
 
-  void load(const Vector_field& positions)
+  // Begins with another circle, at whose node the thickness is `unit`. The support in each
+  // direction is to be bounded next.
+  void start(const Vector& node, const Node_circle& circle, double unit)
   {
-    const std::size_t n = m_nodes.size();
-    for(auto* values : {&m_x, &m_y, &m_z, &m_u, &m_v, &m_squared_norm}) values->resize(n);
-    for(std::size_t k = 0; k < n; ++k) {
-      const Vector position = row(positions, m_nodes[k]);
-      m_x[k] = position.x();
-      m_y[k] = position.y();
-      m_z[k] = position.z();
+    m_node = node;
+    m_axis_u = 2 * unit * circle.u;
+    m_axis_v = 2 * unit * circle.v;
+  }
+
+  // Forgets what supported direction l so far.
+  void bound(std::size_t l, double least)
+  {
+    m_support[l] = least;
+    m_supporting_nodes[l] = none;
+  }
+
+  // Leaves direction l alone: nothing supports it.
+  void close(std::size_t l) { bound(l, std::numeric_limits<double>::infinity()); }
+
+  // Adds the images of some nodes, in any order, also repeatedly.
+  void add(const Node_list& nodes)
+  {
+    invert(nodes);
+    keep_far_images();
+    m_former_support = m_support;
+    raise_support();
+    std::size_t k = 0; // neighboring directions often have the same supporting node
+    for(std::size_t l = 0; l < m_support.size(); ++l) {
+      if(!(m_support[l] > m_former_support[l])) continue;
+      if(value(k, l) != m_support[l])
+        for(k = 0; value(k, l) != m_support[l];) ++k;
+      m_supporting_nodes[l] = nodes.index(m_far_images[k]);
     }
   }
 
-  void evaluate(const Vector& node,
-                const Node_circle& circle,
-                double cap,
-                const Circle_directions& directions)
-  {
-    invert(node, circle, cap);
-    m_support.assign(directions.size(), 1.); // the cap
-    m_supporting.assign(directions.size(), none);
-    for(std::size_t k = 0; k < m_nodes.size(); ++k)
-      // Only images outside the unit circle lie beyond the cap in some direction. The node itself
-      // and coincident ones have no image: their norm is not a number.
-      if(m_squared_norm[k] > 1) add_image(k, directions);
-  }
-
-  // 1 / R in direction l, in units of 1 / cap
+  // 1 / R in direction l, in units of 1 / thickness
   double operator()(std::size_t l) const { return m_support[l]; }
 
-  // returns whether a node supports direction l, and not just the cap
-  bool is_supported(std::size_t l) const { return m_supporting[l] != none; }
+  // the least of them, which belongs to the largest sphere
+  double least() const { return *std::min_element(m_support.begin(), m_support.end()); }
 
-  Index supporting_node(std::size_t l) const
-  {
-    return m_nodes[static_cast<std::size_t>(m_supporting[l])];
-  }
+  // returns whether a node supports direction l, and not just a bound
+  bool is_supported(std::size_t l) const { return m_supporting_nodes[l] != none; }
+
+  Index supporting_node(std::size_t l) const { return m_supporting_nodes[l]; }
 
 private:
-  static constexpr std::int64_t none = -1;
+  static constexpr Index none = Medial_spheres::no_node;
+  static constexpr std::size_t group = 4; // images at a time
 
-  void invert(const Vector& node, const Node_circle& circle, double cap)
+  void invert(const Node_list& nodes)
   {
-    const double *x = m_x.data(), *y = m_y.data(), *z = m_z.data();
-    double *u = m_u.data(), *v = m_v.data(), *squared_norm = m_squared_norm.data();
-    const Vector a = circle.u, b = circle.v;
-    for(std::size_t k = 0, n = m_nodes.size(); k < n; ++k) {
-      const double dx = x[k] - node.x(), dy = y[k] - node.y(), dz = z[k] - node.z();
-      const double scale = 2 * cap / (dx * dx + dy * dy + dz * dz);
+    const std::size_t n = nodes.size();
+    for(auto* values : {&m_u, &m_v})
+      if(values->size() < n + group) values->resize(n + group);
+    m_far_images.resize(m_u.size());
+    const double *x = nodes.x(), *y = nodes.y(), *z = nodes.z();
+    double *u = m_u.data(), *v = m_v.data();
+    const Vector p = m_node, a = m_axis_u, b = m_axis_v;
+    for(std::size_t k = 0; k < n; ++k) {
+      const double dx = x[k] - p.x(), dy = y[k] - p.y(), dz = z[k] - p.z();
+      const double scale = 1 / (dx * dx + dy * dy + dz * dz);
       u[k] = scale * (dx * a.x() + dy * a.y() + dz * a.z());
       v[k] = scale * (dx * b.x() + dy * b.y() + dz * b.z());
-      squared_norm[k] = u[k] * u[k] + v[k] * v[k];
     }
+    m_number_of_images = n;
   }
 
-  void add_image(std::size_t k, const Circle_directions& directions)
+  // Only images beyond the circle of the least support matter. The node itself and coincident ones
+  // have no image: it is not a number.
+  void keep_far_images()
   {
-    const double u = m_u[k], v = m_v[k];
-    const double *cosine = directions.cosine.data(), *sine = directions.sine.data();
-    double* support = m_support.data();
-    std::int64_t* supporting = m_supporting.data();
-    const auto node = static_cast<std::int64_t>(k);
-    for(std::size_t l = 0, n = directions.size(); l < n; ++l) {
-      const double value = cosine[l] * u + sine[l] * v;
-      supporting[l] = value > support[l] ? node : supporting[l];
-      support[l] = value > support[l] ? value : support[l];
+    constexpr double slack = 1 - 1e-14; // rounding
+    const double inner = slack * least() * least();
+    std::size_t count = 0;
+    for(std::size_t k = 0; k < m_number_of_images; ++k) {
+      const double u = m_u[k], v = m_v[k];
+      m_u[count] = u;
+      m_v[count] = v;
+      m_far_images[count] = k;
+      count += u * u + v * v > inner ? 1 : 0;
+    }
+    m_number_of_images = count;
+    for(; count % group != 0; ++count) m_u[count] = m_v[count] = 0;
+  }
+
+  void raise_support()
+  {
+    const double *cosine = m_directions.cosine.data(), *sine = m_directions.sine.data();
+    double* const support = m_support.data();
+    for(std::size_t k = 0; k < m_number_of_images; k += group) {
+      const double u0 = m_u[k], u1 = m_u[k + 1], u2 = m_u[k + 2], u3 = m_u[k + 3];
+      const double v0 = m_v[k], v1 = m_v[k + 1], v2 = m_v[k + 2], v3 = m_v[k + 3];
+      for(std::size_t l = 0, n = m_directions.size(); l < n; ++l) {
+        const double c = cosine[l], s = sine[l];
+        const double first = (std::max)(c * u0 + s * v0, c * u1 + s * v1),
+                     last = (std::max)(c * u2 + s * v2, c * u3 + s * v3);
+        support[l] = (std::max)(support[l], (std::max)(first, last));
+      }
     }
   }
 
-  std::vector<Index> m_nodes;
-  std::vector<double> m_x, m_y, m_z;            // of the nodes
-  std::vector<double> m_u, m_v, m_squared_norm; // of their images
-  std::vector<double> m_support;                // per direction
-  std::vector<std::int64_t> m_supporting;       // per direction, place in m_nodes
+  double value(std::size_t k, std::size_t l) const
+  {
+    return m_directions.cosine[l] * m_u[k] + m_directions.sine[l] * m_v[k];
+  }
+
+  const Circle_directions& m_directions;
+  Vector m_node, m_axis_u, m_axis_v; // the circle's, times twice the unit
+  std::vector<double> m_u, m_v;      // of images, then of those that matter
+  std::vector<std::size_t> m_far_images;
+  std::size_t m_number_of_images = 0;
+  std::vector<double> m_support, m_former_support; // per direction
+  std::vector<Index> m_supporting_nodes;           // per direction
 };
 
 } // namespace internal
