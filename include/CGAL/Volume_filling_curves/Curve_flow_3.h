@@ -388,10 +388,12 @@ private:
   double m_length = 0, m_gradient_norm = 0;
 };
 
+#ifndef DOXYGEN_RUNNING
 template <typename Traits, typename Domain>
 Curve_flow_3(Isotopy_guard_3<Traits, Domain>&,
              const Curve_flow_parameters& = Curve_flow_parameters())
     -> Curve_flow_3<Traits, Domain>;
+#endif
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

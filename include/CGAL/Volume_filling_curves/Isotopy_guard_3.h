@@ -367,11 +367,13 @@ private:
   size_type m_number_of_rejected = 0;
 };
 
+#ifndef DOXYGEN_RUNNING
 template <typename Traits>
 Isotopy_guard_3(Curve_network_3<Traits>&) -> Isotopy_guard_3<Traits>;
 
 template <typename Traits, typename Domain>
 Isotopy_guard_3(Curve_network_3<Traits>&, const Domain&) -> Isotopy_guard_3<Traits, Domain>;
+#endif
 
 } // namespace Volume_filling_curves
 } // namespace CGAL
