@@ -9,7 +9,6 @@ foreach(way IN ITEMS find_package add_subdirectory cgal_checkout)
   add_test(NAME usage_${way}
     COMMAND ${CMAKE_COMMAND}
       -D PACKAGE_DIR=${package_dir}
-      -D BUILD_DIR=${CMAKE_BINARY_DIR}
       -D WORK_DIR=${CMAKE_CURRENT_BINARY_DIR}/usage/${way}
       -D CGAL_DIR=${CGAL_DIR}
       -D COMPILER=${CMAKE_CXX_COMPILER}
