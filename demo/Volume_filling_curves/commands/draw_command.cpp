@@ -4,25 +4,36 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc draw: a picture of a curve, and of a surface around it.
+// vfc draw: a picture of a curve, and of a surface around it, or a film of a run.
 
 #include "commands/commands.h"
 #include "files/curve_files.h"
 #include "files/mesh_files.h"
+#include "film/Film.h"
+#include "film/film_page.h"
+#include "film/frame_files.h"
+#include "film/three_js.h"
 #include "options/Command_line.h"
+#include "options/picture_option_texts.h"
 #include "pictures/curve_pictures.h"
 #include "session/Exit_status.h"
 #include "session/errors.h"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace vfc {
 namespace {
 
 struct Draw_options
 {
-  std::string file, mesh, picture;
+  std::string file, mesh, output;
+  Picture_options picture;
+  std::string frames; // of a film
+  double tube = 0;    // 0 for what suits the film
   bool is_network = false;
 };
 
@@ -32,27 +43,126 @@ bool has_extension(const std::string& file, const std::string& extension)
          file.compare(file.size() - extension.size(), extension.size(), extension) == 0;
 }
 
-std::string picture(Session& session, const Draw_options& options)
+Mesh read_surface(Session& session, const std::string& file)
 {
+  return file.empty() ? Mesh() : read_mesh(session, file).mesh;
+}
+
+int finish(Session& session, const std::string& file, const std::string& content)
+{
+  Output_files::write(file, content);
+  session.end_stage("drawing");
+  session.report()["status"] = "done";
+  session.print_summary("wrote " + file + '\n');
+  return GOAL_REACHED;
+}
+
+int draw_picture(Session& session, const Draw_options& options)
+{
+  if(options.file.empty()) throw Usage_error("CURVE is missing");
+  const bool is_svg = has_extension(options.output, ".svg");
+  if(!is_svg && !has_extension(options.output, ".png"))
+    throw Usage_error("--output: " + options.output + ": pictures are .svg or .png files");
+  session.add_input(options.file);
+  if(!options.mesh.empty()) session.add_input(options.mesh);
+  session.outputs().add("--output", options.output);
   const Curve curve = read_curve(session, options.file, options.is_network);
-  Mesh mesh;
-  if(!options.mesh.empty()) mesh = read_mesh(session, options.mesh).mesh;
-  return has_extension(options.picture, ".svg") ? svg_picture(curve, mesh)
-                                                : png_picture(curve, mesh);
+  const Mesh mesh = read_surface(session, options.mesh);
+  const auto picture = is_svg ? svg_picture : png_picture;
+  return finish(session, options.output, picture(curve, mesh, options.picture));
+}
+
+// The curves are those of the frames, so that the only argument is the surface.
+int draw_film(Session& session, const Draw_options& options)
+{
+  if(!options.mesh.empty())
+    throw Usage_error("--film: the curves are those of " + options.frames +
+                      "; MESH is the only argument");
+  if(!has_extension(options.output, ".html"))
+    throw Usage_error("--output: " + options.output + ": films are .html files");
+  const std::vector<Frame_file> frames = frames_in(options.frames);
+  for(const Frame_file& frame : frames) session.add_input(frame.file);
+  if(!options.file.empty()) session.add_input(options.file);
+  session.outputs().add("--output", options.output);
+  const std::string three_js = read_three_js();
+  Film film(options.frames, read_surface(session, options.file));
+  for(const Frame_file& frame : frames)
+    film.add(frame.iteration, read_curve(session, frame.file, options.is_network));
+  return finish(session, options.output, film_page(film.to_json(options.tube), three_js));
 }
 
 int draw(Session& session, const Draw_options& options)
 {
-  if(!has_extension(options.picture, ".svg") && !has_extension(options.picture, ".png"))
-    throw Usage_error("--output: " + options.picture + ": pictures are .svg or .png files");
-  session.add_input(options.file);
-  if(!options.mesh.empty()) session.add_input(options.mesh);
-  session.outputs().add("--output", options.picture);
-  Output_files::write(options.picture, picture(session, options));
-  session.end_stage("drawing");
-  session.report()["status"] = "done";
-  session.print_summary("wrote " + options.picture + '\n');
-  return GOAL_REACHED;
+  return options.frames.empty() ? draw_picture(session, options) : draw_film(session, options);
+}
+
+// Takes the value of an option if `parse` makes sense of it.
+template <typename Value>
+CLI::Option& add_parsed(CLI::App& command,
+                        const std::string& name,
+                        std::optional<Value>& value,
+                        std::optional<Value> (*parse)(const std::string& text),
+                        const std::string& description,
+                        const std::string& expected)
+{
+  const auto check = [parse, expected](const std::string& text) {
+    return parse(text) ? std::string() : "'" + text + "' is not " + expected;
+  };
+  return *command
+              .add_option_function<std::string>(
+                  name, [&value, parse](const std::string& text) { value = parse(text); },
+                  description)
+              ->check(CLI::Validator(check, ""));
+}
+
+void add_options_of_pictures(CLI::App& command, Picture_options& picture)
+{
+  const std::size_t fewest_pixels = 100, most_pixels = 4000;
+  const std::string group = "Options of pictures";
+  add_choice(command, "--color", picture.coloring,
+             {{"component", Coloring::COMPONENT},
+              {"arclength", Coloring::ARCLENGTH},
+              {"radius", Coloring::RADIUS},
+              {"curvature", Coloring::CURVATURE},
+              {"thickness", Coloring::THICKNESS}},
+             "what the color tells: component, or with a scale arclength, radius, curvature or "
+             "thickness; see below")
+      .group(group);
+  add_parsed(command, "--view", picture.direction, parse_direction,
+             "where it is seen from: a direction x,y,z or azimuth,elevation in degrees, y up; "
+             "default: from where it covers least of itself, with MESH 0.45,0.35,1",
+             "a direction x,y,z or azimuth,elevation with an elevation from -90 to 90")
+      .type_name("VIEW")
+      ->group(group);
+  add_whole_number(command, "--size", picture.pixels, "pixels of each side", fewest_pixels,
+                   most_pixels)
+      .capture_default_str()
+      ->group(group);
+  add_parsed(command, "--cut", picture.cut, parse_plane,
+             "a plane such as x=0.5, or a,b,c,d for a x + b y + c z = d, in the input's unit: "
+             "what is on the viewer's side of it is left out",
+             "a plane x=0.5, y=0.5, z=0.5 or a,b,c,d")
+      .type_name("PLANE")
+      ->group(group);
+  command
+      .add_flag("--labels", picture.has_labels,
+                "numbers of nodes in file order from 1, as many as there is room for")
+      ->group(group);
+}
+
+void add_options_of_films(CLI::App& command, Draw_options& options)
+{
+  const std::string group = "Options of films";
+  CLI::Option& film = add_file(command, "--film", options.frames,
+                               "folder of the frames of a run, as --frames DIR writes them");
+  film.type_name("DIR")->group(group);
+  for(const char* const name : {"--color", "--view", "--size", "--cut", "--labels"})
+    film.excludes(command.get_option(name));
+  add_number(command, "--tube", options.tube,
+             "radius of the tube at the start, in the input's unit; default: what suits the film")
+      .type_name("R")
+      ->group(group)
+      ->needs(&film);
 }
 
 } // namespace
@@ -60,13 +170,33 @@ int draw(Session& session, const Draw_options& options)
 void add_draw_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Draw_options>();
-  CLI::App& command =
-      command_line.add_command("draw", "a shaded picture of a curve, also in a surface",
-                               [options](Session& session) { return draw(session, *options); });
-  add_curve(command, options->file);
+  CLI::App& command = command_line.add_command(
+      "draw", "a shaded picture of a curve, also in a surface, or a film of a run",
+      [options](Session& session) { return draw(session, *options); });
+  add_curve(command, options->file).required(false);
   add_mesh(command, options->mesh).description("a surface, drawn translucent around the curve");
-  add_file(command, "-o,--output", options->picture, "the picture, .svg or .png").required();
+  add_file(command, "-o,--output", options->output, "the picture, .svg or .png, or the film, .html")
+      .required();
   add_network_flag(command, options->is_network);
+  add_options_of_pictures(command, options->picture);
+  add_options_of_films(command, *options);
+  command.footer(
+      "  vfc draw CURVE [MESH] -o PICTURE\n"
+      "  vfc draw --film DIR [MESH] -o FILM.html\n"
+      "\n"
+      "Colors, whose numbers are in the input's unit:\n"
+      "  arclength   length along the component, from its first node\n"
+      "  radius      mean of the node's medial radii: how far away other strands are, the "
+      "thickness\n"
+      "              that untangle takes by itself counting twice at most\n"
+      "  curvature   reciprocal of the bend radius of the node\n"
+      "  thickness   radius of the thickest tube that neither kinks at the node nor meets a "
+      "strand\n"
+      "              there, with the same limit\n"
+      "The scale holds all but the least and the largest hundredth of the numbers.\n"
+      "\n"
+      "A film is one file, which a browser plays without a network. It needs three.js, Debian's\n"
+      "libjs-three or npm's three, when it is written.");
 }
 
 } // namespace vfc

@@ -28,11 +28,14 @@ void for_each_edge(const Curve& curve, const Point& point, const Function& f)
     f(point(curve.source(e)), point(curve.target(e)));
 }
 
-Eigen::Matrix3d upright_frame()
+// y points up, unless it is seen from there
+Eigen::Matrix3d upright_frame(const Vector& direction)
 {
-  const Vector front = Vector(0.45, 0.35, 1).normalized();
+  const Vector front = direction.normalized();
+  const Vector across = Vector::UnitY().cross(front);
+  constexpr double steep = 1e-6;
   Eigen::Matrix3d frame;
-  frame.row(0) = Vector::UnitY().cross(front).normalized();
+  frame.row(0) = across.norm() > steep ? Vector(across.normalized()) : Vector(Vector::UnitX());
   frame.row(1) = front.cross(frame.row(0).transpose());
   frame.row(2) = front;
   return frame;
@@ -83,30 +86,35 @@ Eigen::Matrix3d principal_frame(const Curve& curve)
 
 } // namespace
 
-Curve_view::Curve_view(const Curve& curve)
+Curve_view::Curve_view(const Curve& curve, const Triangle_soup& surface, const Wishes& wishes)
+    : m_surface(surface)
 {
-  add_curve(curve, principal_frame(curve));
-  fit();
-  double length = 0; // in the picture
-  for_each_edge(
-      curve, [&](std::size_t v) { return m_points[v]; },
-      [&](const Vector& p, const Vector& q) { length += (q - p).head<2>().norm(); });
-  const double area = covered_share * picture_size * picture_size;
-  m_width = std::clamp(area / (std::max)(length, 1.), min_width, max_width);
+  const bool has_surface = !surface.triangles.empty();
+  const Vector usual_direction(0.45, 0.35, 1);
+  m_frame = wishes.direction || has_surface
+                ? upright_frame(wishes.direction.value_or(usual_direction))
+                : principal_frame(curve);
+  fit(curve, wishes.has_legend);
+  place_all(curve);
+  const double width =
+      has_surface
+          ? width_per_distance * std::sqrt(m_surface.volume() / (std::max)(length(curve, 3), 1.))
+          : covered_share * picture_size * picture_size / (std::max)(length(curve, 2), 1.);
+  m_width = std::clamp(width, min_width, max_width);
 }
 
-Curve_view::Curve_view(const Curve& curve, const Triangle_soup& surface) : m_surface(surface)
+Vector Curve_view::place(const Vector& p) const
 {
-  const Eigen::Matrix3d frame = upright_frame();
-  add_curve(curve, frame);
-  for(Vector& p : m_surface.points) p = frame * p;
-  fit();
-  double length = 0; // in space
-  for_each_edge(
-      curve, [&](std::size_t v) { return m_points[v]; },
-      [&](const Vector& p, const Vector& q) { length += (q - p).norm(); });
-  const double distance = std::sqrt(m_surface.volume() / (std::max)(length, 1.));
-  m_width = std::clamp(width_per_distance * distance, min_width, max_width);
+  const Vector q = m_scale * (m_frame * p - m_center);
+  return {m_middle.x() + q.x(), m_middle.y() - q.y(), q.z()};
+}
+
+Plane Curve_view::place(const Plane& plane) const
+{
+  Vector normal = m_frame * plane.normal.normalized();
+  normal.y() = -normal.y();
+  const Vector on_plane = plane.offset / plane.normal.squaredNorm() * plane.normal;
+  return {normal, normal.dot(place(on_plane))};
 }
 
 void Curve_view::scale(double factor)
@@ -114,30 +122,41 @@ void Curve_view::scale(double factor)
   for(auto* points : {&m_points, &m_surface.points})
     for(Vector& p : *points) p *= factor;
   m_width *= factor;
+  m_middle *= factor;
+  m_scale *= factor;
 }
 
-void Curve_view::add_curve(const Curve& curve, const Eigen::Matrix3d& frame)
+// Finds the place and the scale with which everything fits into the picture, beside the legend.
+void Curve_view::fit(const Curve& curve, bool has_legend)
+{
+  Eigen::AlignedBox3d box;
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    box.extend(m_frame * to_vector(curve.point(v)));
+  for(const Vector& p : m_surface.points) box.extend(m_frame * p);
+  if(box.isEmpty()) return;
+  const double room = picture_size - 2 * view_margin - (has_legend ? legend_width : 0);
+  const double size = (box.max() - box.min()).head<2>().maxCoeff();
+  m_scale = size > 0 ? room / size : 1;
+  m_center = (box.min() + box.max()) / 2;
+  m_middle = Vector(view_margin + room / 2, picture_size / 2, 0);
+}
+
+void Curve_view::place_all(const Curve& curve)
 {
   m_points.reserve(curve.number_of_nodes());
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-    m_points.push_back(frame * to_vector(curve.point(v)));
+    m_points.push_back(place(to_vector(curve.point(v))));
+  for(Vector& p : m_surface.points) p = place(p);
 }
 
-void Curve_view::fit()
+// returns the length of the curve in space, or in the plane of the picture
+double Curve_view::length(const Curve& curve, Eigen::Index dimension) const
 {
-  if(m_points.empty() && m_surface.points.empty()) return;
-  Eigen::AlignedBox3d box;
-  for(const auto* points : {&m_points, &m_surface.points})
-    for(const Vector& p : *points) box.extend(p);
-  const double size = (box.max() - box.min()).head<2>().maxCoeff();
-  const double scale = size > 0 ? (picture_size - 2 * view_margin) / size : 1;
-  const Vector center = (box.min() + box.max()) / 2;
-  for(auto* points : {&m_points, &m_surface.points})
-    for(Vector& p : *points) {
-      p = scale * (p - center);
-      p.x() = picture_size / 2 + p.x();
-      p.y() = picture_size / 2 - p.y();
-    }
+  double sum = 0;
+  for_each_edge(
+      curve, [&](std::size_t v) { return m_points[v]; },
+      [&](const Vector& p, const Vector& q) { sum += (q - p).head(dimension).norm(); });
+  return sum;
 }
 
 } // namespace vfc

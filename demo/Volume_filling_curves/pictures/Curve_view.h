@@ -7,9 +7,13 @@
 #ifndef VFC_CURVE_VIEW_H
 #define VFC_CURVE_VIEW_H
 
+#include "pictures/Picture_options.h"
 #include "pictures/Triangle_soup.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace vfc {
@@ -18,14 +22,24 @@ namespace vfc {
 // towards the viewer in the same unit. The curve is seen along its shortest principal axis, where
 // it covers least of itself, tilted a little so that parts right behind each other show; its
 // longest axis runs from left to right. With a surface around it the curve is seen from the front,
-// the right and above, where y is up, since many shapes stand upright so.
+// the right and above, where y is up, since many shapes stand upright so. So it is from any
+// direction that is asked for.
 class Curve_view
 {
 public:
   static constexpr double picture_size = 800;
 
-  explicit Curve_view(const Curve& curve);
-  Curve_view(const Curve& curve, const Triangle_soup& surface);
+  // How a view may be wanted: from a direction, and with room for a legend at the right.
+  struct Wishes
+  {
+    std::optional<Vector> direction;
+    bool has_legend = false;
+  };
+
+  static constexpr double legend_width = 130;
+
+  explicit Curve_view(const Curve& curve) : Curve_view(curve, Triangle_soup(), Wishes()) {}
+  Curve_view(const Curve& curve, const Triangle_soup& surface, const Wishes& wishes);
 
   const Vector& point(std::size_t v) const { return m_points[v]; }
 
@@ -36,16 +50,23 @@ public:
   // returns the width of the stroke with which the curve is drawn
   double width() const { return m_width; }
 
+  // the place of a point of space, and of the plane that is given in space
+  Vector place(const Vector& p) const;
+  Plane place(const Plane& plane) const;
+
   // Multiplies all lengths in the picture.
   void scale(double factor);
 
 private:
-  void add_curve(const Curve& curve, const Eigen::Matrix3d& frame);
-  void fit();
+  void fit(const Curve& curve, bool has_legend);
+  void place_all(const Curve& curve);
+  double length(const Curve& curve, Eigen::Index dimension) const;
 
+  Eigen::Matrix3d m_frame; // its rows are the directions to the right, up and to the viewer
+  Vector m_center = Vector::Zero(), m_middle = Vector::Zero(); // in the frame, and in the picture
+  double m_scale = 1, m_width = 1;
   std::vector<Vector> m_points;
   Triangle_soup m_surface;
-  double m_width;
 };
 
 } // namespace vfc

@@ -15,7 +15,7 @@
 namespace vfc {
 namespace {
 
-constexpr Color white{255, 255, 255}, ink{20, 20, 40}, glass{108, 132, 160};
+constexpr Color white{255, 255, 255}, ink{20, 20, 40}, glass{108, 132, 160}, line{70, 88, 112};
 
 double opacity(double optical_depth)
 {
@@ -24,8 +24,10 @@ double opacity(double optical_depth)
 
 } // namespace
 
-Picture_shader::Picture_shader(const Scene_raster& raster, std::size_t samples_per_side)
-    : m_raster(raster), m_side(samples_per_side)
+Picture_shader::Picture_shader(const Scene_raster& raster,
+                               const Tube_colors& colors,
+                               std::size_t samples_per_side)
+    : m_raster(raster), m_colors(colors), m_side(samples_per_side)
 {
   for(std::size_t y = 0; y < raster.height(); ++y)
     for(std::size_t x = 0; x < raster.width(); ++x) {
@@ -67,12 +69,14 @@ Color Picture_shader::shade(const Scene_raster::Sample& sample) const
 
 Color Picture_shader::tube_color(const Scene_raster::Sample& sample) const
 {
+  if(sample.part == Scene_raster::Part::LINE) return line;
   const Vector normal(sample.normal[0], sample.normal[1], sample.normal[2]);
   const Vector light = Vector(-0.45, -0.6, 0.66).normalized();
   const Vector halfway = (light + Vector::UnitZ()).normalized();
   const double range = m_front - m_back, depth = sample.depth - m_back;
   const double nearness = range > 0 ? depth / range : 1;
-  const Color base = mix(fog_color, component_color(sample.component), 0.35 + 0.65 * nearness);
+  const Color base = m_colors.color(sample.value, nearness);
+  if(sample.part == Scene_raster::Part::SECTION) return mix(base, white, 0.5);
   const double diffuse = (std::max)(0., normal.dot(light));
   const double highlight = std::pow((std::max)(0., normal.dot(halfway)), 40);
   const double shadow = 0.75 * (1 - diffuse) * (0.55 + 0.45 * (1 - normal.z()));

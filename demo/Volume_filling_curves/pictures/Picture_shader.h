@@ -8,6 +8,7 @@
 #define VFC_PICTURE_SHADER_H
 
 #include "pictures/Scene_raster.h"
+#include "pictures/Tube_colors.h"
 #include "pictures/picture_colors.h"
 #include "pictures/png_file.h"
 
@@ -23,7 +24,9 @@ class Picture_shader
 {
 public:
   // A pixel has `samples_per_side` times as many samples.
-  Picture_shader(const Scene_raster& raster, std::size_t samples_per_side);
+  Picture_shader(const Scene_raster& raster,
+                 const Tube_colors& colors,
+                 std::size_t samples_per_side);
 
   Rgb_image operator()() const;
 
@@ -33,6 +36,7 @@ private:
   Color tube_color(const Scene_raster::Sample& sample) const;
 
   const Scene_raster& m_raster;
+  const Tube_colors& m_colors;
   std::size_t m_side;
   float m_back = std::numeric_limits<float>::infinity(), m_front = -m_back;
 };

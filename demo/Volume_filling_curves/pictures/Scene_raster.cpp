@@ -13,16 +13,40 @@
 namespace vfc {
 namespace {
 
+void set(Scene_raster::Sample& sample,
+         double depth,
+         const Vector& normal,
+         double value,
+         Scene_raster::Part part)
+{
+  sample.depth = static_cast<float>(depth);
+  for(int k = 0; k < 3; ++k) sample.normal[k] = static_cast<float>(normal[k]);
+  sample.value = static_cast<float>(value);
+  sample.part = part;
+}
+
+// More where the surface is seen at a grazing angle, as that of a soap bubble.
+float optical_depth(double cosine)
+{
+  constexpr double facing = 0.07, grazing = 0.6;
+  const double sine = 1 - (std::min)(cosine, 1.);
+  return static_cast<float>(facing + grazing * sine * sine * sine);
+}
+
+} // namespace
+
+void Scene_raster::add(const Capsule& capsule)
+{
+  const Vector margin(capsule.radius, capsule.radius, 0);
+  for_each_sample(capsule.a.cwiseMin(capsule.b) - margin, capsule.a.cwiseMax(capsule.b) + margin,
+                  [&](double x, double y, Sample& sample) { add_at(x, y, capsule, sample); });
+}
+
 // The capsule is a union of balls around the points a + t (b - a); t is that of the ball whose
 // surface is nearest to the viewer at (x, y), a concave function of t.
-void add_to(Scene_raster::Sample& sample,
-            double x,
-            double y,
-            const Vector& a,
-            const Vector& b,
-            double radius,
-            std::size_t component)
+void Scene_raster::add_at(double x, double y, const Capsule& capsule, Sample& sample) const
 {
+  const auto& [a, b, radius, values, part] = capsule;
   const Vector d = b - a;
   const Eigen::Vector2d q(x - a.x(), y - a.y());
   const double flat2 = d.head<2>().squaredNorm();
@@ -37,33 +61,25 @@ void add_to(Scene_raster::Sample& sample,
   const double rise2 = radius * radius - offset.squaredNorm();
   if(rise2 < 0) return;
   const double rise = std::sqrt(rise2), depth = a.z() + t * d.z() + rise;
+  if(m_cut && m_cut->height({x, y, depth}) > 0) return add_section_at(x, y, capsule, sample);
   if(!(depth > sample.depth)) return;
-  sample.depth = static_cast<float>(depth);
-  sample.normal[0] = static_cast<float>(offset.x() / radius);
-  sample.normal[1] = static_cast<float>(offset.y() / radius);
-  sample.normal[2] = static_cast<float>(rise / radius);
-  sample.component = component;
+  set(sample, depth, Vector(offset.x(), offset.y(), rise) / radius,
+      values[0] + t * (values[1] - values[0]), part);
 }
 
-// More where the surface is seen at a grazing angle, as that of a soap bubble.
-float optical_depth(double cosine)
+// What is nearest to the viewer has been cut off. As the capsule is convex, what is left is seen at
+// the plane, if the plane is inside the capsule there, and otherwise nothing is left.
+void Scene_raster::add_section_at(double x, double y, const Capsule& capsule, Sample& sample) const
 {
-  constexpr double facing = 0.07, grazing = 0.6;
-  const double sine = 1 - (std::min)(cosine, 1.);
-  return static_cast<float>(facing + grazing * sine * sine * sine);
-}
-
-} // namespace
-
-void Scene_raster::add_capsule(const Vector& a,
-                               const Vector& b,
-                               double radius,
-                               std::size_t component)
-{
-  const Vector margin(radius, radius, 0);
-  for_each_sample(
-      a.cwiseMin(b) - margin, a.cwiseMax(b) + margin,
-      [&](double x, double y, Sample& sample) { add_to(sample, x, y, a, b, radius, component); });
+  const Vector& n = m_cut->normal;
+  if(!(n.z() > 0)) return;
+  const Vector p(x, y, (m_cut->offset - n.x() * x - n.y() * y) / n.z());
+  const Vector d = capsule.b - capsule.a;
+  const double length2 = d.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - capsule.a).dot(d) / length2, 0., 1.) : 0;
+  if((p - capsule.a - t * d).norm() > capsule.radius || !(p.z() > sample.depth)) return;
+  set(sample, p.z(), n, capsule.values[0] + t * (capsule.values[1] - capsule.values[0]),
+      Part::SECTION);
 }
 
 void Scene_raster::add_surface(const Triangle_soup& soup, const std::vector<Vector>& corner_normals)

@@ -8,11 +8,13 @@
 #define VFC_SCENE_RASTER_H
 
 #include "pictures/Triangle_soup.h"
+#include "pictures/cuts.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace vfc {
@@ -21,16 +23,34 @@ namespace vfc {
 // much of a translucent surface lies in front of it and behind. The viewer looks along the z axis
 // from far above (x to the right, y downwards, z towards the viewer). Tubes are chains of capsules,
 // which are met exactly. The order of the surface's layers does not matter: their optical depths
-// are added. Takes time linear in the number of samples covered.
+// are added. A cut leaves of each tube what is in a half-space; where it goes through a tube, the
+// section is seen. Takes time linear in the number of samples covered.
 class Scene_raster
 {
 public:
+  enum class Part : unsigned char
+  {
+    TUBE,
+    SECTION, // of a tube
+    LINE     // of one color
+  };
+
+  // A part of a curve: all points within the radius of a segment.
+  struct Capsule
+  {
+    Vector a, b;
+    double radius;
+    std::array<double, 2> values = {0, 0}; // which the colors tell, at a and at b
+    Part part = Part::TUBE;
+  };
+
   struct Sample
   {
     float depth = -std::numeric_limits<float>::infinity(); // z of the tube
     float normal[3] = {0, 0, 0};                           // of the tube
     float in_front = 0, behind = 0;                        // optical depth of the surface
-    std::size_t component = 0;
+    float value = 0;                                       // which the color tells
+    Part part = Part::TUBE;
 
     bool has_tube() const { return std::isfinite(depth); }
   };
@@ -39,12 +59,14 @@ public:
       : m_width(width), m_height(height), m_samples(width * height)
   {}
 
+  // Cuts the tubes that are added from now on. \pre the plane is not seen from behind
+  void set_cut(const Half_space& half_space) { m_cut = half_space; }
+
   std::size_t width() const { return m_width; }
   std::size_t height() const { return m_height; }
   const Sample& sample(std::size_t x, std::size_t y) const { return m_samples[m_width * y + x]; }
 
-  // Adds the points within `radius` of the segment ab.
-  void add_capsule(const Vector& a, const Vector& b, double radius, std::size_t component);
+  void add(const Capsule& capsule);
 
   // Adds a surface, with the normals at the corners of its triangles. \pre all tubes are there
   void add_surface(const Triangle_soup& soup, const std::vector<Vector>& corner_normals);
@@ -55,7 +77,11 @@ private:
 
   void add_triangle(const std::array<Vector, 3>& corners, const Vector* normals);
 
+  void add_at(double x, double y, const Capsule& capsule, Sample& sample) const;
+  void add_section_at(double x, double y, const Capsule& capsule, Sample& sample) const;
+
   std::size_t m_width, m_height;
+  std::optional<Half_space> m_cut;
   std::vector<Sample> m_samples;
 };
 

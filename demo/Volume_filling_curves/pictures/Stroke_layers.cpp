@@ -38,28 +38,29 @@ double height_over(const Stroke_piece& a, const Stroke_piece& b)
 
 } // namespace
 
-Stroke_layers::Stroke_layers(const Curve& curve, const Curve_view& view)
-    : m_reach(view.width() * (1 + 2 * gap_share))
+Stroke_layers::Stroke_layers(const Drawn_curve& curve) : m_reach(curve.width * (1 + 2 * gap_share))
 {
-  for(const Strand& strand : strands_of(curve)) cut_into_pieces(curve, view, strand);
+  for(const Strand& strand : curve.strands) cut_into_pieces(curve, strand);
   find_order();
   assign_layers();
   join_layers();
 }
 
-void Stroke_layers::cut_into_pieces(const Curve& curve,
-                                    const Curve_view& view,
-                                    const Strand& strand)
+void Stroke_layers::cut_into_pieces(const Drawn_curve& curve, const Strand& strand)
 {
   const std::size_t first = m_pieces.size(), number = m_total.size();
   double length = 0;
   for(const std::size_t e : strand.edges) {
-    const Vector &p = view.point(curve.source(e)), &q = view.point(curve.target(e));
+    const Drawn_edge& edge = curve.edges[e];
+    const Vector &p = curve.points[edge.source], &q = curve.points[edge.target];
     const double edge_length = (q - p).norm();
     const int n = 1 + static_cast<int>(edge_length / max_piece_length);
+    const auto value = [&](double t) {
+      return edge.values[0] + t * (edge.values[1] - edge.values[0]);
+    };
     for(int i = 0; i < n; ++i)
       m_pieces.push_back({p + (q - p) * i / n, p + (q - p) * (i + 1) / n, number,
-                          curve.component(curve.source(e)), length + edge_length * i / n,
+                          value((i + 0.5) / n), length + edge_length * i / n,
                           length + edge_length * (i + 1) / n});
     length += edge_length;
   }

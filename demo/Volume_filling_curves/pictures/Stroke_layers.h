@@ -7,8 +7,7 @@
 #ifndef VFC_STROKE_LAYERS_H
 #define VFC_STROKE_LAYERS_H
 
-#include "pictures/Curve_view.h"
-#include "pictures/strands.h"
+#include "pictures/Drawn_curve.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +19,8 @@ namespace vfc {
 struct Stroke_piece
 {
   Vector source, target;
-  std::size_t strand, component;
+  std::size_t strand;
+  double value;                             // which its color tells
   double begin, end;                        // along the strand
   std::size_t previous = none, next = none; // along the strand
   std::size_t layer = 0;
@@ -40,7 +40,7 @@ struct Stroke_piece
 class Stroke_layers
 {
 public:
-  Stroke_layers(const Curve& curve, const Curve_view& view);
+  explicit Stroke_layers(const Drawn_curve& curve);
 
   const std::vector<Stroke_piece>& pieces() const { return m_pieces; }
 
@@ -50,7 +50,7 @@ public:
 private:
   using Index = std::uint32_t;
 
-  void cut_into_pieces(const Curve& curve, const Curve_view& view, const Strand& strand);
+  void cut_into_pieces(const Drawn_curve& curve, const Strand& strand);
   void link(std::size_t i, std::size_t j);
   bool are_neighbors(const Stroke_piece& a, const Stroke_piece& b) const;
   void find_order();

@@ -7,7 +7,6 @@
 #include "pictures/Svg_painter.h"
 
 #include "pictures/picture_colors.h"
-#include "pictures/silhouette_path.h"
 #include "pictures/svg_number.h"
 
 #include <algorithm>
@@ -34,8 +33,11 @@ bool is_straight(const Vector& pen, const Stroke_piece& piece, const Stroke_piec
 
 } // namespace
 
-Svg_painter::Svg_painter(const Stroke_layers& layers, double width, std::ostream& out)
-    : m_pieces(layers.pieces()), m_width(width), m_out(out)
+Svg_painter::Svg_painter(const Stroke_layers& layers,
+                         const Drawn_curve& curve,
+                         const Tube_colors& colors,
+                         std::ostream& out)
+    : m_pieces(layers.pieces()), m_curve(curve), m_colors(colors), m_width(curve.width), m_out(out)
 {
   for(const Stroke_piece& piece : m_pieces) {
     m_back = (std::min)(m_back, piece.depth());
@@ -43,24 +45,17 @@ Svg_painter::Svg_painter(const Stroke_layers& layers, double width, std::ostream
   }
 }
 
-void Svg_painter::operator()(const Curve& curve, const Curve_view& view)
+void Svg_painter::operator()()
 {
   collect_runs();
-  collect_ends(curve, view);
-  const std::string size = svg_number(Curve_view::picture_size);
-  m_out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << size << ' ' << size
-        << "\" width=\"" << size << "\" height=\"" << size << "\">\n<rect width=\"" << size
-        << "\" height=\"" << size << "\" fill=\"#fff\"/>\n";
+  collect_ends();
   define_runs();
-  if(!view.surface().triangles.empty())
-    m_out << "<path fill=\"#e9eef4\" stroke=\"#9fb0c4\" stroke-linejoin=\"round\" d=\""
-          << silhouette_path(view.surface()) << "\"/>\n";
   m_out << "<g fill=\"none\" stroke-linejoin=\"round\">\n";
   for(std::size_t first = 0, last = 0; first < m_runs.size(); first = last) {
     while(last < m_runs.size() && m_runs[last].key[0] == m_runs[first].key[0]) ++last;
     paint_layer(first, last);
   }
-  m_out << "</g>\n</svg>\n";
+  m_out << "</g>\n";
 }
 
 // The paths, which several strokes share.
@@ -78,7 +73,7 @@ Svg_painter::Key Svg_painter::key_of(const Stroke_piece& piece) const
   const double range = m_front - m_back;
   const double share = range > 0 ? (piece.depth() - m_back) / range : 1;
   const auto shade = static_cast<std::size_t>(share * shades);
-  return {piece.layer, piece.component, (std::min)(shade, shades - 1), 0};
+  return {piece.layer, m_colors.level(piece.value), (std::min)(shade, shades - 1), 0};
 }
 
 void Svg_painter::collect_runs()
@@ -142,18 +137,18 @@ void Svg_painter::append_points(std::size_t first, std::size_t last, std::string
 }
 
 // An open end is a dot.
-void Svg_painter::collect_ends(const Curve& curve, const Curve_view& view)
+void Svg_painter::collect_ends()
 {
   std::map<std::array<double, 2>, std::size_t> piece_at;
   for(std::size_t i = 0; i < m_pieces.size(); ++i)
     for(const Vector& p : {m_pieces[i].source, m_pieces[i].target}) piece_at[{p.x(), p.y()}] = i;
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
-    if(curve.degree(v) == 2) continue;
-    const auto found = piece_at.find({view.point(v).x(), view.point(v).y()});
+  for(const std::size_t v : m_curve.ends) {
+    const Vector& p = m_curve.points[v];
+    const auto found = piece_at.find({p.x(), p.y()});
     if(found == piece_at.end()) continue;
     Key key = key_of(m_pieces[found->second]);
     key[3] = 1;
-    m_runs.push_back({key, 'M' + svg_coordinates(view.point(v)) + "h0", "", ""});
+    m_runs.push_back({key, 'M' + svg_coordinates(p) + "h0", "", ""});
   }
   std::stable_sort(m_runs.begin(), m_runs.end(),
                    [](const Run& a, const Run& b) { return a.key < b.key; });
@@ -183,20 +178,13 @@ void Svg_painter::stroke(std::size_t first, std::size_t last, double width, Tint
   m_out << "</g>\n";
 }
 
-std::string Svg_painter::color(const Key& key, Tint tint)
+std::string Svg_painter::color(const Key& key, Tint tint) const
 {
   const double share = static_cast<double>(key[2]) / (shades - 1);
-  Color result = mix(fog_color, component_color(key[1]), 0.4 + 0.6 * share);
+  Color result = m_colors.color(m_colors.value_of_level(key[1]), share);
   if(tint == Tint::DARK) result = mix(result, {20, 20, 40}, 0.45);
   if(tint == Tint::LIGHT) result = mix(result, {255, 255, 255}, 0.3 + 0.15 * share);
-  static const char* const digits = "0123456789abcdef";
-  std::string text = "#";
-  for(double channel : result) {
-    const long value = std::lround(channel);
-    text += digits[value / 16];
-    text += digits[value % 16];
-  }
-  return text;
+  return svg_color(result);
 }
 
 } // namespace vfc

@@ -8,6 +8,7 @@
 #define VFC_SVG_PAINTER_H
 
 #include "pictures/Stroke_layers.h"
+#include "pictures/Tube_colors.h"
 
 #include <array>
 #include <cstddef>
@@ -18,19 +19,22 @@
 
 namespace vfc {
 
-// Writes layers of strokes as SVG. A tube is a dark stroke, a lighter one over it and a light line
-// in the middle; white strokes below them leave the gaps at crossings. Runs of one layer, component
+// Writes layers of strokes as elements of an SVG file. A tube is a dark stroke, a lighter one over it and a light line
+// in the middle; white strokes below them leave the gaps at crossings. Runs of one layer, color
 // and shade are one path element, which the three strokes share. Shades go from pale in the back to
 // full in the front.
 class Svg_painter
 {
 public:
-  Svg_painter(const Stroke_layers& layers, double width, std::ostream& out);
+  Svg_painter(const Stroke_layers& layers,
+              const Drawn_curve& curve,
+              const Tube_colors& colors,
+              std::ostream& out);
 
-  void operator()(const Curve& curve, const Curve_view& view);
+  void operator()();
 
 private:
-  using Key = std::array<std::size_t, 4>; // layer, component, shade, and 1 for ends
+  using Key = std::array<std::size_t, 4>; // layer, level of the color, shade, and 1 for ends
 
   struct Run
   {
@@ -50,13 +54,15 @@ private:
   void append_overlaps(std::size_t first, std::size_t last, double extent, std::string& path) const;
   void append_gaps(std::size_t first, std::size_t last, std::string& path) const;
   void append_points(std::size_t first, std::size_t last, std::string& path) const;
-  void collect_ends(const Curve& curve, const Curve_view& view);
+  void collect_ends();
   void define_runs() const;
   void paint_layer(std::size_t first, std::size_t last) const;
   void stroke(std::size_t first, std::size_t last, double width, Tint tint) const;
-  static std::string color(const Key& key, Tint tint);
+  std::string color(const Key& key, Tint tint) const;
 
   const std::vector<Stroke_piece>& m_pieces;
+  const Drawn_curve& m_curve;
+  const Tube_colors& m_colors;
   const double m_width;
   std::ostream& m_out;
   double m_back = std::numeric_limits<double>::infinity();

@@ -6,47 +6,170 @@
 
 #include "pictures/curve_pictures.h"
 
-#include "pictures/Curve_view.h"
+#include "pictures/Annotation.h"
 #include "pictures/Picture_shader.h"
 #include "pictures/Scene_raster.h"
 #include "pictures/Stroke_layers.h"
 #include "pictures/Svg_painter.h"
 #include "pictures/corner_normals.h"
+#include "pictures/cuts.h"
+#include "pictures/silhouette_path.h"
+#include "pictures/svg_number.h"
 
 #include <cstddef>
 #include <locale>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace vfc {
 namespace {
 
-Curve_view view_of(const Curve& curve, const Mesh& mesh)
+constexpr double outline_width = 2.4; // of a surface that is cut, in picture units
+
+// All that a picture shows, before it is drawn in one way or the other.
+class Scene
 {
-  return mesh.is_empty() ? Curve_view(curve) : Curve_view(curve, Triangle_soup(mesh));
+public:
+  Scene(const Curve& curve, const Mesh& mesh, const Picture_options& options)
+      : m_curve(curve),
+        m_options(options),
+        m_values(edge_values(curve, options.coloring)),
+        m_colors(options.coloring, m_values),
+        m_view(curve, Triangle_soup(mesh), {options.direction, m_colors.scale().has_value()})
+  {}
+
+  const Tube_colors& colors() const { return m_colors; }
+  void scale(double factor) { m_view.scale(factor); }
+
+  // The viewer's side is cut off; if the plane is seen edge-on, the side of its normal.
+  std::optional<Half_space> kept() const
+  {
+    if(!m_options.cut) return std::nullopt;
+    constexpr double edge_on = 1e-9;
+    const Plane plane = m_view.place(*m_options.cut);
+    if(plane.normal.z() < -edge_on) return Half_space{-plane.normal, -plane.offset};
+    return Half_space{plane.normal, plane.offset};
+  }
+
+  Cut_surface surface() const
+  {
+    const std::optional<Half_space> half_space = kept();
+    return half_space ? cut(m_view.surface(), *half_space) : Cut_surface{m_view.surface(), {}};
+  }
+
+  Drawn_curve whole_curve() const { return {m_curve, m_view, m_values}; }
+
+  Drawn_curve kept_curve() const
+  {
+    Drawn_curve result = whole_curve();
+    if(const std::optional<Half_space> half_space = kept()) cut(result, *half_space);
+    return result;
+  }
+
+  // The labels and the legend. \pre the scene has not been scaled
+  Annotation annotation() const
+  {
+    Annotation result;
+    if(m_options.has_labels) result = node_labels(kept_curve());
+    if(!m_colors.scale()) return result;
+    const Annotation scale = legend(*m_colors.scale(), m_options.coloring);
+    result.boxes.insert(result.boxes.end(), scale.boxes.begin(), scale.boxes.end());
+    result.texts.insert(result.texts.end(), scale.texts.begin(), scale.texts.end());
+    return result;
+  }
+
+private:
+  const Curve& m_curve;
+  const Picture_options& m_options;
+  const Edge_values m_values;
+  const Tube_colors m_colors;
+  Curve_view m_view;
+};
+
+// A surface as SVG: behind the strands, but for the outline of its section.
+class Svg_surface
+{
+public:
+  explicit Svg_surface(const Cut_surface& surface) : m_silhouette(silhouette_path(surface.soup))
+  {
+    Directed_edges rim;
+    for(const auto& [v, w] : surface.rim) rim.insert({v, w});
+    m_rim = loops_path(std::move(rim), surface.soup.points);
+  }
+
+  void write_back(std::ostream& out) const
+  {
+    if(!m_silhouette.empty())
+      out << "<path fill=\"#e9eef4\" stroke=\"#9fb0c4\" stroke-linejoin=\"round\" d=\""
+          << m_silhouette << "\"/>\n";
+    if(!m_rim.empty())
+      out << "<path fill=\"#f4f6f9\" fill-rule=\"evenodd\" d=\"" << m_rim << "\"/>\n";
+  }
+
+  void write_front(std::ostream& out) const
+  {
+    if(!m_rim.empty())
+      out << "<path fill=\"none\" stroke=\"#465870\" stroke-linejoin=\"round\" stroke-width=\""
+          << svg_number(outline_width) << "\" d=\"" << m_rim << "\"/>\n";
+  }
+
+private:
+  std::string m_silhouette, m_rim;
+};
+
+void add_rim(Scene_raster& raster, const Cut_surface& surface, double line_width)
+{
+  for(const auto& [v, w] : surface.rim)
+    raster.add({surface.soup.points[v],
+                surface.soup.points[w],
+                line_width / 2,
+                {0, 0},
+                Scene_raster::Part::LINE});
 }
 
 } // namespace
 
-std::string png_picture(const Curve& curve, const Mesh& mesh)
+std::string png_picture(const Curve& curve, const Mesh& mesh, const Picture_options& options)
 {
-  constexpr std::size_t pixels = 800, samples_per_side = 2;
-  Curve_view view = view_of(curve, mesh);
-  view.scale(pixels * samples_per_side / Curve_view::picture_size);
-  Scene_raster raster(pixels * samples_per_side, pixels * samples_per_side);
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
-    raster.add_capsule(view.point(curve.source(e)), view.point(curve.target(e)), view.width() / 2,
-                       curve.component(curve.source(e)));
-  raster.add_surface(view.surface(), corner_normals(view.surface()));
-  return to_png(Picture_shader(raster, samples_per_side)());
+  constexpr std::size_t samples_per_side = 2;
+  const std::size_t samples = options.pixels * samples_per_side;
+  const double samples_per_unit = static_cast<double>(samples) / Curve_view::picture_size;
+  Scene scene(curve, mesh, options);
+  const Annotation annotation = scene.annotation();
+  scene.scale(samples_per_unit);
+  Scene_raster raster(samples, samples);
+  const Cut_surface surface = scene.surface();
+  add_rim(raster, surface, outline_width * samples_per_unit);
+  if(const std::optional<Half_space> kept = scene.kept()) raster.set_cut(*kept);
+  const Drawn_curve drawn = scene.whole_curve();
+  for(const Drawn_edge& edge : drawn.edges)
+    raster.add(
+        {drawn.points[edge.source], drawn.points[edge.target], drawn.width / 2, edge.values});
+  raster.add_surface(surface.soup, corner_normals(surface.soup));
+  Rgb_image image = Picture_shader(raster, scene.colors(), samples_per_side)();
+  paint(annotation, Curve_view::picture_size / static_cast<double>(options.pixels), image);
+  return to_png(image);
 }
 
-std::string svg_picture(const Curve& curve, const Mesh& mesh)
+std::string svg_picture(const Curve& curve, const Mesh& mesh, const Picture_options& options)
 {
-  const Curve_view view = view_of(curve, mesh);
-  const Stroke_layers layers(curve, view);
+  const Scene scene(curve, mesh, options);
+  const Drawn_curve drawn = scene.kept_curve();
+  const Stroke_layers layers(drawn);
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  Svg_painter(layers, view.width(), out)(curve, view);
+  const std::string size = svg_number(Curve_view::picture_size);
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << size << ' ' << size
+      << "\" width=\"" << options.pixels << "\" height=\"" << options.pixels
+      << "\">\n<rect width=\"" << size << "\" height=\"" << size << "\" fill=\"#fff\"/>\n";
+  const Svg_surface surface(scene.surface());
+  surface.write_back(out);
+  Svg_painter(layers, drawn, scene.colors(), out)();
+  surface.write_front(out);
+  const Annotation annotation = scene.annotation();
+  if(!annotation.texts.empty()) write_svg(annotation, out);
+  out << "</svg>\n";
   return out.str();
 }
 

@@ -9,18 +9,14 @@
 #include "pictures/svg_number.h"
 
 #include <cstddef>
-#include <set>
-#include <utility>
 
 namespace vfc {
 namespace {
 
-using Edges = std::set<std::pair<std::size_t, std::size_t>>;
-
 // The edges of faces that are turned to the viewer, but those between two such faces.
-Edges outline_of(const Triangle_soup& surface)
+Directed_edges outline_of(const Triangle_soup& surface)
 {
-  Edges front_edges, outline;
+  Directed_edges front_edges, outline;
   for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if(!(surface.area_normal(t).z() < 0)) continue; // y points downwards
     const auto& [a, b, c] = surface.triangles[t];
@@ -35,18 +31,22 @@ Edges outline_of(const Triangle_soup& surface)
 
 std::string silhouette_path(const Triangle_soup& surface)
 {
-  Edges outline = outline_of(surface);
+  return loops_path(outline_of(surface), surface.points);
+}
+
+std::string loops_path(Directed_edges edges, const std::vector<Vector>& points)
+{
   std::string path;
-  while(!outline.empty()) {
-    const std::size_t start = outline.begin()->first;
-    path += 'M' + svg_coordinates(surface.points[start]);
+  while(!edges.empty()) {
+    const std::size_t start = edges.begin()->first;
+    path += 'M' + svg_coordinates(points[start]);
     std::size_t v = start;
     do {
-      const auto edge = outline.lower_bound({v, 0});
-      if(edge == outline.end() || edge->first != v) break; // the surface is open
+      const auto edge = edges.lower_bound({v, 0});
+      if(edge == edges.end() || edge->first != v) break; // the surface is open
       v = edge->second;
-      outline.erase(edge);
-      if(v != start) path += 'L' + svg_coordinates(surface.points[v]);
+      edges.erase(edge);
+      if(v != start) path += 'L' + svg_coordinates(points[v]);
     } while(v != start);
     path += 'Z';
   }

@@ -9,7 +9,11 @@
 
 #include "pictures/Triangle_soup.h"
 
+#include <cstddef>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vfc {
 
@@ -19,6 +23,12 @@ namespace vfc {
 // as layers of these lie there, and a fill with the rule "nonzero" paints just what the surface
 // covers. O(n log n).
 std::string silhouette_path(const Triangle_soup& surface);
+
+// The pairs of points that are joined.
+using Directed_edges = std::set<std::pair<std::size_t, std::size_t>>;
+
+// Joins edges that follow one another to loops, as the path of an SVG file.
+std::string loops_path(Directed_edges edges, const std::vector<Vector>& points);
 
 } // namespace vfc
 

@@ -25,4 +25,16 @@ std::string svg_coordinates(const Vector& p)
   return svg_number(p.x()) + ' ' + svg_number(p.y());
 }
 
+std::string svg_color(const Color& color)
+{
+  static const char* const digits = "0123456789abcdef";
+  std::string text = "#";
+  for(const double channel : color) {
+    const long value = std::lround(channel);
+    text += digits[value / 16];
+    text += digits[value % 16];
+  }
+  return text;
+}
+
 } // namespace vfc

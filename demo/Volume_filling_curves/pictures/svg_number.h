@@ -8,6 +8,7 @@
 #define VFC_SVG_NUMBER_H
 
 #include "pictures/Vector.h"
+#include "pictures/picture_colors.h"
 
 #include <string>
 
@@ -17,6 +18,9 @@ namespace vfc {
 std::string svg_number(double x);
 
 std::string svg_coordinates(const Vector& p);
+
+// returns "#" and the six digits of the color
+std::string svg_color(const Color& color);
 
 } // namespace vfc
 

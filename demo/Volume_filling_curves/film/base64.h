@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_BASE64_H
+#define VFC_BASE64_H
+
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+// returns the bytes as text (RFC 4648)
+std::string base64(const std::string& bytes);
+
+// The same for the bytes of numbers of 32 bits, the least significant one first.
+template <typename Number>
+std::string base64(const std::vector<Number>& numbers)
+{
+  static_assert(sizeof(Number) == 4, "numbers of 32 bits");
+  std::string bytes;
+  bytes.reserve(4 * numbers.size());
+  for(const Number number : numbers) {
+    unsigned int bits;
+    std::memcpy(&bits, &number, sizeof bits);
+    for(int k = 0; k < 4; ++k) bytes += static_cast<char>(bits >> (8 * k) & 255);
+  }
+  return base64(bytes);
+}
+
+} // namespace vfc
+
+#endif // VFC_BASE64_H

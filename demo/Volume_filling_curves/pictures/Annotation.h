@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_ANNOTATION_H
+#define VFC_ANNOTATION_H
+
+#include "pictures/Curve_view.h"
+#include "pictures/Drawn_curve.h"
+#include "pictures/Tube_colors.h"
+#include "pictures/png_file.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+// What is written and painted over a picture, in picture coordinates.
+struct Annotation
+{
+  struct Box
+  {
+    double x, y, width, height; // the upper left corner, and the size
+    Color color;
+  };
+
+  struct Text
+  {
+    std::string text;
+    double x, y; // where the base line starts
+    double size; // of a digit, in height
+  };
+
+  std::vector<Box> boxes;
+  std::vector<Text> texts;
+};
+
+// The legend of a scale, at the right of the picture: its colors, numbers, and what they are.
+Annotation legend(const Color_scale& scale, Coloring coloring);
+
+// The numbers of nodes beside them. Where there is not room for all of them those of the nodes that
+// are nearest to the viewer are there. O(n log n).
+Annotation node_labels(const Drawn_curve& curve);
+
+void write_svg(const Annotation& annotation, std::ostream& out);
+
+// Paints on a picture whose pixels are `pixel` picture units wide.
+void paint(const Annotation& annotation, double pixel, Rgb_image& image);
+
+} // namespace vfc
+
+#endif // VFC_ANNOTATION_H

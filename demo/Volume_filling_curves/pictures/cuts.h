@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_CUTS_H
+#define VFC_CUTS_H
+
+#include "pictures/Drawn_curve.h"
+#include "pictures/Triangle_soup.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace vfc {
+
+// The points p of the picture with normal * p <= offset. The normal has the length 1.
+struct Half_space
+{
+  // how far a point is outside, negative if it is inside
+  double height(const Vector& p) const { return normal.dot(p) - offset; }
+
+  Vector normal;
+  double offset;
+};
+
+// Leaves what is in the half-space; strands that are cut have new ends there.
+void cut(Drawn_curve& curve, const Half_space& half_space);
+
+// A surface that was cut, and the edges along the cut. Those of a closed surface form loops; they
+// run around what is inside the surface as the faces of the missing part did.
+struct Cut_surface
+{
+  Triangle_soup soup;
+  std::vector<std::array<std::size_t, 2>> rim;
+};
+
+Cut_surface cut(const Triangle_soup& surface, const Half_space& half_space);
+
+} // namespace vfc
+
+#endif // VFC_CUTS_H
