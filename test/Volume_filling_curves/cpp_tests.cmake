@@ -51,7 +51,7 @@ endfunction()
 
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
 if(NOT TARGET vfc_parts)
-  list(FILTER sources EXCLUDE REGEX "/(meshes|pictures|repair)/") # rooms of the program vfc
+  list(FILTER sources EXCLUDE REGEX "/(film|meshes|pictures|repair)/") # rooms of the program vfc
 endif()
 set(long_sources ${sources})
 list(FILTER long_sources INCLUDE REGEX "/test_long_")

@@ -196,7 +196,7 @@ void add_draw_command(Command_line& command_line)
       "The scale holds all but the least and the largest hundredth of the numbers.\n"
       "\n"
       "A film is one file, which a browser plays without a network. It needs three.js, Debian's\n"
-      "libjs-three or npm's three, when it is written.");
+      "libjs-three or npm's three@0.149, when it is written.");
 }
 
 } // namespace vfc

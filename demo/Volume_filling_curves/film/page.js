@@ -130,7 +130,7 @@ class Scene {
     this.camera = new THREE.PerspectiveCamera(30, 1, 0.01 * size, 100 * size);
     this.azimuth = 0.4;
     this.elevation = 0.3;
-    this.distance = 2.1 * size;
+    this.distance = 1.95 * size;
     this.addLights();
     this.meshes = film.colors.map((color) => {
       const material = new THREE.MeshPhongMaterial({color, shininess: 50, specular: 0x444444});
@@ -223,7 +223,7 @@ class Player {
   constructor(scene) {
     this.scene = scene;
     this.index = 0;
-    this.isPlaying = false;
+    this.timer = null; // while it plays
     // a dozen seconds in all, but neither a slide show nor a flicker
     this.framesPerSecond = Math.min(Math.max(film.frames.length / 12, 4), 30);
   }
@@ -240,32 +240,29 @@ class Player {
 
   play() {
     const last = film.frames.length - 1;
-    if (last === 0) return;
-    const first = this.index === last ? 0 : this.index;
-    let start = null;
-    this.setPlaying(true);
-    const step = (now) => {
-      if (!this.isPlaying) return;
-      if (start === null) start = now;
-      const index = first + Math.floor(((now - start) / 1000) * this.framesPerSecond);
-      if (index !== this.index) this.show(index);
-      if (this.index === last) this.setPlaying(false);
-      else requestAnimationFrame(step);
-    };
-    requestAnimationFrame(step);
+    if (this.index === last) this.show(0);
+    this.timer = setInterval(() => {
+      this.show(this.index + 1);
+      if (this.index === last) this.pause();
+    }, 1000 / this.framesPerSecond);
+    this.showButton();
   }
 
-  pause() { this.setPlaying(false); }
+  pause() {
+    clearInterval(this.timer);
+    this.timer = null;
+    this.showButton();
+  }
 
-  toggle() { this.isPlaying ? this.pause() : this.play(); }
+  toggle() { this.timer === null ? this.play() : this.pause(); }
 
   step(frames) {
     this.pause();
     this.show(this.index + frames);
   }
 
-  setPlaying(isPlaying) {
-    this.isPlaying = isPlaying;
+  showButton() {
+    const isPlaying = this.timer !== null;
     element("play").textContent = isPlaying ? "\u275A\u275A" : "\u25B6";
     element("play").setAttribute("aria-label", isPlaying ? "Pause" : "Play");
   }

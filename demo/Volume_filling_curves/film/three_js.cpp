@@ -34,8 +34,7 @@ std::vector<fs::path> places()
   std::vector<fs::path> result;
   for(const fs::path& folder : data_folders())
     result.push_back(folder / "javascript" / "three" / "three.min.js");
-  for(const char* const name : {"three.min.js", "three.cjs"}) // newer versions have the latter only
-    result.push_back(fs::path("node_modules") / "three" / "build" / name);
+  result.push_back(fs::path("node_modules") / "three" / "build" / "three.min.js");
   return result;
 }
 
@@ -49,7 +48,7 @@ std::string read_three_js()
     if(file && text << file.rdbuf()) return text.str();
   }
   throw Usage_error("--film: three.js is missing, which the film is shown with; install Debian's "
-                    "package libjs-three, or run 'npm install three' in this folder");
+                    "package libjs-three, or run 'npm install three@0.149' in this folder");
 }
 
 } // namespace vfc

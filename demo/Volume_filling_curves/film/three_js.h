@@ -12,7 +12,8 @@
 namespace vfc {
 
 // returns the text of three.js, a library for scenes in browsers, as Debian's package libjs-three
-// installs it below one of $XDG_DATA_DIRS, or else as npm does below the current folder
+// installs it below one of $XDG_DATA_DIRS, or else as npm does below the current folder, if it is
+// a single file: newer releases than 149 ask not to be used so, and those after 160 are several
 // \throws Usage_error that says how to get it
 std::string read_three_js();
 

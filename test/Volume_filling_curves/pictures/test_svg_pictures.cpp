@@ -112,7 +112,8 @@ TEST(Stroke_layers, put_the_upper_strand_into_the_higher_layer)
   for(const Polygons& polygons : curves()) {
     const Curve curve = generators::closed_network(polygons);
     const Curve_view view(curve);
-    const Stroke_layers layers(curve, view);
+    const Drawn_curve drawn(curve, view, edge_values(curve, Coloring::COMPONENT));
+    const Stroke_layers layers(drawn);
     const auto& pieces = layers.pieces();
     int crossings = 0, wrong = 0;
     for(std::size_t i = 0; i < pieces.size(); ++i)
@@ -139,6 +140,60 @@ TEST(Svg_picture, draws_components_in_their_own_colors_and_ends_as_dots)
   const Curve arc({Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0)}, {{0, 1}, {1, 2}});
   EXPECT_EQ(count(svg_picture(arc), "h0"), 2u);
   EXPECT_EQ(count(svg_of(curves()[0]), "h0"), 0u);
+}
+
+TEST(Svg_picture, has_a_scale_with_numbers_and_units)
+{
+  const Curve curve = generators::closed_network(curves()[0]);
+  Picture_options options;
+  EXPECT_EQ(count(svg_picture(curve, Mesh(), options), "<text"), 0u);
+  const std::vector<std::array<std::string, 2>> titles{{"arclength", "in units"},
+                                                       {"radius", "in units"},
+                                                       {"curvature", "per unit"},
+                                                       {"thickness", "in units"}};
+  std::size_t k = 0;
+  for(const auto coloring :
+      {Coloring::ARCLENGTH, Coloring::RADIUS, Coloring::CURVATURE, Coloring::THICKNESS}) {
+    options.coloring = coloring;
+    const std::string text = svg_picture(curve, Mesh(), options);
+    for(const std::string& word : titles[k++]) EXPECT_EQ(count(text, '>' + word + '<'), 1u) << word;
+    EXPECT_GE(count(text, "<text"), 2u + 3u) << "numbers";
+  }
+}
+
+TEST(Svg_picture, labels_nodes_with_their_numbers)
+{
+  const Curve square({Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)},
+                     {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  Picture_options options;
+  options.has_labels = true;
+  const std::string all = svg_picture(square, Mesh(), options);
+  for(const std::string number : {"1", "2", "3", "4"})
+    EXPECT_EQ(count(all, '>' + number + '<'), 1u);
+  options.cut = Plane{Vector::UnitX(), 0.5};
+  options.direction = Vector(1, 0, 1); // the side of large x is the viewer's
+  const std::string rest = svg_picture(square, Mesh(), options);
+  EXPECT_EQ(count(rest, ">1<") + count(rest, ">4<"), 2u);
+  EXPECT_EQ(count(rest, ">2<") + count(rest, ">3<"), 0u);
+}
+
+// Where the axes point in the picture.
+TEST(Curve_view, is_from_the_direction_that_is_asked_for)
+{
+  const Curve axes({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)},
+                   {{0, 1}, {0, 2}, {0, 3}});
+  std::array<std::size_t, 4> node;
+  for(std::size_t v = 0; v < 4; ++v) node[axes.origin(v)] = v;
+  const auto place = [&](const Vector& direction, std::size_t k) -> Vector {
+    const Curve_view view(axes, Triangle_soup(), {direction, false});
+    return (view.point(node[k]) - view.point(node[0])).normalized();
+  };
+  EXPECT_LT((place({0, 0, 2}, 1) - Vector(1, 0, 0)).norm(), 1e-12) << "x to the right";
+  EXPECT_LT((place({0, 0, 2}, 2) - Vector(0, -1, 0)).norm(), 1e-12)
+      << "y up, where rows count down";
+  EXPECT_LT((place({3, 0, 0}, 3) - Vector(-1, 0, 0)).norm(), 1e-12) << "z to the left";
+  EXPECT_LT((place({0, 1, 0}, 2) - Vector(0, 0, 1)).norm(), 1e-12) << "y to the viewer";
+  EXPECT_LT((place({0, 1, 0}, 3) - Vector(0, 1, 0)).norm(), 1e-12) << "z down";
 }
 
 TEST(Svg_picture, takes_whatever_a_network_can_be)
