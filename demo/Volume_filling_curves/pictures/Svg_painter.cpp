@@ -43,13 +43,12 @@ Svg_painter::Svg_painter(const Stroke_layers& layers,
     m_back = (std::min)(m_back, piece.depth());
     m_front = (std::max)(m_front, piece.depth());
   }
-}
-
-void Svg_painter::operator()()
-{
   collect_runs();
   collect_ends();
-  define_runs();
+}
+
+void Svg_painter::paint() const
+{
   m_out << "<g fill=\"none\" stroke-linejoin=\"round\">\n";
   for(std::size_t first = 0, last = 0; first < m_runs.size(); first = last) {
     while(last < m_runs.size() && m_runs[last].key[0] == m_runs[first].key[0]) ++last;
@@ -58,7 +57,6 @@ void Svg_painter::operator()()
   m_out << "</g>\n";
 }
 
-// The paths, which several strokes share.
 void Svg_painter::define_runs() const
 {
   m_out << "<defs>\n";

@@ -31,7 +31,9 @@ public:
               const Tube_colors& colors,
               std::ostream& out);
 
-  void operator()();
+  // Writes the paths, which several strokes share, and then the strokes.
+  void define_runs() const;
+  void paint() const;
 
 private:
   using Key = std::array<std::size_t, 4>; // layer, level of the color, shade, and 1 for ends
@@ -55,7 +57,6 @@ private:
   void append_gaps(std::size_t first, std::size_t last, std::string& path) const;
   void append_points(std::size_t first, std::size_t last, std::string& path) const;
   void collect_ends();
-  void define_runs() const;
   void paint_layer(std::size_t first, std::size_t last) const;
   void stroke(std::size_t first, std::size_t last, double width, Tint tint) const;
   std::string color(const Key& key, Tint tint) const;

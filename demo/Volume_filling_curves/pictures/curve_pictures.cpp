@@ -163,9 +163,11 @@ std::string svg_picture(const Curve& curve, const Mesh& mesh, const Picture_opti
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << size << ' ' << size
       << "\" width=\"" << options.pixels << "\" height=\"" << options.pixels
       << "\">\n<rect width=\"" << size << "\" height=\"" << size << "\" fill=\"#fff\"/>\n";
+  const Svg_painter painter(layers, drawn, scene.colors(), out);
   const Svg_surface surface(scene.surface());
+  painter.define_runs();
   surface.write_back(out);
-  Svg_painter(layers, drawn, scene.colors(), out)();
+  painter.paint();
   surface.write_front(out);
   const Annotation annotation = scene.annotation();
   if(!annotation.texts.empty()) write_svg(annotation, out);
