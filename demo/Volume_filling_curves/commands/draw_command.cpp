@@ -88,6 +88,7 @@ int draw_film(Session& session, const Draw_options& options)
   Film film(options.frames, read_surface(session, options.file));
   for(const Frame_file& frame : frames)
     film.add(frame.iteration, read_curve(session, frame.file, options.is_network));
+  session.report()["input"] = options.frames;
   return finish(session, options.output, film_page(film.to_json(options.tube), three_js));
 }
 

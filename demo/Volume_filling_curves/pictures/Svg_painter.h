@@ -19,10 +19,10 @@
 
 namespace vfc {
 
-// Writes layers of strokes as elements of an SVG file. A tube is a dark stroke, a lighter one over it and a light line
-// in the middle; white strokes below them leave the gaps at crossings. Runs of one layer, color
-// and shade are one path element, which the three strokes share. Shades go from pale in the back to
-// full in the front.
+// Writes layers of strokes as elements of an SVG file. A tube is a dark stroke, a lighter one over
+// it and a light line in the middle; white strokes below them leave the gaps at crossings. Runs of
+// one layer, color and shade are one path element, which the three strokes share. Shades go from
+// pale in the back to full in the front.
 class Svg_painter
 {
 public:

@@ -15,8 +15,8 @@
 namespace vfc {
 
 // Pictures of a curve as the bytes of a file. Each component is a tube of its own color, paler the
-// farther it is away, or the colors are those of a scale, which stands beside the curve. Pictures do
-// not depend on the size and position of the curve, nor on any display or graphics card. With a
+// farther it is away, or the colors are those of a scale, which stands beside the curve. Pictures
+// do not depend on the size and position of the curve, nor on any display or graphics card. With a
 // mesh, which is empty for none, the surface is drawn around the curve.
 
 // PNG: tubes are shaded, the surface is translucent.

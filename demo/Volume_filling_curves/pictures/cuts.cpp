@@ -79,7 +79,7 @@ private:
   const std::vector<Drawn_edge> m_edges;
 };
 
-// Cuts a surface triangle by triangle; the points on its edges belong to the triangles at both sides.
+// Cuts a surface triangle by triangle; points on its edges belong to the triangles at both sides.
 class Surface_cutter
 {
 public:

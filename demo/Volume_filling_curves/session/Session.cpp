@@ -69,7 +69,8 @@ double Session::end_stage(const std::string& stage)
 {
   const Clock::time_point now = Clock::now();
   const double seconds = seconds_between(m_stage_start, now);
-  m_report["seconds_by_stage"][stage] = seconds;
+  Report::Json& sum = m_report["seconds_by_stage"][stage]; // of all files that are read, say
+  sum = (sum.is_null() ? 0 : double(sum)) + seconds;
   m_stage_start = now;
   return seconds;
 }

@@ -53,7 +53,8 @@ public:
   // Prints what the command did, unless the report takes its place or the user wants quiet.
   void print_summary(const std::string& text) const;
 
-  // Reports the time since the end of the stage before, and returns it.
+  // Reports the time since the end of the stage before, and returns it. Stages of the same name add
+  // up.
   double end_stage(const std::string& stage);
 
   double seconds() const;

@@ -73,7 +73,8 @@ TEST_F(Command_line_draw, wrong_values_are_refused)
 TEST_F(Command_line_draw, films_are_one_file)
 {
   make_film();
-  ASSERT_EQ(draw_film("--film film -o a.html --tube 0.25").status, 0);
+  ASSERT_EQ(draw_film("--film film -o a.html --tube 0.25 --report report.json").status, 0);
+  EXPECT_EQ(json("report.json")["input"], "film");
   const std::string page = read("a.html");
   EXPECT_NE(page.find("exports.REVISION = 'none';"), std::string::npos);
   EXPECT_NE(page.find("\"tube\":0.25"), std::string::npos);
