@@ -24,19 +24,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void append(std::vector<float>& coordinates, const Vector& p)
+template <typename Points, typename Function>
+Eigen::AlignedBox3d box_of(const Points& points, const Function& to_point)
 {
-  for(const double x : p) coordinates.push_back(static_cast<float>(x));
-}
-
-Json surface_of(const Triangle_soup& soup)
-{
-  std::vector<float> points;
-  std::vector<std::uint32_t> triangles;
-  for(const Vector& p : soup.points) append(points, p);
-  for(const auto& triangle : soup.triangles)
-    for(const std::size_t v : triangle) triangles.push_back(static_cast<std::uint32_t>(v));
-  return {{"points", base64(points)}, {"triangles", base64(triangles)}};
+  Eigen::AlignedBox3d box;
+  for(const auto& p : points) box.extend(to_point(p));
+  return box;
 }
 
 Json list(const Vector& p)
@@ -54,14 +47,23 @@ Film::Film(const std::string& title, const Mesh& mesh)
   m_json["frames"] = Json::array();
   m_json["surface"] = nullptr;
   if(mesh.is_empty()) return;
-  const Triangle_soup soup(mesh);
-  for(const Vector& p : soup.points) m_box.extend(p);
+  Triangle_soup soup(mesh);
+  choose_coordinates(box_of(soup.points, [](const Vector& p) { return p; }));
+  std::vector<float> coordinates;
+  for(Vector& p : soup.points) {
+    append(coordinates, p);
+    p = (p - m_origin) / m_unit;
+  }
+  std::vector<std::uint32_t> triangles;
+  for(const auto& triangle : soup.triangles)
+    for(const std::size_t v : triangle) triangles.push_back(static_cast<std::uint32_t>(v));
   m_volume = soup.volume();
-  m_json["surface"] = surface_of(soup);
+  m_json["surface"] = {{"points", base64(coordinates)}, {"triangles", base64(triangles)}};
 }
 
 void Film::add(std::size_t iteration, const Curve& curve)
 {
+  if(m_unit == 0) choose_coordinates(box_of(curve.points(), to_vector));
   Json strands = Json::array();
   std::vector<float> coordinates;
   for(const Strand& strand : strands_of(curve)) {
@@ -71,9 +73,8 @@ void Film::add(std::size_t iteration, const Curve& curve)
     for(const std::size_t v : nodes) append(coordinates, to_vector(curve.point(v)));
     strands.push_back({nodes.size(), strand.is_closed ? 1 : 0, curve.component(nodes.front())});
   }
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) m_box.extend(to_vector(curve.point(v)));
   const double length = CGAL::Volume_filling_curves::length(curve);
-  m_longest = (std::max)(m_longest, length);
+  m_longest = (std::max)(m_longest, m_unit > 0 ? length / m_unit : 0);
   m_json["frames"].push_back({{"iteration", iteration},
                               {"length", length},
                               {"nodes", curve.number_of_nodes()},
@@ -81,10 +82,25 @@ void Film::add(std::size_t iteration, const Curve& curve)
                               {"points", base64(coordinates)}});
 }
 
+void Film::choose_coordinates(const Eigen::AlignedBox3d& box)
+{
+  if(box.isEmpty()) return;
+  const double diagonal = box.diagonal().norm();
+  m_origin = box.center();
+  m_unit = diagonal > 0 ? diagonal : 1;
+}
+
+void Film::append(std::vector<float>& coordinates, const Vector& p)
+{
+  const Vector q = (p - m_origin) / m_unit;
+  m_box.extend(q);
+  for(const double x : q) coordinates.push_back(static_cast<float>(x));
+}
+
 std::string Film::to_json(double tube) const
 {
   Json json = m_json;
-  json["tube"] = tube > 0 ? tube : usual_tube();
+  json["tube"] = tube > 0 ? tube / m_unit : usual_tube();
   json["low"] = list(m_box.min());
   json["high"] = list(m_box.max());
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

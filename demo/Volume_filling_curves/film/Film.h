@@ -17,19 +17,22 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace vfc {
 
 // What a film shows, as its page expects it: an object with
 //   title     a text
-//   tube      the radius of the tube, in the unit of the coordinates
+//   tube      the radius of the tube, in the unit of coordinates
 //   colors    of components, as "#rrggbb"; they repeat
 //   low, high the corners of a box that holds everything
 //   frames    a list of {iteration, length, nodes, strands, points}; strands is a list of triples:
 //             number of points, 1 if closed or else 0, component; points are the coordinates of all
 //             strands, one after the other
 //   surface   null, or {points, triangles}
-// Coordinates are 32-bit numbers, indices 32-bit integers, both little-endian, in base 64.
+// Coordinates are 32-bit numbers, indices 32-bit integers, both little-endian, in base 64. They are
+// those of the input, moved and scaled so that the surface, or else the first curve, has a diagonal
+// of 1 and the origin in its middle: all digits are left for the shape. Lengths are the input's.
 class Film
 {
 public:
@@ -43,11 +46,16 @@ public:
   std::string to_json(double tube) const;
 
 private:
+  void choose_coordinates(const Eigen::AlignedBox3d& box);
+  void append(std::vector<float>& coordinates, const Vector& p);
   double usual_tube() const;
 
   nlohmann::ordered_json m_json;
+  Vector m_origin = Vector::Zero();
+  double m_unit = 0; // 0 while coordinates have not been chosen
+  // in these coordinates: of all, of the surface, and of all curves
   Eigen::AlignedBox3d m_box;
-  double m_volume = 0, m_longest = 0; // of the surface, and of all curves
+  double m_volume = 0, m_longest = 0;
 };
 
 } // namespace vfc

@@ -41,9 +41,7 @@ function frames(points, isClosed) {
     const last = orthogonal(tangents[0], normals[n - 1]);
     twist = Math.atan2(dot(cross(last, normals[0]), tangents[0]), dot(last, normals[0]));
   }
-  return tangents.map((tangent, i) => {
-    return {tangent, normal: turned(normals[i], tangent, (twist * i) / n)};
-  });
+  return tangents.map((tangent, i) => ({tangent, normal: turned(normals[i], tangent, (twist * i) / n)}));
 }
 
 // The triangles of tubes, as they grow strand by strand.
@@ -108,7 +106,8 @@ function geometries(frame, radius) {
   const tubes = film.colors.map(() => new Tubes(radius, sides));
   let first = 0;
   for (const [n, isClosed, component] of frame.strands) {
-    const points = Array.from({length: n}, (_, i) => Array.from(coordinates.subarray(3 * (first + i), 3 * (first + i + 1))));
+    const point = (i) => Array.from(coordinates.subarray(3 * (first + i), 3 * (first + i + 1)));
+    const points = Array.from({length: n}, (_, i) => point(i));
     tubes[component % tubes.length].add(points, isClosed === 1);
     first += n;
   }
@@ -119,7 +118,7 @@ function geometries(frame, radius) {
 
 const low = new THREE.Vector3(...film.low), high = new THREE.Vector3(...film.high);
 const center = low.clone().add(high).multiplyScalar(0.5);
-const size = Math.max(high.distanceTo(low), Number.MIN_VALUE);
+const size = high.distanceTo(low) || 1;
 
 class Scene {
   constructor(canvas) {

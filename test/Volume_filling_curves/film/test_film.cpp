@@ -80,20 +80,43 @@ TEST(Film, holds_the_frames_and_the_surface)
   film.add(80, Curve());
   const Json json = Json::parse(film.to_json(0.5));
   EXPECT_EQ(json["title"], "a run");
-  EXPECT_EQ(json["tube"], 0.5);
-  EXPECT_EQ(json["low"], Json({-9, -9, -9}));
-  EXPECT_EQ(json["high"], Json({9, 9, 9}));
+  const double unit = 18 * std::sqrt(3); // the diagonal of the surface
+  EXPECT_DOUBLE_EQ(json["tube"], 0.5 / unit);
+  for(std::size_t k = 0; k < 3; ++k) {
+    EXPECT_DOUBLE_EQ(json["low"][k], -9 / unit);
+    EXPECT_DOUBLE_EQ(json["high"][k], 9 / unit);
+  }
   ASSERT_EQ(json["frames"].size(), 2u);
   const Json& frame = json["frames"][0];
   EXPECT_EQ(frame["iteration"], 70);
   EXPECT_EQ(frame["nodes"], 5);
   EXPECT_DOUBLE_EQ(frame["length"], 1 + 2 + std::sqrt(5) + 1);
   EXPECT_EQ(frame["strands"], Json({{3, 1, 0}, {2, 0, 1}}));
-  EXPECT_EQ(numbers<float>(frame["points"]),
-            std::vector<float>({0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 4}));
+  const std::vector<double> expected{0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 4};
+  const std::vector<float> coordinates = numbers<float>(frame["points"]);
+  ASSERT_EQ(coordinates.size(), expected.size());
+  for(std::size_t k = 0; k < expected.size(); ++k)
+    EXPECT_NEAR(coordinates[k] * unit, expected[k], 1e-6 * unit);
   EXPECT_EQ(numbers<float>(json["surface"]["points"]).size(), 12u);
   EXPECT_EQ(numbers<std::uint32_t>(json["surface"]["triangles"]).size(), 12u);
   EXPECT_EQ(json["frames"][1]["strands"], Json::array());
+}
+
+// Single precision alone would round a curve far away to a point, and a tiny one to nothing.
+TEST(Film, does_not_depend_on_size_and_place)
+{
+  const auto film_of = [](double size, double place) {
+    Film film("", Mesh());
+    const double a = place, b = place + size;
+    film.add(0, Curve({Point(a, a, a), Point(b, a, a), Point(b, b, a), Point(a, b, b)},
+                      {{0, 1}, {1, 2}, {2, 3}, {3, 0}}));
+    return Json::parse(film.to_json(0));
+  };
+  const Json usual = film_of(1, 0);
+  for(const Json& film : {film_of(0x1p-200, 0), film_of(1, 0x1p40), film_of(0x1p100, 0)}) {
+    EXPECT_EQ(film["frames"][0]["points"], usual["frames"][0]["points"]);
+    EXPECT_EQ(film["tube"], usual["tube"]);
+  }
 }
 
 // Half of the distance of strands is the radius at which they touch.
@@ -109,8 +132,9 @@ TEST(Film, has_a_tube_that_suits_it)
     }
   film.add(0, Curve(points, edges));
   const double tube = Json::parse(film.to_json(0))["tube"];
-  EXPECT_GT(tube, 0.005);
-  EXPECT_LT(tube, 0.05);
+  const double unit = std::sqrt(1 + 2 * 0.81);
+  EXPECT_GT(tube * unit, 0.005);
+  EXPECT_LT(tube * unit, 0.05);
 }
 
 TEST(Film_page, is_one_file_and_keeps_its_parts_apart)
