@@ -77,7 +77,8 @@ void Scene_raster::add_section_at(double x, double y, const Capsule& capsule, Sa
   const Vector d = capsule.b - capsule.a;
   const double length2 = d.squaredNorm();
   const double t = length2 > 0 ? std::clamp((p - capsule.a).dot(d) / length2, 0., 1.) : 0;
-  if((p - capsule.a - t * d).norm() > capsule.radius || !(p.z() > sample.depth)) return;
+  if((p - capsule.a - t * d).norm() > capsule.radius) return;
+  if(!(static_cast<float>(p.z()) > sample.depth)) return; // of two capsules the first is seen
   set(sample, p.z(), n, capsule.values[0] + t * (capsule.values[1] - capsule.values[0]),
       Part::SECTION);
 }

@@ -113,6 +113,23 @@ TEST(Scene_raster, cuts_a_capsule_and_shows_its_section)
   EXPECT_GT(tubes, 100u);
 }
 
+// Where two capsules overlap in the plane, rounding does not decide which of them is seen.
+TEST(Scene_raster, shows_sections_without_a_pattern)
+{
+  Scene_raster raster(40, 40);
+  raster.set_cut({Vector(0.1, 0.2, 1).normalized(), 4});
+  for(const double value : {1., 2.}) raster.add({{5, 20, 3}, {35, 20, 0}, 8, {value, value}});
+  std::size_t sections = 0;
+  for(std::size_t y = 0; y < 40; ++y)
+    for(std::size_t x = 0; x < 40; ++x) {
+      const Scene_raster::Sample& sample = raster.sample(x, y);
+      if(sample.part != Scene_raster::Part::SECTION) continue;
+      ++sections;
+      EXPECT_EQ(sample.value, 1) << x << ' ' << y;
+    }
+  EXPECT_GT(sections, 100u);
+}
+
 TEST(Scene_raster, adds_surfaces_before_and_behind_the_tube)
 {
   Scene_raster raster(20, 20);
