@@ -308,6 +308,7 @@ function listenToKeys(scene, player) {
   };
   document.addEventListener("keydown", (event) => {
     if (!actions[event.key] || event.ctrlKey || event.metaKey) return;
+    if (event.key === " " && event.target === element("play")) return; // which is pressed then
     actions[event.key]();
     event.preventDefault();
   });
