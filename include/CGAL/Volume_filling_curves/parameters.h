@@ -33,6 +33,7 @@
   X(medial_weight)                 \
   X(number_of_chains)              \
   X(number_of_directions)          \
+  X(number_of_sides)               \
   X(origins)                       \
   X(preconditioner)                \
   X(screening)                     \
