@@ -26,8 +26,9 @@ namespace Volume_filling_curves {
 enum class Curve_defect_kind
 {
   UNREADABLE_FILE,         ///< the file cannot be opened or read
-  UNKNOWN_FORMAT,          ///< the extension of the file's name is not that of a curve file
-  BINARY_DATA,             ///< bytes that do not belong in a text file
+  UNKNOWN_FORMAT,          ///< the extension of the file's name is not that of a curve file, or the
+                           ///< file is not what its extension says
+  BINARY_DATA,             ///< bytes that do not belong in a text file, or encoded data
   UNKNOWN_RECORD,          ///< a record that the format does not have (warning, ignored)
   UNPARSABLE_NUMBER,       ///< a number was expected and something else was found
   MISSING_COORDINATES,     ///< a vertex with fewer than three coordinates
@@ -46,6 +47,7 @@ enum class Curve_defect_kind
   NEARLY_COINCIDENT_NODES, ///< an edge shorter than 1e-12 of the size of all curves (warning)
   NEARLY_CLOSED,           ///< an arc with ends as close as neighbors; closed ones repeat the first
                            ///< point (warning)
+  CHAIN_GAP,               ///< residues that are missing in a protein, bridged by an edge (warning)
   DEGENERATE_LOOP,         ///< a closed curve with fewer than three distinct nodes
   JUNCTION,                ///< a node with more than two edges where junctions are forbidden
   SELF_CONTACT             ///< two edges that meet elsewhere than in a common node; only
@@ -92,6 +94,7 @@ inline bool is_error(Curve_defect_kind kind)
   case Curve_defect_kind::COINCIDENT_NODES:
   case Curve_defect_kind::NEARLY_COINCIDENT_NODES:
   case Curve_defect_kind::NEARLY_CLOSED:
+  case Curve_defect_kind::CHAIN_GAP:
     return false;
   default:
     return true;
@@ -146,6 +149,8 @@ inline const char* to_string(Curve_defect_kind kind)
     return "nearly coincident nodes";
   case Curve_defect_kind::NEARLY_CLOSED:
     return "nearly closed";
+  case Curve_defect_kind::CHAIN_GAP:
+    return "chain gap";
   case Curve_defect_kind::DEGENERATE_LOOP:
     return "degenerate loop";
   case Curve_defect_kind::JUNCTION:

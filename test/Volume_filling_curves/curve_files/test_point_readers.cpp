@@ -17,15 +17,6 @@ namespace test_point_readers {
 
 using namespace curve_io_test;
 
-// the first error, as "LINE: MESSAGE"
-std::string complaint(const Reading& reading)
-{
-  EXPECT_FALSE(reading.is_accepted);
-  for(const Curve_defect& defect : reading.defects)
-    if(is_error(defect.kind)) return std::to_string(defect.line) + ": " + defect.message;
-  return "";
-}
-
 TEST(Vect_reader, reads_closed_and_open_polylines)
 {
   const Reading reading = read_vect("VECT # a comment\n2 5 1\n-3 2\n1 0\n"

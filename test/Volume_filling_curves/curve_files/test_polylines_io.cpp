@@ -85,15 +85,15 @@ TEST(Round_trip, is_exact_to_the_last_bit)
   network.set_pinned(7);
   network.set_pinned(150);
   for(const std::string name : {"a.obj", "a.polylines.txt", "A.OBJ", "a.Polylines.TXT", "a.vect",
-                                "a.xyz", "a.txt", "a.dat"}) {
+                                "a.xyz", "a.txt", "a.dat", "a.ply", "a.vtp"}) {
     Network copy;
     ASSERT_TRUE(CGAL::IO::write_curve_network(folder.file(name), network));
     ASSERT_TRUE(CGAL::IO::read_curve_network(folder.file(name), copy)) << name;
     expect_same(network, copy);
-    const bool has_pins = name == "a.obj" || name == "A.OBJ";
+    const bool has_pins = name == "a.obj" || name == "A.OBJ" || name == "a.ply" || name == "a.vtp";
     EXPECT_EQ(copy.is_pinned(150), has_pins);
   }
-  EXPECT_EQ(folder.number_of_files(), 8u);
+  EXPECT_EQ(folder.number_of_files(), 10u);
 }
 
 TEST(Round_trip, keeps_a_network_with_junctions)
@@ -116,9 +116,14 @@ TEST(Round_trip, keeps_a_network_with_junctions)
     if(edges.empty()) continue;
     const Network network(points, edges);
     const internal::Curve_paths strands(network);
-    const Reading obj = read_obj(internal::to_obj(strands), Junctions::ALLOWED);
-    ASSERT_TRUE(obj.is_accepted);
-    expect_same(network, obj.network);
+    const internal::Node_columns columns = internal::node_columns(network, {});
+    for(const Reading& reading :
+        {read_obj(internal::to_obj(strands), Junctions::ALLOWED),
+         read_ply(internal::to_ply(strands, columns), Junctions::ALLOWED),
+         read_vtp(internal::to_vtp(strands, columns), Junctions::ALLOWED)}) {
+      ASSERT_TRUE(reading.is_accepted);
+      expect_same(network, reading.network);
+    }
     const Reading txt = read_txt(internal::to_polylines_txt(strands), Junctions::ALLOWED);
     ASSERT_TRUE(txt.is_accepted);
     EXPECT_EQ(txt.network.number_of_nodes(), network.number_of_nodes());

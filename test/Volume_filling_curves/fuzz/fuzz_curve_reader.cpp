@@ -63,11 +63,18 @@ void require_round_trip(const Network& network, Junctions junctions)
 {
   require(network.number_of_nodes() >= 2);
   const internal::Curve_paths strands(network);
-  Network from_obj, from_txt;
-  require(read(internal::read_obj(internal::to_obj(strands), junctions), junctions, from_obj));
-  require_same(network, from_obj);
-  for(std::size_t v = 0; v < network.number_of_nodes(); ++v)
-    require(network.is_pinned(v) == from_obj.is_pinned(v));
+  Network from_txt;
+  const internal::Node_columns columns = internal::node_columns(network, {});
+  for(const internal::Curve_draft& draft :
+      {internal::read_obj(internal::to_obj(strands), junctions),
+       internal::read_ply(internal::to_ply(strands, columns), junctions),
+       internal::read_vtp(internal::to_vtp(strands, columns), junctions)}) {
+    Network copy;
+    require(read(draft, junctions, copy));
+    require_same(network, copy);
+    for(std::size_t v = 0; v < network.number_of_nodes(); ++v)
+      require(network.is_pinned(v) == copy.is_pinned(v));
+  }
   const std::string txt = internal::to_polylines_txt(strands);
   require(read(internal::read_polylines_txt(txt, junctions), junctions, from_txt));
   if(!network.has_junction())
@@ -76,51 +83,140 @@ void require_round_trip(const Network& network, Junctions junctions)
     require(network.number_of_edges() == from_txt.number_of_edges());
 }
 
-// Reads a text in both formats, with and without junctions.
+// Reads a text in all formats, with and without junctions.
 void run(std::string_view text)
 {
   for(const Junctions junctions : {Junctions::FORBIDDEN, Junctions::ALLOWED}) {
-    for(const auto reader : {internal::read_obj, internal::read_polylines_txt}) {
+    for(const auto reader :
+        {internal::read_obj, internal::read_polylines_txt, internal::read_ply, internal::read_vtp,
+         internal::read_pdb, internal::read_vect, internal::read_point_list}) {
       Network network;
       if(read(reader(text, junctions), junctions, network)) require_round_trip(network, junctions);
     }
   }
 }
 
+using Words = std::vector<std::string>;
+
 // Every byte is a word; such texts get further than arbitrary ones.
-std::string words(const std::uint8_t* data, std::size_t size)
+std::string words(const Words& choice, const std::uint8_t* data, std::size_t size)
 {
-  const std::vector<std::string> choice = {"\nv 0 0 0", "\nv 1 0 0",
-                                           "\nv 0 1 0", "\nv 1 1 0",
-                                           "\nv 0 0 1", "\nv 1 0 1",
-                                           "\nv 3 1 2", "\nv 2 .5 9",
-                                           "\nv",       "\nl",
-                                           "\nl",       "\nl 1 2",
-                                           "\nl -1 -2", "\nfixed",
-                                           "\n",        "\r",
-                                           " \\\n",     " 0",
-                                           " 1",        " 2",
-                                           " 3",        " 4",
-                                           " 5",        " 6",
-                                           " 1 2 3 1",  " 0 0 0 1 1",
-                                           " -1",       " -2",
-                                           "/1",        " 1e-160",
-                                           " 1e149",    " 1e-320",
-                                           " nan",      "\n4 0 0 0 1 0",
-                                           "\n2",       "\n3",
-                                           " #",        "\nf 1 2 3",
-                                           " 1 0 0",    " 0 1 0",
-                                           " 0 0 1"};
   std::string text;
   for(std::size_t i = 0; i < size; ++i) text += choice[data[i] % choice.size()];
   return text;
 }
+
+const Words words_of_lists = {"\nv 0 0 0", "\nv 1 0 0",
+                              "\nv 0 1 0", "\nv 1 1 0",
+                              "\nv 0 0 1", "\nv 1 0 1",
+                              "\nv 3 1 2", "\nv 2 .5 9",
+                              "\nv",       "\nl",
+                              "\nl",       "\nl 1 2",
+                              "\nl -1 -2", "\nfixed",
+                              "\n",        "\r",
+                              " \\\n",     " 0",
+                              " 1",        " 2",
+                              " 3",        " 4",
+                              " 5",        " 6",
+                              " 1 2 3 1",  " 0 0 0 1 1",
+                              " -1",       " -2",
+                              "/1",        " 1e-160",
+                              " 1e149",    " 1e-320",
+                              " nan",      "\n4 0 0 0 1 0",
+                              "\n2",       "\n3",
+                              " #",        "\nf 1 2 3",
+                              " 1 0 0",    " 0 1 0",
+                              " 0 0 1"};
+
+const Words words_of_ply = {"ply\nformat ascii 1.0\n",
+                            "element vertex 3\n",
+                            "element vertex ",
+                            "element edge 2\n",
+                            "element edge ",
+                            "element face 1\n",
+                            "property double x\n",
+                            "property double y\n",
+                            "property double z\n",
+                            "property uchar pinned\n",
+                            "property int vertex1\nproperty int vertex2\n",
+                            "property list uchar int vertex_indices\n",
+                            "comment\n",
+                            "end_header\n",
+                            "0 0 0\n",
+                            "1 0 0\n",
+                            "0 1 0\n",
+                            "1 1 1\n",
+                            "0 1\n",
+                            "1 2\n",
+                            "0",
+                            " 1",
+                            " 2",
+                            " 3",
+                            "\n",
+                            " 1e149",
+                            " -1",
+                            " nan",
+                            " #"};
+
+const Words words_of_vtp = {"<VTKFile type=\"PolyData\">",
+                            "<Piece>",
+                            "</Piece>",
+                            "</VTKFile>",
+                            "<Points><DataArray>",
+                            "<Lines><DataArray Name=\"connectivity\">",
+                            "<DataArray Name=\"offsets\">",
+                            "</DataArray>",
+                            "</Points>",
+                            "</Lines>",
+                            "<PointData><DataArray Name=\"pinned\">",
+                            "</PointData>",
+                            "<Polys><DataArray>",
+                            "<!--",
+                            "-->",
+                            "<",
+                            ">",
+                            "/>",
+                            "=",
+                            "\"",
+                            "'",
+                            "format=\"binary\"",
+                            "\n",
+                            " 0 0 0",
+                            " 1 0 0",
+                            " 0 1 0",
+                            " 0 0 1",
+                            " 0",
+                            " 1",
+                            " 2",
+                            " 3",
+                            " 4",
+                            " nan",
+                            " -1"};
+
+const Words words_of_pdb = {"ATOM      1  CA  GLY A   1    ",
+                            "ATOM      1  CA AGLY A   2    ",
+                            "HETATM    1  CA  MSE A   3    ",
+                            "ATOM      1  CA  GLY B   4    ",
+                            "ATOM      1  N   GLY B   5    ",
+                            "   1.000",
+                            "   2.000",
+                            "   0.500",
+                            "   9.000",
+                            "     nan",
+                            "\n",
+                            "\r\n",
+                            "TER\n",
+                            "MODEL\n",
+                            "ENDMDL\n",
+                            "END\n",
+                            " "};
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   run({reinterpret_cast<const char*>(data), size});
-  run(words(data, size));
+  for(const Words& choice : {words_of_lists, words_of_ply, words_of_vtp, words_of_pdb})
+    run(words(choice, data, size));
   return 0;
 }

@@ -9,6 +9,8 @@
 
 #include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
 
+#include <gtest/gtest.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -66,6 +68,30 @@ inline Reading read_vect(const std::string& text, Junctions junctions = Junction
 inline Reading read_point_list(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
 {
   return read(internal::read_point_list(text, junctions), junctions);
+}
+
+inline Reading read_ply(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
+{
+  return read(internal::read_ply(text, junctions), junctions);
+}
+
+inline Reading read_vtp(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
+{
+  return read(internal::read_vtp(text, junctions), junctions);
+}
+
+inline Reading read_pdb(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
+{
+  return read(internal::read_pdb(text, junctions), junctions);
+}
+
+// the first error, as "LINE: MESSAGE"
+inline std::string complaint(const Reading& reading)
+{
+  EXPECT_FALSE(reading.is_accepted);
+  for(const Curve_defect& defect : reading.defects)
+    if(is_error(defect.kind)) return std::to_string(defect.line) + ": " + defect.message;
+  return "";
 }
 
 // A folder that disappears with its files.

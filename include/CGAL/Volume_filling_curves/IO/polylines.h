@@ -11,12 +11,13 @@
 
 #include <CGAL/Volume_filling_curves/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Node_values.h>
 #include <CGAL/Volume_filling_curves/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_format.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Node_columns.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_network.h>
-#include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
@@ -85,12 +86,20 @@ namespace IO {
  * - `.polylines.txt`: one polyline per line, the number of its points followed by their
  *   coordinates. A polyline that repeats its first point at the end is closed. If junctions are
  *   allowed, equal end points of polylines are one node.
+ * - `.ply`: PLY in ASCII with the elements `vertex` and `edge`, the latter with the properties
+ *   `vertex1` and `vertex2`. Vertices whose property `pinned` is not 0 are pinned. All other
+ *   elements and properties are ignored. Without edges and faces there is one closed curve through
+ *   all vertices.
+ * - `.vtp`: VTK's XML format for polygonal data with its arrays in ASCII, of which the lines are
+ *   taken; likewise.
  * - `.vect`: Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner. A negative number of
  *   vertices tells that a polyline is closed. Colors are ignored.
  * - `.xyz`, `.txt`, `.dat`: lists of points, one in a line: three coordinates, which the number of
  *   the point or the symbol of an atom may precede. An empty line, the word `END` and a line with
  *   nothing but the number of the points that follow begin another polyline. A polyline that
  *   repeats its first point at the end is closed.
+ * - `.pdb`: a file of the Protein Data Bank. Each chain is an arc through its C-alpha atoms, in
+ *   Angstrom; where residues are missing there is a warning. Only the first model is read.
  *
  * An `.obj` file without any `l` may have a single face, with five corners or more, whose boundary
  * is taken for a closed curve, with a warning.
@@ -147,10 +156,22 @@ bool read_curve_network(
  *
  * \brief writes a curve network to a file, and tells what went wrong.
  *
- * The extension tells the format as in `read_curve_network()`. Coordinates have 17 significant
- * digits, so that reading the file gives the very same network, down to the numbers of its nodes.
- * The other formats than `.obj` do not hold which nodes are pinned, and of a network with junctions
- * not the numbers of its nodes.
+ * The extension tells the format as in `read_curve_network()`; `.pdb` is only read. Coordinates
+ * have 17 significant digits, so that reading the file gives the very same network, down to the
+ * numbers of its nodes. The other formats than `.obj`, `.ply` and `.vtp` do not hold which nodes
+ * are pinned, and of a network with junctions not the numbers of its nodes.
+ *
+ * The formats `.ply` and `.vtp` tell of each node also
+ *
+ * - `origin`, its place in the input, counted from 0, see `curve_origins()`: 7 if it is node 7 of
+ *   the input, 7.25 if it comes from a quarter of the edge that starts there, -1 if it comes from
+ *   nowhere;
+ * - `component`, counted from 0;
+ * - `curvature`, the reciprocal of its bend radius, see `min_bend_radius()`, 0 at ends and
+ *   junctions;
+ * - all `values` that are given, such as the medial radius, which need more than the curve to tell.
+ *
+ * They are for programs that color curves, and not read again.
  *
  * The network is written to a new file in the same folder, which replaces an existing one when it
  * is complete: no other program sees a part of it, and an error leaves the old file as it was.
@@ -159,8 +180,33 @@ bool read_curve_network(
  *
  * \param filename the name of the file
  * \param network the network
+ * \param values what else is known of the nodes; other formats than `.ply` and `.vtp` leave it out
  * \param error receives the error of the system, if any, and
- * `std::errc::invalid_argument` if the extension is unknown
+ * `std::errc::invalid_argument` if the extension is not that of a format that is written, or if
+ * values are not as many as the nodes, not finite, or under a name that is taken or is none
+ *
+ * \return whether the file was written
+ *
+ * \pre the network has no garbage
+ */
+template <typename Traits>
+bool write_curve_network(const std::string& filename,
+                         const Volume_filling_curves::Curve_network_3<Traits>& network,
+                         const Volume_filling_curves::Node_values& values,
+                         std::error_code& error)
+{
+  namespace internal = Volume_filling_curves::internal;
+  const auto* const format = internal::Curve_format::of(filename);
+  error = format != nullptr && format->is_written() && internal::are_node_values(network, values)
+              ? internal::write_whole_file(filename, format->text_of(network, values))
+              : std::make_error_code(std::errc::invalid_argument);
+  return !error;
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesIO
+ *
+ * \brief writes a curve network to a file, as the overload above, without further values.
  *
  * \return whether the file was written
  */
@@ -169,28 +215,24 @@ bool write_curve_network(const std::string& filename,
                          const Volume_filling_curves::Curve_network_3<Traits>& network,
                          std::error_code& error)
 {
-  namespace internal = Volume_filling_curves::internal;
-  const auto* const format = internal::Curve_format::of(filename);
-  error = format == nullptr
-              ? std::make_error_code(std::errc::invalid_argument)
-              : internal::write_whole_file(filename, format->write(internal::Curve_paths(network)));
-  return !error;
+  return write_curve_network(filename, network, {}, error);
 }
 
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief writes a curve network to a file, as the overload above, for those who need not know what
+ * \brief writes a curve network to a file, as the overloads above, for those who need not know what
  * went wrong.
  *
  * \return whether the file was written
  */
 template <typename Traits>
 bool write_curve_network(const std::string& filename,
-                         const Volume_filling_curves::Curve_network_3<Traits>& network)
+                         const Volume_filling_curves::Curve_network_3<Traits>& network,
+                         const Volume_filling_curves::Node_values& values = {})
 {
   std::error_code error;
-  return write_curve_network(filename, network, error);
+  return write_curve_network(filename, network, values, error);
 }
 
 } // namespace IO

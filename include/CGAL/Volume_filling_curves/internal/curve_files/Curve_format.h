@@ -9,13 +9,19 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/Node_values.h>
 #include <CGAL/Volume_filling_curves/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Node_columns.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Obj_curve_reader.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Pdb_reader.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Ply_curve_reader.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Point_list_reader.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_txt_reader.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Vect_reader.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Vtp_reader.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/curve_writers.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/node_value_writers.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
@@ -34,11 +40,30 @@ namespace internal {
 struct Curve_format
 {
   // how errors name them
-  static constexpr const char* extensions = ".obj, .polylines.txt, .vect, .xyz, .txt or .dat";
+  static constexpr const char* extensions =
+      ".obj, .polylines.txt, .ply, .vtp, .vect, .xyz, .txt, .dat or .pdb";
+  static constexpr const char* written_extensions =
+      ".obj, .polylines.txt, .ply, .vtp, .vect, .xyz, .txt or .dat";
+
+  using Read = Curve_draft (*)(std::string_view text, Junctions junctions);
+  using Write = std::string (*)(const Curve_paths& curve);
+  using Write_with_values = std::string (*)(const Curve_paths& curve, const Node_columns& columns);
 
   std::string_view extension;
-  Curve_draft (*read)(std::string_view text, Junctions junctions);
-  std::string (*write)(const Curve_paths& curve);
+  Read read;
+  Write write;
+  Write_with_values write_with_values = nullptr; // in place of `write`
+  bool has_numbered_nodes = false; // the nodes stand in the order of their numbers, come what may
+
+  bool is_written() const { return write != nullptr || write_with_values != nullptr; }
+
+  // \pre the format is written
+  template <typename Network>
+  std::string text_of(const Network& curve, const Node_values& values) const
+  {
+    const Curve_paths paths(curve);
+    return write != nullptr ? write(paths) : write_with_values(paths, node_columns(curve, values));
+  }
 
   // returns null if the format is unknown
   static const Curve_format* of(const std::string& filename);
@@ -59,6 +84,21 @@ inline Curve_draft read_vect(std::string_view text, Junctions junctions)
   return Vect_reader(text, junctions).run();
 }
 
+inline Curve_draft read_ply(std::string_view text, Junctions)
+{
+  return Ply_curve_reader(text).run();
+}
+
+inline Curve_draft read_vtp(std::string_view text, Junctions)
+{
+  return Vtp_reader(text).run();
+}
+
+inline Curve_draft read_pdb(std::string_view text, Junctions junctions)
+{
+  return Pdb_reader(text, junctions).run();
+}
+
 inline Curve_draft read_point_list(std::string_view text, Junctions junctions)
 {
   return Point_list_reader(text, junctions).run();
@@ -67,12 +107,15 @@ inline Curve_draft read_point_list(std::string_view text, Junctions junctions)
 inline const Curve_format* Curve_format::of(const std::string& filename)
 {
   static constexpr Curve_format formats[] = {
-      {".obj", read_obj, to_obj},
+      {".obj", read_obj, to_obj, nullptr, true},
       {".polylines.txt", read_polylines_txt, to_polylines_txt},
+      {".ply", read_ply, nullptr, to_ply, true},
+      {".vtp", read_vtp, nullptr, to_vtp, true},
       {".vect", read_vect, to_vect},
       {".xyz", read_point_list, to_point_list},
       {".txt", read_point_list, to_point_list},
-      {".dat", read_point_list, to_point_list}};
+      {".dat", read_point_list, to_point_list},
+      {".pdb", read_pdb, nullptr}};
   const auto is_same_letter = [](char small, char c) {
     return small == (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   };

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/without_lines.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 
 #include <algorithm>
@@ -43,7 +44,8 @@ public:
     }
     if(m_file.is_complete && !has_lines()) take_face_for_line();
     for(const Index_list& list : m_lists) connect(list);
-    if(m_file.is_complete) check_geometry();
+    if(m_file.is_complete && !has_lines())
+      take_without_lines(m_file, m_first_face_line, m_scanner.line());
     return std::move(m_file);
   }
 
@@ -174,20 +176,6 @@ private:
   {
     return std::any_of(m_lists.begin(), m_lists.end(),
                        [](const Index_list& list) { return list.is_line; });
-  }
-
-  void check_geometry()
-  {
-    if(has_lines()) return;
-    if(m_first_face_line > 0)
-      return m_file.defects.add(
-          {Curve_defect_kind::FACES_ONLY, "there are faces but no lines", m_first_face_line});
-    if(m_file.points.empty())
-      return add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no vertices");
-    add_defect(Curve_defect_kind::NO_LINES,
-               "there are no lines; all vertices are taken for one closed curve");
-    for(std::size_t v = 0; v < m_file.points.size(); ++v)
-      m_file.add_edge(v, (v + 1) % m_file.points.size(), m_file.point_lines[0]);
   }
 
   // An unknown record is reported once. Bytes beyond ASCII are welcome in names and comments only.

@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Formats for programs that color curves, PLY, VTP and PVD, and the backbones of proteins.
+
+#include "support/curve_io_test_support.h"
+#include "support/shared_curves.h"
+
+#include <CGAL/Volume_filling_curves/IO/curve_frames.h>
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/generators.h>
+#include <CGAL/Volume_filling_curves/mean_medial_radius.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace test_value_formats {
+
+using namespace curve_io_test;
+
+const std::string square_ply = "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\n"
+                               "property float z\nproperty double x\nproperty double y\n"
+                               "element edge 4\nproperty int vertex1\nproperty int vertex2\n"
+                               "property uchar red\nend_header\n";
+const std::string square_points = "0 0 0\n0 1 0\n0 1 1\n0 0 1\n";
+const std::string square_edges = "0 1 9\n1 2 9\n2 3 9\n3 0 9\n";
+
+TEST(Ply_reader, finds_coordinates_and_edges_among_other_properties)
+{
+  const Reading reading = read_ply(square_ply + square_points + square_edges);
+  ASSERT_TRUE(reading.is_accepted);
+  EXPECT_TRUE(reading.network.is_closed(0));
+  EXPECT_EQ(reading.network.point(1), Network::Point_3(1, 0, 0));
+  EXPECT_TRUE(reading.defects.empty());
+}
+
+TEST(Ply_reader, takes_vertices_without_edges_for_a_loop)
+{
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                             "property double y\nproperty double z\nelement face ";
+  const std::string list = "\nproperty list uchar int vertex_indices\nend_header\n";
+  const Reading loop = read_ply(header + "0" + list + "0 0 0\n1 0 0\n0 1 0\n");
+  ASSERT_TRUE(loop.is_accepted);
+  EXPECT_EQ(loop.defects.at(0).kind, Curve_defect_kind::NO_LINES);
+  EXPECT_EQ(complaint(read_ply(header + "1" + list + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")),
+            "13: there are faces but no lines");
+}
+
+TEST(Ply_reader, says_where_a_file_is_wrong)
+{
+  EXPECT_EQ(complaint(read_ply("")), "1: the first word is not ply");
+  EXPECT_EQ(complaint(read_ply("ply\nformat binary_little_endian 1.0\nend_header\n\x01")),
+            "2: 'binary_little_endian' is not the format ascii");
+  EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\nelement vertex many\n")),
+            "3: 'many' is not a number of items");
+  EXPECT_EQ(complaint(read_ply("ply\nproperty double x\n")),
+            "2: a property comes before any element");
+  EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\nvertex 4\n")),
+            "3: 'vertex' does not belong in the header");
+  EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n1 2\n")),
+            "18: edge has 2 of 3 values");
+  EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n")),
+            "18: the file ends after 1 of 4 items of edge");
+  EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n1 2 9\n2 4 9\n3 0 9\n")),
+            "19: an edge has an index that is not in 0 to 4 - 1");
+  EXPECT_EQ(complaint(read_ply(square_ply + "0 x 0\n0 1 0\n0 1 1\n0 0 1\n" + square_edges)),
+            "13: 'x' is not a number");
+  EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\nelement vertex 18446744073709551615\n"
+                               "property double x\nproperty double y\nproperty double z\n"
+                               "end_header\n0 0 0\n")),
+            "9: the file ends after 1 of 18446744073709551615 items of vertex")
+      << "and takes no memory for what is announced";
+}
+
+std::string vtp(const std::string& piece)
+{
+  return "<?xml version='1.0'?>\n<!-- <Points> -->\n<VTKFile type = \"PolyData\">\n<PolyData>\n" +
+         piece + "</PolyData>\n</VTKFile>\n";
+}
+
+std::string array(const std::string& name, const std::string& content)
+{
+  return "<DataArray Name=\"" + name + "\" format=\"ascii\">" + content + "</DataArray>\n";
+}
+
+std::string piece(const std::string& points, const std::string& lines, const std::string& ends)
+{
+  return "<Piece>\n<PointData/>\n<Points>" + array("Points", points) + "</Points>\n<Lines>" +
+         array("connectivity", lines) + array("offsets", ends) + "</Lines>\n</Piece>\n";
+}
+
+TEST(Vtp_reader, reads_lines_of_pieces)
+{
+  const std::string first =
+      piece("0 0 0 1 0 0\n0 1 0<InformationKey name='x'>7</InformationKey>", "0 1 2 0", "4");
+  const std::string second = piece("0 0 1 1 0 1 1 0 2 3 0 2", "0 1 2 3", "2 4");
+  const Reading reading = read_vtp(vtp(first + second));
+  ASSERT_TRUE(reading.is_accepted);
+  ASSERT_EQ(reading.network.number_of_components(), 3u);
+  EXPECT_TRUE(reading.network.is_closed(0));
+  EXPECT_EQ(reading.network.point(6), Network::Point_3(3, 0, 2));
+}
+
+TEST(Vtp_reader, says_where_a_file_is_wrong)
+{
+  const std::string points = "0 0 0 1 0 0 0 1 0";
+  EXPECT_EQ(complaint(read_vtp("")), "1: the first tag is not <VTKFile type=\"PolyData\">");
+  EXPECT_EQ(complaint(read_vtp("<VTKFile type=\"ImageData\">")),
+            "1: the first tag is not <VTKFile type=\"PolyData\">");
+  EXPECT_EQ(complaint(read_vtp("<VTKFile type=\"PolyData\">\n<Piece>\n")),
+            "3: the file ends before </VTKFile>");
+  EXPECT_EQ(complaint(read_vtp(vtp(piece("0 0 0 1 0", "0 1", "2")))),
+            "7: the number of coordinates is no multiple of 3");
+  EXPECT_EQ(complaint(read_vtp(vtp(piece("0 0 0 1 0 0 0 o 0", "0 1 2", "3")))),
+            "7: 'o' is not a number");
+  EXPECT_EQ(complaint(read_vtp(vtp(piece(points, "0\n1\n3", "3")))),
+            "11: '3' is not the index of one of 3 points");
+  EXPECT_EQ(complaint(read_vtp(vtp(piece(points, "0 1 2", "2 1")))),
+            "10: '1' is no place where a line of 3 indices can end");
+  EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>\n<DataArray format=\"binary\">AAAA"
+                                   "</DataArray></Points></Piece>"))),
+            "7: an array has the format 'binary', only ascii is read");
+  EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>" + array("", points) + "</Points>\n<Polys>" +
+                                   array("connectivity", "0 1 2") + "</Polys></Piece>"))),
+            "8: there are faces but no lines");
+}
+
+std::string atom(
+    const std::string& record, const std::string& name, char chain, int residue, double x)
+{
+  std::string line(54, ' ');
+  const auto set = [&](std::size_t column, const std::string& text) {
+    line.replace(column - 1, text.size(), text);
+  };
+  set(1, record);
+  set(13, name);
+  line[21] = chain;
+  set(23, std::to_string(1000 + residue));
+  set(31, std::to_string(x).substr(0, 8));
+  set(39, std::to_string(0.5 * residue).substr(0, 8));
+  set(47, std::to_string(0.1 * residue * residue).substr(0, 8));
+  return line + '\n';
+}
+
+TEST(Pdb_reader, reads_the_alpha_atoms_of_each_chain_of_the_first_model)
+{
+  const std::string text =
+      "HEADER    A PROTEIN\nMODEL        1\n" + atom("ATOM", " N  ", 'A', 0, 1) +
+      atom("ATOM", " CA ", 'A', 0, 0) + atom("ATOM", " CA ", 'A', 0, 0.1) /* alternate */ +
+      atom("HETATM", " CA ", 'A', 1, 3) /* selenomethionine */ + atom("ATOM", " CA ", 'A', 2, 6) +
+      "TER\n" + atom("ATOM", " CA ", 'B', 0, 20) + atom("ATOM", " CA ", 'B', 1, 23) + "TER\n" +
+      atom("HETATM", "CA  ", 'A', 7, 30) /* calcium */ + atom("HETATM", " CA ", 'B', 8, 33) +
+      "ENDMDL\nMODEL        2\n" + atom("ATOM", " CA ", 'A', 0, 7) + "ENDMDL\nEND\n";
+  const Reading reading = read_pdb(text);
+  ASSERT_TRUE(reading.is_accepted);
+  ASSERT_EQ(reading.network.number_of_components(), 2u);
+  EXPECT_EQ(reading.network.number_of_nodes(), 5u);
+  EXPECT_EQ(reading.network.point(1), Network::Point_3(3, 0.5, 0.1));
+  EXPECT_TRUE(reading.defects.empty());
+}
+
+TEST(Pdb_reader, says_where_a_file_is_wrong_and_where_residues_are_missing)
+{
+  EXPECT_EQ(complaint(read_pdb("HEADER\nEND\n")), "2: there are no C-alpha atoms (records ATOM)");
+  std::string bad = atom("ATOM", " CA ", 'A', 0, 0) + atom("ATOM", " CA ", 'A', 1, 3);
+  bad.replace(bad.size() - 25, 8, "    ****");
+  EXPECT_EQ(complaint(read_pdb(bad)), "2: '****' is not a number");
+  const Reading gap =
+      read_pdb(atom("ATOM", " CA ", 'A', 0, 0) + atom("ATOM", " CA ", 'A', 5, 19) + "END\n");
+  ASSERT_TRUE(gap.is_accepted);
+  ASSERT_EQ(gap.defects.size(), 1u);
+  EXPECT_EQ(gap.defects[0].kind, Curve_defect_kind::CHAIN_GAP);
+  EXPECT_EQ(gap.defects[0].line, 2u);
+  EXPECT_EQ(gap.defects[0].nodes, (std::vector<std::size_t>{1, 2}));
+}
+
+TEST(Node_values, are_columns_of_a_file)
+{
+  const Folder folder;
+  const std::string arc = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 2 0 0\nl 2 3 4\nfixed 3\n";
+  const Network network = read_obj(arc).network; // without the vertex that has no edge
+  const std::string file = folder.file("a.ply");
+  ASSERT_TRUE(CGAL::IO::write_curve_network(file, network, {{"radius", {0.5, 0.25, 0.125}}}));
+  EXPECT_EQ(content(file), "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                           "property double y\nproperty double z\nproperty double origin\n"
+                           "property int component\nproperty double curvature\n"
+                           "property double radius\nproperty uchar pinned\nelement edge 2\n"
+                           "property int vertex1\nproperty int vertex2\nend_header\n"
+                           "0 0 0 1 0 0 0.5 0\n1 0 0 2 0 0 0.25 1\n2 0 0 3 0 0 0.125 0\n"
+                           "0 1\n1 2\n");
+}
+
+TEST(Node_values, have_the_reciprocals_of_the_bend_radii)
+{
+  const Network polygon = make_regular_polygon(40, 3);
+  const internal::Node_columns columns = internal::node_columns(polygon, {});
+  ASSERT_EQ(columns[2].name, "curvature");
+  for(const double curvature : columns[2].values)
+    EXPECT_NEAR(curvature, max_curvature(polygon), 1e-9);
+}
+
+TEST(Node_values, have_origins_between_the_nodes_of_the_input)
+{
+  Network network = read_obj(square + "l 1 2 3 4 1\n").network;
+  {
+    Isotopy_guard_3 guard(network);
+    ASSERT_TRUE(guard.insert_node(3, Network::Point_3(0, 0.25, 0.5))); // of the edge from 3 to 0
+    guard.collect_garbage();
+  }
+  const internal::Node_columns columns = internal::node_columns(network, {});
+  ASSERT_EQ(columns[0].name, "origin");
+  const std::vector<double>& origins = columns[0].values;
+  ASSERT_EQ(origins.size(), 5u);
+  for(std::size_t v = 0; v < 4; ++v) EXPECT_EQ(origins[v], double(v));
+  EXPECT_GT(origins[4], 3);
+  EXPECT_LT(origins[4], 4);
+}
+
+TEST(Node_values, that_cannot_be_written_are_refused)
+{
+  const Folder folder;
+  const Network network = make_regular_polygon(4);
+  std::error_code error;
+  for(const Node_values& values :
+      {Node_values{{"radius", {1, 2, 3}}}, Node_values{{"x", {1, 2, 3, 4}}},
+       Node_values{{"two words", {1, 2, 3, 4}}}, Node_values{{"", {1, 2, 3, 4}}},
+       Node_values{{"radius", {1, 2, 3, std::nan("")}}}}) {
+    EXPECT_FALSE(CGAL::IO::write_curve_network(folder.file("a.vtp"), network, values, error));
+    EXPECT_EQ(error, std::errc::invalid_argument);
+  }
+  EXPECT_FALSE(CGAL::IO::write_curve_network(folder.file("a.pdb"), network));
+  EXPECT_EQ(folder.number_of_files(), 0u);
+}
+
+TEST(Medial_radii, of_a_circle_are_those_of_its_spheres)
+{
+  const Network circle = make_regular_polygon(200, 2);
+  const std::vector<double> radii = medial_radii(circle, 5, 4);
+  ASSERT_EQ(radii.size(), 200u);
+  // to the center the sphere of the circle, in all other directions the cap
+  for(const double radius : radii) EXPECT_NEAR(radius, (2 + 3 * 5) / 4., 0.01);
+}
+
+TEST(Medial_radii, have_the_mean_medial_radius_as_mean)
+{
+  const Network knot = make_torus_knot(2, 3, 120);
+  const std::vector<double> radii = medial_radii(knot, 1);
+  double sum = 0;
+  for(const std::size_t e : knot.edges())
+    sum +=
+        internal::edge_vector(knot, e).norm() * (radii[knot.source(e)] + radii[knot.target(e)]) / 2;
+  EXPECT_NEAR(sum / length(knot), mean_medial_radius(knot, 1), 1e-12);
+}
+
+TEST(Frames, are_listed_for_paraview)
+{
+  const Folder folder;
+  std::error_code error;
+  ASSERT_TRUE(CGAL::IO::write_curve_frames(folder.file("a.pvd"),
+                                           {{0, "a 0.vtp"}, {2.5, "a<&\"1.vtp"}}, error));
+  const std::string text = content(folder.file("a.pvd"));
+  EXPECT_NE(text.find("timestep=\"2.5\" part=\"0\" file=\"a&lt;&amp;&quot;1.vtp\""),
+            std::string::npos);
+  EXPECT_FALSE(CGAL::IO::write_curve_frames(folder.file("none/a.pvd"), {}, error));
+  EXPECT_TRUE(error);
+}
+
+using Shared_value_formats = shared_curves::Shared_data_test;
+
+TEST_F(Shared_value_formats, a_protein_is_an_arc)
+{
+  Network network;
+  std::vector<Curve_defect> defects;
+  const auto file = shared_curves::folder() / "real" / "formats" / "2efv.pdb";
+  ASSERT_TRUE(CGAL::IO::read_embedded_curve_network(file.string(), network, defects));
+  EXPECT_EQ(network.number_of_components(), 1u);
+  EXPECT_EQ(network.number_of_nodes(), 82u);
+  EXPECT_FALSE(network.is_closed(0));
+}
+
+} // namespace test_value_formats
