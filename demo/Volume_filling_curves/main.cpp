@@ -115,6 +115,7 @@ int run_program(int argc, char** argv)
   add_measure_command(command_line);
   add_repair_command(command_line);
   add_generate_command(command_line);
+  add_convert_command(command_line);
   add_draw_command(command_line);
   try {
     command_line.program.parse(argc, argv);

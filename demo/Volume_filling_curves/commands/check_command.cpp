@@ -133,9 +133,8 @@ void add_check_command(Command_line& command_line)
       command_line.add_command("check", "list every defect of a curve or a mesh",
                                [options](Session& session) { return check(session, *options); });
   add_file(command, "FILE", options->file,
-           "a curve, .obj with lines, .polylines.txt, .vect, .xyz, .txt or .dat, or a surface, "
-           ".off, .obj with faces, .ply, "
-           ".stl or .vtp")
+           "a curve, .obj, .ply or .vtp with lines, .polylines.txt, .vect, .xyz, .txt, .dat or "
+           ".pdb, or a surface, .off, .obj, .ply or .vtp with faces, or .stl")
       .required();
   add_mesh(command, options->mesh)
       .description("a surface; the curve FILE must lie strictly inside of it");

@@ -13,6 +13,7 @@ struct Command_line;
 
 // Each adds one command, see the file of the same name.
 void add_check_command(Command_line& command_line);
+void add_convert_command(Command_line& command_line);
 void add_draw_command(Command_line& command_line);
 void add_fill_command(Command_line& command_line);
 void add_generate_command(Command_line& command_line);

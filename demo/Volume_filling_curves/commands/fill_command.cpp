@@ -73,13 +73,14 @@ Filling_result fill(Session& session,
                     const Fill_options& options,
                     curves::Isotopy_certificate& certificate)
 {
-  Flow_observer observer(session, options.parameters, 0,
-                         Frames(options.film.frames, options.film.every));
+  Flow_observer observer(session, options.parameters, 0, Frames(options.film));
   curves::Filling_parameters<> parameters = options.parameters;
   parameters.thickness_field = field;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
-  return curves::fill<CGAL::Parallel_if_available_tag>(curve, domain, parameters,
-                                                       std::ref(observer));
+  Filling_result result =
+      curves::fill<CGAL::Parallel_if_available_tag>(curve, domain, parameters, std::ref(observer));
+  observer.finish();
+  return result;
 }
 
 void note_thickness(const Session& session, const Fill_options& options, double thickness)
@@ -110,7 +111,7 @@ int run(Session& session, const Fill_options& options)
   // the certificate first: no curve comes out of a run that was to be certified without one
   if(!options.certificate.empty()) write_certificate(options.certificate, certificate);
   if(!file_of_circles(options).empty()) write_curve(file_of_circles(options), Curve(result.start));
-  if(!options.output.empty()) write_curve(options.output, curve);
+  if(!options.output.empty()) write_curve(options.output, curve, result.thickness);
   write_map(options.film.map, options.output, curve);
   session.end_stage("writing");
   if(session.has_report()) report_filling(session.report(), curve, domain, result);

@@ -106,11 +106,12 @@ Untangling_result untangle(Curve& curve,
 void write_files(Session& session,
                  const Untangle_options& options,
                  const Curve& curve,
+                 double found_thickness,
                  const curves::Isotopy_certificate& certificate)
 {
   // the certificate first: no curve comes out of a run that was to be certified without one
   if(!options.certificate.empty()) write_certificate(options.certificate, certificate);
-  if(!options.output.empty()) write_curve(options.output, curve);
+  if(!options.output.empty()) write_curve(options.output, curve, found_thickness);
   write_map(options.film.map, options.output, curve);
   session.end_stage("writing");
 }
@@ -147,12 +148,13 @@ int run(Session& session, const Untangle_options& options)
   Untangling_result result;
   {
     Flow_observer observer(session, options.parameters, options.parameters.tolerance,
-                           Frames(options.film.frames, options.film.every));
+                           Frames(options.film));
     result = untangle(curve, domain, options, certificate, observer);
+    observer.finish();
   }
   check_length(session, options, curve, length);
   report_stages(session, result.statistics);
-  write_files(session, options, curve, certificate);
+  write_files(session, options, curve, result.thickness, certificate);
   if(session.has_report()) report_shape(session.report(), curve, result.thickness);
   session.end_stage("measuring");
   report_run(session.report(), curve, result, options.parameters.strategy);

@@ -6,10 +6,12 @@
 
 #include "files/Frames.h"
 
+#include <CGAL/Volume_filling_curves/IO/curve_frames.h>
 #include <CGAL/Volume_filling_curves/without_tails.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -19,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char prefix[] = "frame_";
-constexpr char frame_extension[] = ".obj";
+constexpr char list[] = "frames.pvd";
 
 } // namespace
 
@@ -27,28 +29,47 @@ bool Frames::is_frame(const fs::path& file)
 {
   const std::string number = file.stem().string();
   const std::size_t start = sizeof prefix - 1;
-  return file.extension() == frame_extension && number.compare(0, start, prefix) == 0 &&
-         number.find_first_not_of("0123456789", start) == std::string::npos;
+  const bool is_curve = file.extension() == ".obj" || file.extension() == ".vtp";
+  return file.filename() == list ||
+         (is_curve && number.compare(0, start, prefix) == 0 &&
+          number.find_first_not_of("0123456789", start) == std::string::npos);
 }
 
 void Frames::add(std::size_t iteration, const Curve& curve)
 {
-  if(m_folder.empty() || iteration % m_every != 0) return;
-  if(!m_is_prepared) prepare_folder();
-  m_is_prepared = true;
+  if(m_options.frames.empty() || iteration % m_options.every != 0) return;
+  if(m_written.empty()) prepare_folder();
+  write_curve((fs::path(m_options.frames) / name(iteration)).string(),
+              CGAL::Volume_filling_curves::without_tails(curve));
+  m_written.insert(iteration);
+}
+
+std::string Frames::name(std::size_t iteration) const
+{
   constexpr std::size_t digits = 6;
   std::string number = std::to_string(iteration);
   number.insert(0, digits - (std::min)(digits, number.size()), '0');
-  write_curve((fs::path(m_folder) / (prefix + number + frame_extension)).string(),
-              CGAL::Volume_filling_curves::without_tails(curve));
+  return prefix + number + '.' + m_options.frame_format;
+}
+
+void Frames::finish() const
+{
+  if(m_written.empty() || m_options.frame_format != "vtp") return;
+  std::vector<CGAL::Volume_filling_curves::Curve_frame> frames;
+  for(const std::size_t iteration : m_written)
+    frames.push_back({static_cast<double>(iteration), name(iteration)});
+  const std::string file = (fs::path(m_options.frames) / list).string();
+  std::error_code error;
+  if(!CGAL::IO::write_curve_frames(file, frames, error))
+    throw Usage_error(file + ": cannot be written: " + error.message());
 }
 
 void Frames::prepare_folder() const
 {
   std::error_code error;
-  fs::create_directory(m_folder, error);
+  fs::create_directory(m_options.frames, error);
   std::vector<fs::path> old;
-  for(const auto& entry : fs::directory_iterator(m_folder, error))
+  for(const auto& entry : fs::directory_iterator(m_options.frames, error))
     if(is_frame(entry.path())) old.push_back(entry.path());
   for(const fs::path& file : old) fs::remove(file, error);
 }

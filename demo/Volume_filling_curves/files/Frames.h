@@ -8,33 +8,38 @@
 #define VFC_FRAMES_H
 
 #include "files/curve_files.h"
+#include "options/shared_options.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
-#include <utility>
 
 namespace vfc {
 
-// The pictures of a film: the curve of every K-th iteration, frame_000000.obj and so on.
+// The pictures of a film: the curve of every K-th iteration, frame_000000.obj and so on; as .vtp
+// files with a list of them, frames.pvd, for ParaView.
 class Frames
 {
 public:
   // Writes nothing if there is no folder. The frames of an earlier run are removed when the first
   // new one is written.
-  Frames(std::string folder, std::size_t every) : m_folder(std::move(folder)), m_every(every) {}
+  explicit Frames(const Film_options& options) : m_options(options) {}
 
   void add(std::size_t iteration, const Curve& curve);
+
+  // Writes the list, if there is one, when the last frame was added.
+  void finish() const;
 
   // returns whether a file of this name is taken for a frame of an earlier run
   static bool is_frame(const std::filesystem::path& file);
 
 private:
   void prepare_folder() const;
+  std::string name(std::size_t iteration) const;
 
-  std::string m_folder;
-  std::size_t m_every;
-  bool m_is_prepared = false;
+  Film_options m_options;
+  std::set<std::size_t> m_written; // iterations; a strategy may start again
 };
 
 } // namespace vfc

@@ -11,6 +11,9 @@
 
 #include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <numeric>
@@ -60,16 +63,24 @@ Curve read_curve(Session& session, const std::string& file, bool is_network)
 
 void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file)
 {
-  if(!file.empty() && curves::internal::Curve_format::of(file) == nullptr)
-    throw Usage_error(option + ": " + file + ": curves are " +
-                      curves::internal::Curve_format::extensions + " files");
+  using Format = curves::internal::Curve_format;
+  const Format* const format = Format::of(file);
+  if(!file.empty() && (format == nullptr || !format->is_written()))
+    throw Usage_error(option + ": " + file + ": curves are written to " +
+                      Format::written_extensions + " files");
   outputs.add(option, file);
 }
 
-void write_curve(const std::string& file, const Curve& curve)
+void write_curve(const std::string& file, const Curve& curve, double thickness)
 {
+  constexpr double cap = 2; // in units of the thickness: many spheres touch nothing at all
+  curves::Node_values values;
+  const auto* const format = curves::internal::Curve_format::of(file);
+  if(thickness > 0 && format != nullptr && format->write_with_values != nullptr)
+    values["radius"] =
+        curves::medial_radii<CGAL::Parallel_if_available_tag>(curve, cap * thickness);
   std::error_code error;
-  if(!CGAL::IO::write_curve_network(file, curve, error))
+  if(!CGAL::IO::write_curve_network(file, curve, values, error))
     throw Usage_error(file + ": cannot be written: " + error.message());
 }
 
@@ -79,7 +90,7 @@ std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curv
   std::vector<std::size_t> nodes(curve.number_of_nodes());
   std::iota(nodes.begin(), nodes.end(), std::size_t(0));
   const auto* const format = curves::internal::Curve_format::of(file);
-  if(format == nullptr || format->extension == ".obj") return nodes;
+  if(format == nullptr || format->has_numbered_nodes) return nodes;
   nodes.clear();
   std::vector<bool> is_listed(curve.number_of_nodes(), false);
   for(const auto& path : curves::internal::Curve_paths(curve).paths)

@@ -38,8 +38,9 @@ Curve read_curve(Session& session, const std::string& file, bool is_network);
 // Plans to write a curve, if the name is not empty. \throws Usage_error
 void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file);
 
-// \throws Usage_error
-void write_curve(const std::string& file, const Curve& curve);
+// Writes a curve; if the format holds them, with the medial radii, capped at twice the thickness,
+// unless this is 0, which stands for unknown. \throws Usage_error
+void write_curve(const std::string& file, const Curve& curve, double thickness = 0);
 
 // returns the nodes in the order in which they stand in a file of this name
 std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curve& curve);

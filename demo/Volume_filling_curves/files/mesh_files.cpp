@@ -10,11 +10,17 @@
 #include "meshes/read_mesh_soup.h"
 #include "session/Session.h"
 
+#include <CGAL/Volume_filling_curves/internal/text/Xml_scanner.h>
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace vfc {
 namespace {
+
+namespace files = CGAL::Volume_filling_curves::internal;
 
 struct Obj_records
 {
@@ -34,13 +40,47 @@ Obj_records records_of(const std::string& file)
   return records;
 }
 
+// returns whether a PLY file has edges and no faces
+bool is_ply_of_edges(const std::string& file)
+{
+  bool has_edges = false, has_faces = false;
+  std::ifstream lines(file);
+  for(std::string line, keyword, name; std::getline(lines, line) && keyword != "end_header";) {
+    std::istringstream words(line);
+    unsigned long long count = 0;
+    if(!(words >> keyword >> name >> count) || keyword != "element" || count == 0) continue;
+    has_edges = has_edges || name == "edge";
+    has_faces = has_faces || name == "face";
+  }
+  return has_edges && !has_faces;
+}
+
+// returns whether a VTP file has lines and no polygons
+bool is_vtp_of_lines(const std::string& file)
+{
+  std::string text;
+  if(files::read_whole_file(file, text)) return false;
+  files::Xml_scanner tags(text);
+  while(tags.next_tag()) {
+    if(tags.name() != "Piece") continue;
+    const auto has = [&](std::string_view count) {
+      return tags.attribute(count).find_first_of("123456789") != std::string_view::npos;
+    };
+    return has("NumberOfLines") && !has("NumberOfPolys");
+  }
+  return false;
+}
+
 bool is_curve_file(const std::string& file)
 {
+  const std::string extension = lower_case_extension(file);
+  if(extension == ".ply") return is_ply_of_edges(file);
+  if(extension == ".vtp") return is_vtp_of_lines(file);
   const std::string polylines = ".polylines.txt";
   const bool has_polylines =
       file.size() > polylines.size() &&
       file.compare(file.size() - polylines.size(), polylines.size(), polylines) == 0;
-  return has_polylines || (lower_case_extension(file) == ".obj" && records_of(file).has_lines);
+  return has_polylines || (extension == ".obj" && records_of(file).has_lines);
 }
 
 // What a file should be, and what to do if it is not.
@@ -79,7 +119,7 @@ Mesh_and_defects read_mesh(Session& session, const std::string& file)
 bool is_mesh_file(const std::string& file)
 {
   const std::string extension = lower_case_extension(file);
-  if(extension != ".obj") return is_mesh_extension(extension);
+  if(extension != ".obj") return is_mesh_extension(extension) && !is_curve_file(file);
   const Obj_records records = records_of(file);
   return records.has_faces && !records.has_lines;
 }

@@ -47,8 +47,9 @@ void accept(Session& session, const Mesh_findings& findings);
 // Reads a mesh and accepts it. \throws Input_error
 Mesh_and_defects read_mesh(Session& session, const std::string& file);
 
-// returns whether a file holds a surface rather than a curve: that of the extension, and an OBJ
-// file if it has faces and no lines
+// returns whether a file holds a surface rather than a curve: an OBJ file if it has faces and no
+// lines, and all others with the extension of a surface, but for PLY and VTP files that have lines
+// and no faces
 bool is_mesh_file(const std::string& file);
 
 } // namespace vfc

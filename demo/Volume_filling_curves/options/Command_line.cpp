@@ -17,8 +17,8 @@ namespace vfc {
 namespace {
 
 constexpr char examples[] =
-    "Lengths are in the unit of the input. Curves are .obj (v and l), .polylines.txt,\n"
-    ".vect, .xyz, .txt or .dat files.\n"
+    "Lengths are in the unit of the input. Curves are .obj (v and l), .polylines.txt, .ply\n"
+    "and .vtp with lines, .vect, .xyz, .txt, .dat or .pdb files, the last one for reading only.\n"
     "\n"
     "Exit status: 0 goal reached, 1 wrong options or files, 2 a limit was reached, 3 stalled,\n"
     "4 invalid input, 5 interrupted.\n"
@@ -147,7 +147,7 @@ CLI::Option& add_file(CLI::App& command,
 CLI::Option& add_curve(CLI::App& command, std::string& file)
 {
   return *add_file(command, "CURVE", file,
-                   "the curve, .obj, .polylines.txt, .vect, .xyz, .txt or .dat")
+                   "the curve, .obj, .polylines.txt, .ply, .vtp, .vect, .xyz, .txt, .dat or .pdb")
               .required();
 }
 
@@ -159,7 +159,8 @@ CLI::Option& add_mesh(CLI::App& command, std::string& file)
 CLI::Option& add_curve_output(CLI::App& command, std::string& file)
 {
   return add_file(command, "-o,--output", file,
-                  "the result, in a format as of curves that are read");
+                  "the result, in a format as of curves that are read; .ply and .vtp tell of each "
+                  "node origin, component, curvature and, if r is known, medial radius");
 }
 
 void add_network_flag(CLI::App& command, bool& is_network)

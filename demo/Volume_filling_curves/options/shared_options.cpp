@@ -23,6 +23,14 @@ void add_film_options(CLI::App& command, Film_options& options)
   add_whole_number(command, "--every", options.every, "K, the iterations between two frames", 1)
       .capture_default_str()
       ->needs(&frames);
+  command
+      .add_option("--frame-format", options.frame_format,
+                  "obj, or vtp: with origin, component and curvature of each node, and a list "
+                  "frames.pvd that ParaView plays as a film")
+      ->check(CLI::IsMember({"obj", "vtp"}).description(""))
+      ->capture_default_str()
+      ->type_name("NAME")
+      ->needs(&frames);
 }
 
 void add_curve_options(CLI::App& command, Curve_options& options)

@@ -25,6 +25,7 @@ struct Film_options
 {
   std::string map, frames;
   std::size_t every = 1;
+  std::string frame_format = "obj"; // or "vtp"
 };
 
 // What the curve is allowed to be, and to do.

@@ -67,6 +67,7 @@ constexpr const char* keys[] = {"command",
                                 "outside_segments",
                                 "defects",
                                 "faces",
+                                "radius",
                                 "mending",
                                 "error"};
 

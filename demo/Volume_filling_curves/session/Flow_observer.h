@@ -77,6 +77,9 @@ public:
     return !is_interruption_requested();
   }
 
+  // Completes what was written, when the run is over.
+  void finish() const { m_frames.finish(); }
+
   bool on_search(const CGAL::Volume_filling_curves::Search_progress& progress)
   {
     if(m_progress.is_due())

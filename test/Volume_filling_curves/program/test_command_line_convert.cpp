@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// vfc convert, and the formats that other commands write.
+
+#include <gtest/gtest.h>
+
+#if __has_include(<nlohmann/json.hpp>) && !defined(_WIN32)
+
+#include "support/program_test_support.h"
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace test_command_line_convert {
+
+using program_test::Finished;
+using program_test::Json;
+
+class Command_line_convert : public program_test::Program_test
+{};
+
+TEST_F(Command_line_convert, keeps_all_digits_through_all_formats)
+{
+  make_trefoil();
+  std::string last = "trefoil.obj";
+  for(const std::string name :
+      {"a.ply", "a.vtp", "a.vect", "a.xyz", "a.txt", "a.dat", "a.polylines.txt", "a.obj"}) {
+    ASSERT_EQ(run("convert " + last + " -o " + name).status, 0) << name;
+    EXPECT_EQ(run("check " + name).status, 0) << name;
+    last = name;
+  }
+  EXPECT_EQ(read("a.obj"), read("trefoil.obj"));
+}
+
+TEST_F(Command_line_convert, keeps_pinned_nodes_and_junctions)
+{
+  write("star.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nl 2 1 3\nl 1 4\nfixed 2 3\n");
+  EXPECT_EQ(run("convert star.obj -o star.ply").status, 4) << "a junction";
+  ASSERT_EQ(run("convert star.obj -o star.ply --network").status, 0);
+  ASSERT_EQ(run("convert star.ply -o star.vtp --network").status, 0);
+  ASSERT_EQ(run("convert star.vtp -o again.obj --network").status, 0);
+  ASSERT_EQ(run("convert star.obj -o once.obj --network").status, 0);
+  EXPECT_EQ(read("again.obj"), read("once.obj"));
+}
+
+TEST_F(Command_line_convert, tells_medial_radii_where_the_thickness_is_known)
+{
+  make_trefoil();
+  ASSERT_EQ(run("convert trefoil.obj -o without.vtp").status, 0);
+  ASSERT_EQ(run("convert trefoil.obj -o with.vtp --thickness 0.2").status, 0);
+  ASSERT_EQ(run("untangle trefoil.obj -o tight.ply --max-iterations 3").status, 2);
+  EXPECT_EQ(read("without.vtp").find("\"radius\""), std::string::npos);
+  EXPECT_NE(read("with.vtp").find("\"radius\""), std::string::npos);
+  EXPECT_NE(read("tight.ply").find("property double radius\n"), std::string::npos);
+}
+
+TEST_F(Command_line_convert, makes_tubes_that_are_closed_surfaces)
+{
+  make_trefoil();
+  for(const std::string name : {"tube.off", "tube.ply", "tube.obj", "tube.stl"}) {
+    const Finished made = run("convert trefoil.obj --tube 0.5 --report r.json --force -o " + name);
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(made.err.find("warning"), std::string::npos) << made.err;
+    const Finished checked = run("check " + name);
+    EXPECT_EQ(checked.status, 0) << checked.out;
+    EXPECT_EQ(checked.out, "") << "a warning";
+  }
+  const Json report = json("r.json");
+  EXPECT_EQ(report["radius"], 0.5);
+  EXPECT_EQ(report["faces"], 200 * 16 * 2);
+  EXPECT_EQ(run("convert trefoil.obj --tube 0.5 --sides 5 -o five.off").status, 0);
+  EXPECT_NE(read("five.off").find("OFF\n1000 2000 0\n"), std::string::npos);
+}
+
+TEST_F(Command_line_convert, warns_of_a_tube_that_may_meet_itself)
+{
+  make_trefoil();
+  const Finished thick = run("convert trefoil.obj --tube 1.5 -o tube.off");
+  EXPECT_EQ(thick.status, 0);
+  EXPECT_NE(thick.err.find("polygonal thickness"), std::string::npos) << thick.err;
+  EXPECT_EQ(run("check tube.off").status, 4);
+}
+
+TEST_F(Command_line_convert, refuses_what_makes_no_sense)
+{
+  make_trefoil();
+  write("star.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nl 2 1 3\nl 1 4\n");
+  write("there.off", "mine");
+  write("bad.ply", "ply\nformat ascii 1.0\nelement vertex 2\n");
+  for(const std::string wrong :
+      {"trefoil.obj -o x.pdb", "trefoil.obj -o x.stl", "trefoil.obj -o x.vtp --tube 1",
+       "trefoil.obj -o x.off --tube 0", "trefoil.obj -o x.ply --sides 8",
+       "trefoil.obj -o x.off --tube 1 --sides 2", "trefoil.obj -o there.off --tube 1",
+       "trefoil.obj", "star.obj -o x.off --tube 0.1 --network"}) {
+    const Finished refused = run("convert " + wrong);
+    EXPECT_EQ(refused.status, 1) << wrong;
+    EXPECT_NE(refused.err, "") << wrong;
+  }
+  EXPECT_EQ(read("there.off"), "mine");
+  const Finished invalid = run("convert bad.ply -o x.obj");
+  EXPECT_EQ(invalid.status, 4);
+  EXPECT_NE(invalid.err.find("bad.ply:4: error"), std::string::npos) << invalid.err;
+  EXPECT_FALSE(exists("x.obj"));
+}
+
+TEST_F(Command_line_convert, reads_proteins)
+{
+  write("p.pdb", "ATOM      2  CA  PHE A   6       4.586  32.024   2.913  1.00 36.15\n"
+                 "ATOM     13  CA  MET A   7       3.035  33.278  -0.381  1.00 34.92\n"
+                 "ATOM     21  CA  LYS A   9       4.780  39.587  -9.572  1.00 30.19\nEND\n");
+  const Finished made = run("convert p.pdb -o p.obj");
+  EXPECT_EQ(made.status, 0);
+  EXPECT_NE(made.err.find("p.pdb:3: warning: chain gap"), std::string::npos) << made.err;
+  EXPECT_EQ(points("p.obj").size(), 3u);
+}
+
+TEST_F(Command_line_convert, tells_curves_from_surfaces)
+{
+  make_trefoil();
+  ASSERT_EQ(run("convert trefoil.obj -o curve.ply").status, 0);
+  ASSERT_EQ(run("convert trefoil.obj -o curve.vtp").status, 0);
+  ASSERT_EQ(run("convert trefoil.obj -o surface.ply --tube 0.2").status, 0);
+  EXPECT_NE(run("fill curve.ply").err.find("it holds a curve"), std::string::npos);
+  EXPECT_NE(run("fill curve.vtp").err.find("it holds a curve"), std::string::npos);
+  EXPECT_NE(run("measure surface.ply").err.find("it holds a surface"), std::string::npos);
+  EXPECT_EQ(run("check curve.vtp surface.ply").status, 0) << "the curve is inside of its tube";
+}
+
+TEST_F(Command_line_convert, frames_for_paraview_have_a_list)
+{
+  make_trefoil();
+  const std::string frames = "untangle trefoil.obj --max-iterations 7 --frames film --every 3 ";
+  EXPECT_EQ(run(frames + "--frame-format vtp").status, 2);
+  const auto files = [&] {
+    std::set<std::string> names;
+    for(const auto& entry : std::filesystem::directory_iterator(path("film")))
+      names.insert(entry.path().filename().string());
+    return names;
+  };
+  EXPECT_EQ(files(), (std::set<std::string>{"frame_000000.vtp", "frame_000003.vtp",
+                                            "frame_000006.vtp", "frames.pvd"}));
+  EXPECT_NE(read("film/frames.pvd").find("timestep=\"6\" part=\"0\" file=\"frame_000006.vtp\""),
+            std::string::npos);
+  EXPECT_EQ(run("check film/frame_000006.vtp").status, 0);
+  EXPECT_EQ(run(frames + "--every 4 --force").status, 1) << "--every is given twice";
+  EXPECT_EQ(run(frames + "--force").status, 2);
+  EXPECT_EQ(files().count("frames.pvd"), 0u) << "a list of an earlier film is left";
+  EXPECT_EQ(run("untangle trefoil.obj --frame-format vtp").status, 1) << "without --frames";
+}
+
+} // namespace test_command_line_convert
+
+#endif // json.hpp
