@@ -20,18 +20,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char prefix[] = "frame_";
-constexpr char list[] = "frames.pvd";
+constexpr char frame_prefix[] = "frame_";
+constexpr char list_of_frames[] = "frames.pvd";
 
 } // namespace
 
 bool Frames::is_frame(const fs::path& file)
 {
   const std::string number = file.stem().string();
-  const std::size_t start = sizeof prefix - 1;
+  const std::size_t start = sizeof frame_prefix - 1;
   const bool is_curve = file.extension() == ".obj" || file.extension() == ".vtp";
-  return file.filename() == list ||
-         (is_curve && number.compare(0, start, prefix) == 0 &&
+  return file.filename() == list_of_frames ||
+         (is_curve && number.compare(0, start, frame_prefix) == 0 &&
           number.find_first_not_of("0123456789", start) == std::string::npos);
 }
 
@@ -49,7 +49,7 @@ std::string Frames::name(std::size_t iteration) const
   constexpr std::size_t digits = 6;
   std::string number = std::to_string(iteration);
   number.insert(0, digits - (std::min)(digits, number.size()), '0');
-  return prefix + number + '.' + m_options.frame_format;
+  return frame_prefix + number + '.' + m_options.frame_format;
 }
 
 void Frames::finish() const
@@ -58,7 +58,7 @@ void Frames::finish() const
   std::vector<CGAL::Volume_filling_curves::Curve_frame> frames;
   for(const std::size_t iteration : m_written)
     frames.push_back({static_cast<double>(iteration), name(iteration)});
-  const std::string file = (fs::path(m_options.frames) / list).string();
+  const std::string file = (fs::path(m_options.frames) / list_of_frames).string();
   std::error_code error;
   if(!CGAL::IO::write_curve_frames(file, frames, error))
     throw Usage_error(file + ": cannot be written: " + error.message());

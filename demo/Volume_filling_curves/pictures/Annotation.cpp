@@ -22,7 +22,7 @@ namespace vfc {
 namespace {
 
 constexpr double text_size = 13;
-constexpr Color ink{34, 40, 49};
+constexpr Color text_ink{34, 40, 49};
 
 struct Title
 {
@@ -120,7 +120,7 @@ void paint_stroke(const Segment_2& stroke, double width, const Color& color, Rgb
   });
 }
 
-// White around ink, which can be read on every color.
+// White around text_ink, which can be read on every color.
 void paint_text(const Annotation::Text& text, double pixel, Rgb_image& image)
 {
   constexpr double stroke_width = 0.12, halo_width = 0.5; // of the size
@@ -128,7 +128,7 @@ void paint_text(const Annotation::Text& text, double pixel, Rgb_image& image)
   const auto strokes = text_strokes(text.text, {text.x / pixel, text.y / pixel}, size);
   for(const Segment_2& stroke : strokes)
     paint_stroke(stroke, halo_width * size, {255, 255, 255}, image);
-  for(const Segment_2& stroke : strokes) paint_stroke(stroke, stroke_width * size, ink, image);
+  for(const Segment_2& stroke : strokes) paint_stroke(stroke, stroke_width * size, text_ink, image);
 }
 
 } // namespace
@@ -147,7 +147,7 @@ Annotation legend(const Color_scale& scale, Coloring coloring)
   result.texts.push_back({unit, left, top - 1.9 * text_size, text_size});
   for(const double tick : scale.ticks()) {
     const double y = top + height * (1 - scale.share(tick));
-    result.boxes.push_back({left + width, y - 0.5, gap - 2, 1, ink});
+    result.boxes.push_back({left + width, y - 0.5, gap - 2, 1, text_ink});
     result.texts.push_back({to_text(tick), left + width + gap, y + text_size / 2, text_size});
   }
   return result;
@@ -185,7 +185,7 @@ void write_svg(const Annotation& annotation, std::ostream& out)
         << svg_color(box.color) << "\"/>";
   constexpr double font_size_per_digit = 1.4; // of most fonts without serifs
   out << "</g>\n<g font-family=\"sans-serif\" font-size=\""
-      << svg_number(font_size_per_digit * text_size) << "\" fill=\"" << svg_color(ink)
+      << svg_number(font_size_per_digit * text_size) << "\" fill=\"" << svg_color(text_ink)
       << "\" stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\">\n";
   for(const Annotation::Text& text : annotation.texts)
     out << "<text x=\"" << svg_number(text.x) << "\" y=\"" << svg_number(text.y) << "\">"

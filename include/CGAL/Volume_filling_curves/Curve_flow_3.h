@@ -318,22 +318,28 @@ private:
   {
     const internal::Stage_timer stage(m_statistics.seconds_motion);
     if(m_direction.isZero(0)) return false;
+    const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
+                                                    : m_step_size.next(m_direction, m_thickness);
     const std::vector<double> fractions =
-        m_guard.template advance_nodes<ConcurrencyTag>(m_positions + displacements());
+        m_guard.template advance_nodes<ConcurrencyTag>(m_positions + scale * m_direction);
     const auto n = static_cast<double>(fractions.size());
     const double mean = std::accumulate(fractions.begin(), fractions.end(), 0.) / n;
     m_step_size.note_fraction(mean);
     if(mean < 1) ++m_statistics.shortened_steps;
-    const bool are_all_free = std::count(fractions.begin(), fractions.end(), 0) == 0;
-    // strands that almost touch let one another not go anywhere
-    return (!are_all_free && internal::Strand_separator<Guard>(m_guard, clearance())()) || mean > 0;
+    const auto held = std::count(fractions.begin(), fractions.end(), 0);
+    return (is_separation_due(mean, held) && separate_strands()) || mean > 0;
   }
 
-  Vector_field displacements()
+  // Strands that almost touch do not let one another go anywhere. That others go on meanwhile is no
+  // reason to leave them alone for good.
+  bool is_separation_due(double mean_fraction, std::ptrdiff_t held_nodes)
   {
-    if(m_parameters.time_step > 0) return m_parameters.time_step * m_direction;
-    return m_step_size.displacements(m_direction, m_thickness);
+    constexpr int patience = 10; // steps
+    if(held_nodes > 0) ++m_steps_with_held_nodes;
+    return mean_fraction == 0 || (held_nodes > 0 && m_steps_with_held_nodes % patience == 0);
   }
+
+  bool separate_strands() { return internal::Strand_separator<Guard>(m_guard, clearance())(); }
 
   void remesh()
   {
@@ -379,6 +385,7 @@ private:
   Thickness_field m_thickness_field; // none if the thickness is the same everywhere
   Curve_flow_statistics m_statistics;
   internal::Step_size m_step_size;
+  int m_steps_with_held_nodes = 0;
   internal::Direction_solver m_solver;
 
   // of the curve as it stands

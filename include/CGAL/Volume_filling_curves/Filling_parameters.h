@@ -34,8 +34,9 @@ enum class Filling_start
  * Of the flow's some are not the same from the start to the end. While the curve opens or grows,
  * `screening` is 30 times larger, 3 times when it settles; `max_radius`, whose default is 6 here,
  * is at most 3 while fingers open, the speed of the growth from a circle, and at most 2 in the end;
- * `max_displacement` shrinks from at most 0.3 in the end. With a `medial_weight` of 3.15^2, the
- * default here, the curve settles with a mean medial radius of r.
+ * `max_displacement`, whose default is 1 here, is at most 0.5 while a curve grows, and shrinks from
+ * at most 0.6 in the end. With a `medial_weight` of 3.15^2, the default here, the curve settles
+ * with a mean medial radius of r.
  *
  * The default of the `thickness` is a quarter of the radius of the widest ball inside. With a
  * `length` the thickness is the one that leads to it.
@@ -52,6 +53,7 @@ struct Filling_parameters : Curve_run_parameters
   {
     medial_weight = 3.15 * 3.15;
     max_radius = 6; // 12 is as fast on the bunny
+    max_displacement = 1;
   }
 
   /// How the curve sets out, be it given or a circle.

@@ -273,11 +273,11 @@ TEST(Tangent_radius, is_known_in_a_box)
 TEST(Distance_along, is_limited_and_known_in_a_box)
 {
   const Mesh_domain domain(meshes::to_mesh(two_legs(0.125)));
-  const Domain_boundary<Mesh_domain> walls(domain);
   const Point p(0.5, 2, 0.5);
-  EXPECT_NEAR(walls.distance_along(p, Vector(1, 0, 0), 10), 0.5, 1e-12);
-  EXPECT_NEAR(walls.distance_along(p, Vector(0, -1, 0), 10), 2, 1e-12);
-  EXPECT_EQ(walls.distance_along(p, Vector(0, -1, 0), 1.5), 1.5);
+  using Vector_3 = Mesh_domain::Vector_3;
+  EXPECT_NEAR(domain.distance_along(p, Vector_3(1, 0, 0), 10), 0.5, 1e-12);
+  EXPECT_NEAR(domain.distance_along(p, Vector_3(0, -1, 0), 10), 2, 1e-12);
+  EXPECT_EQ(domain.distance_along(p, Vector_3(0, -1, 0), 1.5), 1.5);
 }
 
 } // namespace test_domain_boundary

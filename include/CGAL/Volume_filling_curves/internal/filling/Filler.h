@@ -94,6 +94,7 @@ private:
     if(m_parameters.start == Filling_start::TREE) {
       run(Filling_stage::opening());
       return_to_empty_regions();
+      if(is_much_unfilled()) reach_empty_regions(); // beyond a neck that no finger got through
       return;
     }
     double factor = 1;
@@ -115,6 +116,13 @@ private:
       m_thickness *= std::sqrt(excess);
       run(Filling_stage::settling());
     }
+  }
+
+  bool is_much_unfilled() const
+  {
+    const auto thickness = [&](const Point_3& p) { return thickness_at(p); };
+    return !m_end && unfilled_fraction(m_samples, sample_distances(m_flow.curve(), m_samples),
+                                       thickness) > tolerated_unfilled_fraction;
   }
 
   // Where the curve does not get to by itself, as through a neck that is too narrow for a loop, it

@@ -52,6 +52,7 @@ struct Filling_stage
   {
     Filling_stage stage = growth();
     stage.max_radius = 3;
+    stage.max_displacement = 1; // with 0.5 the bunny is filled to 77 % instead of 79 %
     stage.window = 6;
     stage.change_of_length = std::numeric_limits<double>::infinity();
     return stage;
@@ -62,8 +63,8 @@ struct Filling_stage
   {
     Filling_stage stage;
     stage.screening = 3;
-    stage.max_displacement = 0.3;
-    stage.cooling = 0.75;
+    stage.max_displacement = 0.6;
+    stage.cooling = 0.7;
     stage.window = 20;
     stage.change_of_length = 1e-3;
     return stage;

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_neighborhoods.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
@@ -21,7 +22,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -41,7 +41,6 @@ class Finger_tree
 {
   using Network = typename Guard::Curve_network;
   using Point_3 = typename Guard::Point_3;
-  using Index = Node_neighborhoods::Index;
 
 public:
   // Takes the thickness at a point. After the deadline nothing grows any more.
@@ -173,14 +172,22 @@ private:
     ++m_number_of_reached;
     const double distance = spacing * station.thickness;
     m_volumes[component] += distance * distance * distance;
-    m_neighborhoods->find(station.position, reach_of_station * distance, m_found);
-    std::sort(m_found.begin(), m_found.end());
-    for(const Index t : m_found) {
+    for(const std::size_t t : stations_near(station.position, reach_of_station * distance)) {
       if(m_stations[t].component != nowhere) continue;
       const double length = (m_stations[t].position - station.position).norm();
       const double weight = length + randomness * distance * m_random.real();
       m_connections[component].push({weight, s, t});
     }
+  }
+
+  std::vector<std::size_t> stations_near(const Vector& p, double distance)
+  {
+    m_neighborhoods->find(p, distance, m_near);
+    m_near.keep_within(p, distance);
+    std::vector<std::size_t> near;
+    for(std::size_t k = 0; k < m_near.size(); ++k) near.push_back(m_near.index(k));
+    std::sort(near.begin(), near.end());
+    return near;
   }
 
   // Lets the component that has the least volume grow by a finger.
@@ -242,7 +249,7 @@ private:
   std::vector<Station> m_stations; // those of the curves first
   std::size_t m_number_of_roots = 0, m_number_of_reached = 0;
   std::unique_ptr<Node_neighborhoods> m_neighborhoods; // of the stations
-  std::vector<Index> m_found;
+  Node_list m_near;
 
   // of each component
   std::vector<std::priority_queue<Connection>> m_connections; // to where it may go, lightest first

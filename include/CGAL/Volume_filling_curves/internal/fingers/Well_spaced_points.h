@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_neighborhoods.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -35,7 +35,6 @@ template <typename Domain, typename Traits, typename Distance>
 class Well_spaced_points
 {
   using Point_3 = typename Traits::Point_3;
-  using Index = Node_neighborhoods::Index;
 
 public:
   // Takes the distance at a point, also to be kept from points that are there already, and what
@@ -127,8 +126,10 @@ private:
 
   void strike_out_near(const Vector& p, const Node_neighborhoods& neighborhoods)
   {
-    neighborhoods.find(p, m_distance(to_point(p, m_traits)), m_found);
-    for(const Index k : m_found) m_is_struck_out[k] = true;
+    const double distance = m_distance(to_point(p, m_traits));
+    neighborhoods.find(p, distance, m_near);
+    m_near.keep_within(p, distance);
+    for(std::size_t k = 0; k < m_near.size(); ++k) m_is_struck_out[m_near.index(k)] = true;
   }
 
   static std::vector<std::size_t> shuffled(std::size_t n, Random_source& random)
@@ -150,7 +151,7 @@ private:
   double m_least_side = 0;
   std::vector<Vector> m_candidates;
   std::vector<bool> m_is_struck_out;
-  std::vector<Index> m_found;
+  Node_list m_near;
 };
 
 } // namespace internal
