@@ -114,6 +114,7 @@ private:
       if(std::abs(excess - 1) < length_tolerance) return;
       // the strands' cross sections fill the volume
       m_thickness *= std::sqrt(excess);
+      run(Filling_stage::opening()); // the shrinking steps alone do not follow the thickness
       run(Filling_stage::settling());
     }
   }
