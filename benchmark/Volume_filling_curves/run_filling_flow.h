@@ -67,7 +67,7 @@ Filling run_flow_alone(Curve& curve, const Domain& domain, const Filling_options
   const std::vector<double> distances = vfc::internal::boundary_distances(domain, samples.points());
   const vfc::internal::Widest_place<Domain, Traits> widest(domain, samples.points(), distances,
                                                            traits);
-  curve = Curve(widest.circle());
+  curve = Curve(widest.circle(widest.radius(), 24));
   vfc::Isotopy_guard_3 guard(curve, domain);
   vfc::Curve_flow_3 flow(guard, options.parameters);
   Filling result;

@@ -155,7 +155,10 @@ double Curve_view::length(const Curve& curve, Eigen::Index dimension) const
   double sum = 0;
   for_each_edge(
       curve, [&](std::size_t v) { return m_points[v]; },
-      [&](const Vector& p, const Vector& q) { sum += (q - p).head(dimension).norm(); });
+      [&](const Vector& p, const Vector& q) {
+        const Vector edge = q - p; // with head(dimension) g++ 12 sees a read beyond its end
+        sum += dimension == 2 ? edge.head<2>().norm() : edge.norm();
+      });
   return sum;
 }
 

@@ -13,7 +13,6 @@
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 
 #include <cstddef>
-#include <optional>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -44,12 +43,12 @@ public:
   bool grow(const Vector& p, double half_width, const HasRoom& has_room)
   {
     const Vector a = position(curve().source(m_edge));
-    const Vector b = position(curve().target(m_half ? *m_half : m_edge));
+    const Vector b = position(curve().target(m_half == none ? m_edge : m_half));
     const Vector side = half_width * across(b - a, p - (a + b) / 2).normalized();
     if(!has_room(p - side) || !has_room(p + side)) return false;
-    if(!m_half && !halve()) return false;
-    if(!insert(*m_half, p - side)) return false;
-    const std::size_t first = curve().target(*m_half), rest = edge_after(*m_half);
+    if(m_half == none && !halve()) return false;
+    if(!insert(m_half, p - side)) return false;
+    const std::size_t first = curve().target(m_half), rest = edge_after(m_half);
     if(!insert(rest, p + side)) {
       m_guard.remove_node(first);
       return false;
@@ -58,16 +57,18 @@ public:
     return true;
   }
 
-  // Makes the edge whole again that was halved in vain.
+  // Makes the edge whole again that was halved in vain. \pre the finger has not grown
   void withdraw()
   {
-    if(!m_tip && m_half && m_guard.remove_node(curve().target(m_edge))) m_half.reset();
+    if(m_half != none && m_guard.remove_node(curve().target(m_edge))) m_half = none;
   }
 
   // the edge of the tip. \pre the finger has grown
-  std::size_t tip() const { return *m_tip; }
+  std::size_t tip() const { return m_tip; }
 
 private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
   const Network& curve() const { return m_guard.curve(); }
 
   Vector position(std::size_t v) const { return to_vector(curve().point(v)); }
@@ -98,7 +99,7 @@ private:
 
   Guard& m_guard;
   std::size_t m_edge;
-  std::optional<std::size_t> m_half, m_tip;
+  std::size_t m_half = none, m_tip = none; // the second half of the edge; the tip
 };
 
 } // namespace internal
