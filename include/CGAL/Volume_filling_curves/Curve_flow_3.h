@@ -133,6 +133,10 @@ public:
     m_step_size.set_largest_displacement(max_displacement);
   }
 
+  /// lets strands that come closer than `distance`, in units of the least thickness, go apart after
+  /// every step. By default that is done to strands that almost touch and hold one another, only.
+  void keep_apart(double distance) { m_separation = distance; }
+
   /// changes the parameters, and brings the edges to the lengths that they ask for.
   ///
   /// \throws std::invalid_argument if a parameter is not positive and finite, as above
@@ -274,11 +278,16 @@ private:
     m_guard.set_clearance(n > 0 ? clearance() : 0);
   }
 
+  double least_thickness() const
+  {
+    return *std::min_element(m_thickness.begin(), m_thickness.end());
+  }
+
   // A step leaves strands a tenth of the thickness apart, so that they can move on.
   double clearance() const
   {
     constexpr double clearance_over_thickness = 0.1;
-    return clearance_over_thickness * *std::min_element(m_thickness.begin(), m_thickness.end());
+    return clearance_over_thickness * least_thickness();
   }
 
   void update_spheres()
@@ -334,12 +343,17 @@ private:
   // reason to leave them alone for good.
   bool is_separation_due(double mean_fraction, std::ptrdiff_t held_nodes)
   {
+    if(m_separation > 0) return true;
     constexpr int patience = 10; // steps
     if(held_nodes > 0) ++m_steps_with_held_nodes;
     return mean_fraction == 0 || (held_nodes > 0 && m_steps_with_held_nodes % patience == 0);
   }
 
-  bool separate_strands() { return internal::Strand_separator<Guard>(m_guard, clearance())(); }
+  bool separate_strands()
+  {
+    const double distance = (std::max)(clearance(), m_separation * least_thickness());
+    return internal::Strand_separator<Guard>(m_guard, distance)();
+  }
 
   void remesh()
   {
@@ -386,6 +400,7 @@ private:
   Curve_flow_statistics m_statistics;
   internal::Step_size m_step_size;
   int m_steps_with_held_nodes = 0;
+  double m_separation = 0; // in units of the least thickness
   internal::Direction_solver m_solver;
 
   // of the curve as it stands

@@ -94,7 +94,7 @@ private:
     if(m_parameters.start == Filling_start::TREE) {
       run(Filling_stage::opening());
       return_to_empty_regions();
-      if(is_much_unfilled()) reach_empty_regions(); // beyond a neck that no finger got through
+      if(is_much_unfilled()) reach_empty_regions(); // beyond necks that no finger got through
       return;
     }
     double factor = 1;
@@ -119,11 +119,15 @@ private:
     }
   }
 
+  // A thin ear of a bunny is less than a hundredth of the volume, but far away.
   bool is_much_unfilled() const
   {
-    const auto thickness = [&](const Point_3& p) { return thickness_at(p); };
-    return !m_end && unfilled_fraction(m_samples, sample_distances(m_flow.curve(), m_samples),
-                                       thickness) > tolerated_unfilled_fraction;
+    const std::vector<double> distances = sample_distances(m_flow.curve(), m_samples);
+    const auto farther_than = [&](double multiple) {
+      return unfilled_fraction(m_samples, distances,
+                               [&](const Point_3& p) { return multiple / 2 * thickness_at(p); });
+    };
+    return !m_end && (farther_than(2) > tolerated_unfilled_fraction || farther_than(3) > 0);
   }
 
   // Where the curve does not get to by itself, as through a neck that is too narrow for a loop, it
@@ -207,6 +211,7 @@ private:
     Curve_flow_parameters p = with_thickness(m_parameters, factor * m_thickness);
     p.screening *= stage.screening;
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
+    m_flow.keep_apart(stage.separation);
     p.max_displacement = m_displacement = (std::min)(p.max_displacement, stage.max_displacement);
     if(!m_parameters.thickness_field && !multiple)
       m_flow.set_parameters(p);

@@ -9,14 +9,16 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>
 
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -25,7 +27,9 @@ namespace internal {
 
 // Frees a curve that cannot move since strands almost touch: nodes of edges that are closer than a
 // distance go apart, one by one, as far as that is certified, along the common perpendicular of the
-// edges. Linear in the number of edges and pairs of them that are close.
+// edges. The energy does not do that: the medial spheres of strands that cross touch nodes of each
+// other, which lie beside the crossing. Linear in the number of edges and pairs of them that are
+// close.
 template <typename Guard>
 class Strand_separator
 {
@@ -33,17 +37,20 @@ class Strand_separator
 
 public:
   Strand_separator(Guard& guard, double distance)
-      : m_guard(guard), m_curve(guard.curve()), m_distance(distance)
+      : m_guard(guard),
+        m_curve(guard.curve()),
+        m_distance(distance),
+        m_clearance(m_curve, CGAL_PI * distance)
   {}
 
   // Returns whether any node moved.
   bool operator()()
   {
     const Vector_field x = coordinates(m_curve);
-    const auto have_no_common_node = [&](std::size_t e, std::size_t f) {
-      return !share_a_node(m_curve, e, f);
+    const auto are_close = [&](std::size_t e, std::size_t f) {
+      return distance(e, f) < m_distance && !m_clearance.are_neighbors(e, f);
     };
-    auto pairs = Broad_phase(m_curve, x, x, m_distance).pairs<Sequential_tag>(have_no_common_node);
+    auto pairs = Broad_phase(m_curve, x, x, m_distance).pairs<Sequential_tag>(are_close);
     std::sort(pairs.begin(), pairs.end());
     for(const auto& [e, f] : pairs) separate(e, f);
     return m_have_moved;
@@ -55,11 +62,16 @@ private:
 
   void separate(std::size_t e, std::size_t f)
   {
-    const double d2 = squared_segment_distance(source(e), target(e), source(f), target(f));
-    if(d2 >= m_distance * m_distance) return;
-    const Vector normal = normal_from(f, e);
-    for(const std::size_t v : {m_curve.source(e), m_curve.target(e)}) move(v, normal);
-    for(const std::size_t v : {m_curve.source(f), m_curve.target(f)}) move(v, -normal);
+    const double missing = m_distance - distance(e, f);
+    if(!(missing > 0)) return; // others made room
+    const Vector way = missing / 2 * normal_from(f, e);
+    for(const std::size_t v : {m_curve.source(e), m_curve.target(e)}) move(v, way);
+    for(const std::size_t v : {m_curve.source(f), m_curve.target(f)}) move(v, -way);
+  }
+
+  double distance(std::size_t e, std::size_t f) const
+  {
+    return std::sqrt(squared_segment_distance(source(e), target(e), source(f), target(f)));
   }
 
   // Edges that are almost parallel have their offset for a perpendicular.
@@ -74,11 +86,11 @@ private:
     return Vector(offset - offset.dot(u) * u).normalized();
   }
 
-  void move(std::size_t v, const Vector& direction)
+  void move(std::size_t v, const Vector& way)
   {
     if(m_curve.is_pinned(v)) return;
-    for(const double part : {0.5, 0.125}) {
-      const Vector target = to_vector(m_curve.point(v)) + part * m_distance * direction;
+    for(const double part : {1., 0.25}) {
+      const Vector target = to_vector(m_curve.point(v)) + part * way;
       if(!m_guard.move_node(v, to_point(target, m_curve.traits()))) continue;
       m_have_moved = true;
       return;
@@ -88,6 +100,7 @@ private:
   Guard& m_guard;
   const Network& m_curve;
   double m_distance;
+  Least_clearance<Network> m_clearance;
   bool m_have_moved = false;
 };
 
