@@ -4,64 +4,22 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// The program vfc. Finds out which command is meant, runs it, and turns errors into messages, a
-// report and an exit status.
+// The program vfc. Finds out which command is meant and runs it, once or for each input of a batch.
 
+#include "batch/run_batch.h"
 #include "commands/commands.h"
 #include "options/Command_line.h"
-#include "session/Exit_status.h"
 #include "session/errors.h"
 #include "session/interruption.h"
+#include "session/run_command.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
-#include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
 namespace vfc {
 namespace {
-
-// Says what went wrong, in the report too.
-int fail(Session& session, Exit_status status, const std::string& message)
-{
-  session.console().fail(message);
-  if(session.report()["status"] != "error") session.report().set_error(message);
-  try {
-    session.write_report();
-  } catch(const std::exception& error) {
-    session.console().fail(error.what());
-  }
-  return status;
-}
-
-int fail(Session& session, const Input_error& error)
-{
-  print_defects(session.console(), error.defects());
-  session.report().set_error(error);
-  return fail(session, INVALID_INPUT, error.what());
-}
-
-int run(const Command_line& command_line)
-{
-  Session session(command_line.name, command_line.options);
-  try {
-    session.start_report();
-    const int status = command_line.command(session);
-    session.write_report();
-    if(std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw Usage_error("standard output cannot be written");
-    return status;
-  } catch(const Input_error& error) {
-    return fail(session, error);
-  } catch(const std::bad_alloc&) {
-    return fail(session, FAILURE, "there is not enough memory");
-  } catch(const std::exception& error) {
-    return fail(session, FAILURE, error.what());
-  }
-}
 
 // returns what follows an option on a command line that could not be parsed
 std::string value_of(const std::string& option, const std::vector<std::string>& arguments)
@@ -96,6 +54,14 @@ int refuse(const std::vector<std::string>& arguments, const std::string& message
     // the first error is the one to tell
   }
   return fail(session, FAILURE, message);
+}
+
+int run(const Command_line& command_line)
+{
+  Session session(command_line.name, command_line.options);
+  if(command_line.batch.list.empty()) return run_command(session, command_line.command);
+  const auto run_all = [&](Session& all) { return run_batch(command_line, all); };
+  return run_command(session, run_all);
 }
 
 std::string complaint_about_command(const std::vector<std::string>& arguments)

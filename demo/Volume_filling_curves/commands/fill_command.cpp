@@ -129,6 +129,11 @@ void add_fill_command(Command_line& command_line)
       command_line.add_command("fill", "fill the inside of a closed triangle mesh with a curve",
                                [options](Session& session) { return run(session, *options); });
   add_fill_options(command, *options);
+  add_batch_options(command, *command.get_option("MESH"),
+                    {&options->mesh,
+                     &options->output,
+                     {&options->certificate, &options->film.map, &options->film.frames}},
+                    command_line);
   command.footer(
       "The curve grows until nearly all of the inside is within r of it; it never leaves MESH and\n"
       "never passes through itself. SIGINT and SIGTERM stop the run and write the curve as it is; "

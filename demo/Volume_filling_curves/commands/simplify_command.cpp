@@ -97,6 +97,9 @@ void add_simplify_command(Command_line& command_line)
       .capture_default_str()
       ->type_name("C");
   add_curve_options(command, options->curve);
+  add_batch_options(command, *command.get_option("CURVE"),
+                    {&options->file, &options->output, {&options->certificate, &options->map}},
+                    command_line);
   command.footer(
       "Ends, junctions and pinned nodes stay. The result is the same knot or link: every\n"
       "removal is certified.");

@@ -171,6 +171,11 @@ void add_untangle_command(Command_line& command_line)
       "untangle", "bring a knot or link to its simplest shape by certified motion",
       [options](Session& session) { return run(session, *options); });
   add_untangle_options(command, *options);
+  add_batch_options(command, *command.get_option("CURVE"),
+                    {&options->file,
+                     &options->output,
+                     {&options->certificate, &options->film.map, &options->film.frames}},
+                    command_line);
   command.footer(
       "The curve moves until it is proved to be unknotted, or is tight, or gets nowhere; it never\n"
       "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run "

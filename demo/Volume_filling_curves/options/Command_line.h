@@ -7,6 +7,7 @@
 #ifndef VFC_COMMAND_LINE_H
 #define VFC_COMMAND_LINE_H
 
+#include "options/batch_options.h"
 #include "session/Session.h"
 
 #include <CLI/CLI.hpp>
@@ -35,6 +36,8 @@ struct Command_line
   std::string name; // of the command that was given, empty before parsing
   Command command;
   Common_options options;
+  Batch_options batch;
+  File_options files; // of the command, if it can run in batches
 };
 
 // Options and arguments with the name of a file, which is not empty.

@@ -19,6 +19,7 @@ constexpr const char* keys[] = {"command",
                                 "seed",
                                 "threads",
                                 "status",
+                                "exit_status",
                                 "proof",
                                 "link",
                                 "iterations",
@@ -111,6 +112,11 @@ void Report::set_error(const Input_error& error)
 std::string Report::to_string() const
 {
   return m_json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string Report::to_line() const
+{
+  return m_json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 } // namespace vfc

@@ -34,7 +34,9 @@ public:
   void set_error(const std::string& message);
   void set_error(const Input_error& error);
 
+  // A member per line, or all in one line, without its end.
   std::string to_string() const;
+  std::string to_line() const;
 
 private:
   Json m_json;

@@ -33,7 +33,8 @@ Session::Session(const std::string& command, const Common_options& options)
     : m_options(options),
       m_console(verbosity(options)),
       m_outputs(options.may_overwrite),
-      m_threads(options.threads)
+      m_threads(options.threads),
+      m_start_cpu_seconds(cpu_seconds())
 {
   m_report["command"] = command;
   m_report["version"] = package_version();
@@ -44,7 +45,7 @@ Session::Session(const std::string& command, const Common_options& options)
 void Session::start_report()
 {
   if(m_options.report != "-") m_outputs.add("--report", m_options.report);
-  m_has_report = !m_options.report.empty();
+  m_has_report = m_has_report || !m_options.report.empty();
 }
 
 // An error that the report cannot tell of: it would replace the input.
@@ -80,13 +81,15 @@ double Session::seconds() const
   return seconds_between(m_start, Clock::now());
 }
 
-void Session::write_report()
+void Session::write_report(int exit_status)
 {
+  m_report["exit_status"] = exit_status;
   if(!m_has_report) return;
   m_has_report = false; // is tried once
   m_report["seconds"] = seconds();
-  m_report["cpu_seconds"] = cpu_seconds();
+  m_report["cpu_seconds"] = cpu_seconds() - m_start_cpu_seconds;
   if(peak_memory_bytes() > 0) m_report["peak_memory_bytes"] = peak_memory_bytes();
+  if(m_options.report.empty()) return;
   const std::string text = m_report.to_string();
   if(m_options.report == "-")
     std::fwrite(text.data(), 1, text.size(), stdout);

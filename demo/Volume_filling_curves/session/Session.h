@@ -41,6 +41,9 @@ public:
   // Checks whether the report can be written, and promises it. \throws Usage_error
   void start_report();
 
+  // Promises a report to somebody who has a place for it.
+  void promise_report() { m_has_report = true; }
+
   bool has_report() const { return m_has_report; }
 
   // Tells of a file that is read, and of the option that may replace it, if any; a report never
@@ -59,8 +62,9 @@ public:
 
   double seconds() const;
 
-  // Writes the report if it was promised. \throws Usage_error if that is impossible
-  void write_report();
+  // Completes the report, and writes it if a file was promised. \throws Usage_error if that is
+  // impossible
+  void write_report(int exit_status);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -71,6 +75,7 @@ private:
   Output_files m_outputs;
   Thread_limit m_threads;
   Clock::time_point m_start = Clock::now(), m_stage_start = m_start;
+  double m_start_cpu_seconds;
   bool m_has_report = false;
 };
 

@@ -16,6 +16,7 @@ namespace vfc {
 namespace {
 
 volatile std::sig_atomic_t is_polled = 0;
+bool are_polls_ignored = false;
 volatile std::sig_atomic_t is_requested = 0;
 
 } // namespace
@@ -39,7 +40,12 @@ void handle_signals()
 
 void poll_interruptions()
 {
-  is_polled = 1;
+  if(!are_polls_ignored) is_polled = 1;
+}
+
+void ignore_polls()
+{
+  are_polls_ignored = true;
 }
 
 bool is_interruption_requested()

@@ -16,6 +16,7 @@ namespace vfc {
 
 void handle_signals();
 void poll_interruptions();
+void ignore_polls(); // for those who lose nothing that is complete when they end at once
 bool is_interruption_requested();
 
 } // namespace vfc

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "batch/run_batch.h"
+
+#include "batch/Batch_list.h"
+#include "batch/Results.h"
+#include "options/Command_line.h"
+#include "options/numbers.h"
+#include "session/Exit_status.h"
+#include "session/errors.h"
+#include "session/interruption.h"
+#include "session/run_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace vfc {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A batch is alone in its folder, so that it may replace what a process that was killed left there.
+// Another process may start at the same time, whose first file is that of the results: this is
+// looked for last.
+void check_folder(const fs::path& folder, const fs::path& results, bool may_overwrite)
+{
+  std::error_code error;
+  fs::create_directory(folder, error);
+  const bool is_filled = !error && !fs::is_empty(folder, error);
+  if(error)
+    throw Usage_error("--output: " + folder.string() + ": is no folder: " + error.message());
+  if(is_filled && !fs::exists(results) && !may_overwrite)
+    throw Usage_error("--output: " + folder.string() +
+                      ": is not empty, and holds no results.jsonl of a batch; --force overwrites "
+                      "what is there");
+}
+
+// What a process that was killed could not complete.
+void remove_unfinished(const std::string& file)
+{
+  std::error_code ignored;
+  for(std::size_t i = 0; fs::remove(file + ".tmp" + std::to_string(i), ignored); ++i) continue;
+}
+
+int gravity(int exit_status)
+{
+  constexpr std::array order = {GOAL_REACHED, LIMIT_REACHED, STALLED, INVALID_INPUT, FAILURE};
+  return static_cast<int>(std::find(order.begin(), order.end(), exit_status) - order.begin());
+}
+
+class Batch
+{
+public:
+  Batch(const Command_line& command_line, const Session& session)
+      : m_command_line(command_line),
+        m_session(session),
+        m_folder(*command_line.files.output),
+        m_items(read_batch_list(command_line.batch, m_folder)),
+        m_results_file((fs::path(m_folder) / "results.jsonl").string())
+  {
+    for(const std::string* name : command_line.files.others) m_endings.push_back(*name);
+    for(const std::string& ending : m_endings)
+      if(fs::path(ending).has_parent_path())
+        throw Usage_error(ending + ": is no ending of a name, which --batch wants");
+    check_folder(m_folder, m_results_file, command_line.options.may_overwrite);
+  }
+
+  int run()
+  {
+    Results results(m_results_file, m_command_line.name);
+    for(std::size_t i = 0; i < m_items.size(); ++i) {
+      if(!results.reserve(m_items[i].input)) continue;
+      const std::string outcome = run(m_items[i], results);
+      m_session.console().note(std::to_string(i + 1) + " of " + std::to_string(m_items.size()) +
+                               ": " + m_items[i].input + ": " + outcome);
+    }
+    return sum_up(results);
+  }
+
+private:
+  // Does what a run of its own for this input would do.
+  std::string run(const Batch_item& item, Results& results) const
+  {
+    name_files(item);
+    Common_options options = m_command_line.options;
+    options.is_quiet = !options.is_verbose;
+    options.may_overwrite = true;
+    Session session(m_command_line.name, options);
+    session.promise_report();
+    run_command(session, m_command_line.command);
+    session.report()["input"] = item.input; // whatever else was read
+    results.add(item.input, session.report());
+    return results.find(item.input)->status + ", " + to_text(session.seconds()) + " s";
+  }
+
+  void name_files(const Batch_item& item) const
+  {
+    const File_options& files = m_command_line.files;
+    *files.input = item.input;
+    *files.output = item.stem + '.' + m_command_line.batch.format;
+    remove_unfinished(*files.output);
+    for(std::size_t i = 0; i < m_endings.size(); ++i) {
+      if(m_endings[i].empty()) continue;
+      *files.others[i] = item.stem + '.' + m_endings[i];
+      remove_unfinished(*files.others[i]);
+    }
+  }
+
+  int sum_up(const Results& results) const
+  {
+    std::map<std::string, std::size_t> number_with_status;
+    int exit_status = GOAL_REACHED;
+    for(const Batch_item& item : m_items) {
+      const Results::Outcome* const outcome = results.find(item.input);
+      ++number_with_status[outcome != nullptr ? outcome->status : "left to another process"];
+      if(outcome != nullptr && gravity(outcome->exit_status) > gravity(exit_status))
+        exit_status = outcome->exit_status;
+    }
+    std::string text = "runs " + std::to_string(m_items.size());
+    for(const auto& [status, number] : number_with_status)
+      text += ", " + status + ' ' + std::to_string(number);
+    m_session.print_summary(text + ", reports in " + m_results_file + '\n');
+    return exit_status;
+  }
+
+  const Command_line& m_command_line;
+  const Session& m_session;
+  std::string m_folder;
+  std::vector<Batch_item> m_items;
+  std::string m_results_file;
+  std::vector<std::string> m_endings; // of the names of other files, as was asked for
+};
+
+} // namespace
+
+int run_batch(const Command_line& command_line, const Session& session)
+{
+  ignore_polls(); // what is complete is written, and all else begins anew
+  return Batch(command_line, session).run();
+}
+
+} // namespace vfc
