@@ -22,5 +22,7 @@ foreach(script IN LISTS scripts)
     ENVIRONMENT "${places}" SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS script)
   if(name MATCHES "^test_long_")
     set_tests_properties(${name} PROPERTIES LABELS "long;script" TIMEOUT 1500)
+  elseif(name MATCHES "^test_example_")
+    set_tests_properties(${name} PROPERTIES LABELS "example;script") # where examples are built
   endif()
 endforeach()

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// A link in a window: two linked curves in two colors, one of which has a pinned node.
+
+#include <CGAL/Volume_filling_curves/draw_curve_network_3.h>
+#include <CGAL/Volume_filling_curves/generators.h>
+
+#include <cstdlib>
+
+namespace VFC = CGAL::Volume_filling_curves;
+
+int main()
+{
+  VFC::Curve_network_3<> link = VFC::make_torus_knot(2, 4, 80);
+  link.set_pinned(0);
+  CGAL::draw(link);
+  return EXIT_SUCCESS;
+}
