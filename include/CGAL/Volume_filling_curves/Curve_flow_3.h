@@ -24,6 +24,7 @@
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/mean_radius.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/step/Strand_separator.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
@@ -112,14 +113,23 @@ public:
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
+      : Curve_flow_3(guard, parameters, nullptr)
+  {}
+
+  /// \cond SKIP_IN_MANUAL
+  // With a reader, a flow that waits for resume(). Without one it is as above.
+  Curve_flow_3(Guard& guard,
+               const Curve_flow_parameters& parameters,
+               const internal::State_reader* reader)
       : m_guard(guard),
         m_first_certified_change(guard.number_of_certified_changes()),
         m_first_refused_change(guard.number_of_refused_changes()),
         m_parameters(parameters),
         m_step_size(parameters.max_displacement)
   {
-    start();
+    if(!reader) start();
   }
+  /// \endcond
 
   Curve_flow_3(const Curve_flow_3&) = delete;
   Curve_flow_3& operator=(const Curve_flow_3&) = delete;
@@ -186,6 +196,23 @@ public:
   {
     ++m_statistics.iterations;
     update();
+  }
+
+  // Reads what another flow has written of the same curve, and goes on with that.
+  void resume(internal::State_reader& reader, Thickness_field thickness = nullptr)
+  {
+    reader(*this);
+    m_thickness_field = std::move(thickness);
+    update();
+  }
+
+  // Writes or reads what the next steps depend on, see internal::State_writer, but for the curve
+  // and a thickness that varies. All else follows from the curve: update() finds the same bits.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_first_certified_change, m_first_refused_change, m_parameters, m_statistics,
+            m_step_size, m_steps_with_held_nodes, m_separation);
   }
   /// \endcond
 

@@ -12,12 +12,15 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 
 class Isotopy_certificate;
+class Run_checkpoint;
+class Run_state;
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
@@ -44,6 +47,16 @@ struct Curve_run_parameters : Curve_flow_parameters
   /// recorded if it is null (default). As a named parameter, pass `std::ref()` of the certificate.
   /// The record takes some 26 bytes per node and iteration.
   Isotopy_certificate* certificate = nullptr;
+
+  /// Is called before each iteration, and where the run ends before its goal, with a
+  /// `Run_checkpoint`, from which the state of the run can be taken. None by default.
+  std::function<void(const Run_checkpoint&)> checkpoint;
+
+  /// The state that the run goes on from, with the same curves, the same domain and the same
+  /// parameters but for `number_of_iterations` and `time_limit`; it starts at the beginning if this
+  /// is null (default) or the state is empty. As a named parameter, pass `std::cref()` of it.
+  /// Iterations are counted from the beginning, the time from where it resumes.
+  const Run_state* resume_from = nullptr;
 };
 
 } // namespace Volume_filling_curves

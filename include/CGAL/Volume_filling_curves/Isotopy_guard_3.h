@@ -284,6 +284,17 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const Domain_boundary& walls() const { return m_walls; }
+
+  // Writes or reads everything but the curve itself, see State_writer. To be read by a guard that
+  // records if the other one did.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    double distance = clearance();
+    archive(distance, m_number_of_certified, m_number_of_rejected);
+    if constexpr(Archive::is_reading) set_clearance(distance);
+    if(m_record) archive(*m_record);
+  }
   /// \endcond
 
 private:

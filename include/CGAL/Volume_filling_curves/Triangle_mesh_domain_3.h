@@ -129,6 +129,9 @@ public:
   /// \cond SKIP_IN_MANUAL
   // What `distance_along()` does, for all directions of a plane at once.
   void shorten(internal::Planar_rays& rays) const { m_faces->shorten(rays); }
+
+  // the corners of all faces
+  const std::vector<internal::Corners>& corners() const { return m_faces->corners(); }
   /// \endcond
 
   /// \name Connected Parts

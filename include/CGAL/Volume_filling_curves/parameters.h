@@ -20,6 +20,7 @@
 // Applies a macro to the name of each parameter: of those that are this package's, and of all.
 #define CGAL_VFC_OWN_PARAMETERS(X) \
   X(certificate)                   \
+  X(checkpoint)                    \
   X(clearance)                     \
   X(closure)                       \
   X(coupling)                      \
@@ -36,6 +37,7 @@
   X(number_of_sides)               \
   X(origins)                       \
   X(preconditioner)                \
+  X(resume_from)                   \
   X(screening)                     \
   X(spacing)                       \
   X(start)                         \

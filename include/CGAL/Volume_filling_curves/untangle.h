@@ -23,6 +23,8 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_facts.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Strategic_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Tails.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/keep_tighter_input.h>
@@ -62,10 +64,12 @@ void check_untangling(const Untangling_parameters& parameters, const Network& cu
 template <typename Guard, typename Run>
 Untangling_result recorded_untangling(Guard& guard,
                                       const Untangling_parameters& parameters,
+                                      double length, // of the input
+                                      Run_saver& saver,
                                       const Run& run)
 {
-  const double length = total_length(guard.curve());
   if(parameters.certificate) guard.start_recording();
+  if(State_reader* const reader = saver.reader()) (*reader)(guard);
   Untangling_result result = run();
   if(parameters.keep_length) result.thickness *= rescale_to_length(guard, length);
   result.statistics.certified_changes = guard.number_of_certified_changes();
@@ -98,13 +102,21 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
   timer.start();
   internal::check_untangling(parameters, curves);
   Curve_network_3<Traits> input = curves;
+  internal::Run_saver saver(parameters, [&] {
+    return internal::run_facts("untangle", parameters, {{"curve", internal::state_hash(curves)}});
+  });
+  if(saver.reader()) (*saver.reader())(curves);
+  const double length = internal::total_length(input);
   std::optional<Isotopy_guard_3<Traits>> guard(std::in_place, curves);
-  Untangling_result result = internal::recorded_untangling(*guard, parameters, [&] {
-    Untangling_parameters run_parameters = parameters; // tails need the thickness before the flow
+  Untangling_result result = internal::recorded_untangling(*guard, parameters, length, saver, [&] {
+    Untangling_parameters run_parameters = parameters; // tails need the thickness first
     internal::Tails<Isotopy_guard_3<Traits>> tails(*guard);
-    tails.template grow<ConcurrencyTag>(run_parameters);
-    const internal::Untangling_run run{*guard, tails, run_parameters, timer,
-                                       internal::unwrapped(visitor)};
+    if(saver.reader())
+      (*saver.reader())(tails);
+    else
+      tails.template grow<ConcurrencyTag>(run_parameters);
+    const internal::Untangling_run run{
+        *guard, tails, run_parameters, timer, internal::unwrapped(visitor), saver};
     Untangling_result of_run = internal::untangle_by_strategy<Flow, ConcurrencyTag>(run);
     of_run.is_closure_kept = tails.can_turn_outwards();
     return of_run;
@@ -152,10 +164,10 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * \param curves the curves, replaced by the result
  * \param np an optional sequence of the named parameters `strategy`, `number_of_chains`,
  * `tolerance`, `stop_at_proof`, `lower_ropelength`, `keep_length` (see `Untangling_parameters`),
- * `number_of_iterations`, `time_limit`, `random_seed`, `certificate` (see `Curve_run_parameters`),
- * `thickness`, `number_of_directions`, `max_radius`, `spacing`, `screening`, `medial_weight`,
- * `coupling`, `preconditioner`, `max_displacement`, `time_step` (see `Curve_flow_parameters`), and
- * `visitor`, a model of `CurveFlowVisitor`, or `std::ref()` of one
+ * `number_of_iterations`, `time_limit`, `random_seed`, `certificate`, `checkpoint`, `resume_from`
+ * (see `Curve_run_parameters`), `thickness`, `number_of_directions`, `max_radius`, `spacing`,
+ * `screening`, `medial_weight`, `coupling`, `preconditioner`, `max_displacement`, `time_step` (see
+ * `Curve_flow_parameters`), and `visitor`, a model of `CurveFlowVisitor`, or `std::ref()` of one
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
@@ -164,8 +176,11 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * \throws std::invalid_argument if the curves are not embedded, if a coordinate is beyond 1e150 or
  * the size below 1e-150, if a pinned end is shut in such that no straight line leads from it to the
  * outside, or a node is pinned although the length is to be kept, with the nodes in the message;
- * and if a parameter has a value that it must not have, with its name in the message. The curves
- * are unchanged then. What a visitor throws is passed on.
+ * and if a parameter has a value that it must not have, with its name in the message.
+ * \throws Run_state_error if the state to resume from is that of another run, with what differs in
+ * the message
+ *
+ * The curves are unchanged then. What a visitor throws is passed on.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
+#include <CGAL/Volume_filling_curves/internal/state/domain_hash.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
@@ -54,11 +55,19 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
     internal::refuse_value(internal_np::strategy_t(), parameters.strategy,
                            "the search does not know the domain");
   internal::check_inside(curves, inside);
+  internal::Run_saver saver(parameters, [&] {
+    return internal::run_facts("untangle in a domain", parameters,
+                               {{"curve", internal::state_hash(curves)},
+                                {"domain", internal::domain_hash(inside, curves.traits())}});
+  });
+  const double length = internal::total_length(curves);
+  if(saver.reader()) (*saver.reader())(curves);
   Guard guard(curves, inside);
-  return internal::recorded_untangling(guard, parameters, [&] {
+  return internal::recorded_untangling(guard, parameters, length, saver, [&] {
     internal::Tails<Guard> no_tails(guard);
-    const internal::Untangling_run run{guard, no_tails, parameters, timer,
-                                       internal::unwrapped(visitor)};
+    if(saver.reader()) (*saver.reader())(no_tails);
+    const internal::Untangling_run run{
+        guard, no_tails, parameters, timer, internal::unwrapped(visitor), saver};
     return internal::untangle_by_flow<Curve_flow_3<Traits, Inside, ConcurrencyTag>>(
         run, {parameters.thickness, 0, false, false});
   });
@@ -98,6 +107,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  *
  * \throws std::invalid_argument as `untangle()` without a domain, if the curves are not strictly
  * inside the domain, with the nodes in the message, and if the `strategy` is `SEARCH`
+ * \throws Run_state_error as `untangle()` without a domain
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,

@@ -28,6 +28,7 @@ using Network = Curve_network_3<>;
 using Mesh_domain = Triangle_mesh_domain_3<>;
 using Samples = Domain_samples_3<Curve_flow_traits_3<>, Mesh_domain>;
 using Paths = internal::Region_paths<Network, Samples>;
+using internal::Thinned_paths;
 using Region = Empty_region_3<Point>;
 
 Network triangle_in_left_leg()
@@ -42,11 +43,11 @@ struct Two_legs
   Samples samples{domain, 100};
   Network curve = triangle_in_left_leg();
 
-  Paths paths_from(const std::vector<Point>& points, double cell) const
+  Thinned_paths paths_from(const std::vector<Point>& points, double cell) const
   {
     std::vector<Region> regions;
     for(const Point& p : points) regions.push_back({p, 0.1, 1});
-    return {curve, samples, regions, cell};
+    return Paths(curve, samples, regions, cell).paths();
   }
 };
 
@@ -55,7 +56,7 @@ TEST(Region_paths, lead_around_a_wall)
   const Two_legs legs;
   const Point region(1.5, 2.5, 0.5);
   for(const double cell : {0.05, 0.1}) {
-    const Paths paths = legs.paths_from({region}, cell);
+    const Thinned_paths paths = legs.paths_from({region}, cell);
     ASSERT_FALSE(paths.are_empty());
     EXPECT_EQ(paths.thinning(region, 0.25), 0.25);
     EXPECT_EQ(paths.thinning(Point(0.5, 2.4, 0.5), 0.25), 0.25); // up to the curve
@@ -69,7 +70,7 @@ TEST(Region_paths, lead_around_a_wall)
 TEST(Region_paths, thin_a_curve_nearby_only_and_without_jumps)
 {
   const Two_legs legs;
-  const Paths paths = legs.paths_from({Point(1.5, 2.5, 0.5)}, 0.02);
+  const Thinned_paths paths = legs.paths_from({Point(1.5, 2.5, 0.5)}, 0.02);
   EXPECT_EQ(paths.thinning(Point(1.5, 2.5, 0.05), 0.5), 1);
   EXPECT_EQ(paths.thinning(Point(0.5, 2.95, 0.5), 0.5), 1);
   double last = paths.thinning(Point(1.5, 2.5, 0.5), 0.5);
@@ -85,7 +86,7 @@ TEST(Region_paths, thin_a_curve_nearby_only_and_without_jumps)
 TEST(Region_paths, end_at_once_where_the_curve_is_near)
 {
   const Two_legs legs;
-  const Paths paths = legs.paths_from({Point(0.5, 2.3, 0.5)}, 0.1);
+  const Thinned_paths paths = legs.paths_from({Point(0.5, 2.3, 0.5)}, 0.1);
   EXPECT_FALSE(paths.are_empty());
   EXPECT_EQ(paths.thinning(Point(0.5, 1.4, 0.5), 0.5), 1);
 }
@@ -93,7 +94,7 @@ TEST(Region_paths, end_at_once_where_the_curve_is_near)
 TEST(Region_paths, lead_out_of_each_region)
 {
   const Two_legs legs;
-  const Paths paths = legs.paths_from({Point(1.5, 2.5, 0.5), Point(0.5, 0.5, 0.5)}, 0.05);
+  const Thinned_paths paths = legs.paths_from({Point(1.5, 2.5, 0.5), Point(0.5, 0.5, 0.5)}, 0.05);
   EXPECT_EQ(paths.thinning(Point(1.5, 2.5, 0.5), 0.5), 0.5);
   EXPECT_EQ(paths.thinning(Point(0.5, 0.5, 0.5), 0.5), 0.5);
 }
@@ -104,9 +105,9 @@ TEST(Region_paths, are_empty_if_there_is_no_way)
   const Mesh_domain domain(meshes::to_mesh(soup));
   const Samples samples(domain, 100);
   const Network curve = triangle_in_left_leg();
-  EXPECT_TRUE(Paths(curve, samples, {{Point(2.5, 2.5, 0.5), 0.1, 1}}, 0.1).are_empty());
-  EXPECT_FALSE(Paths(curve, samples, {{Point(0.1, 2.5, 0.5), 0.1, 1}}, 0.1).are_empty());
-  EXPECT_TRUE(Paths(curve, samples, {}, 0.1).are_empty());
+  EXPECT_TRUE(Paths(curve, samples, {{Point(2.5, 2.5, 0.5), 0.1, 1}}, 0.1).paths().are_empty());
+  EXPECT_FALSE(Paths(curve, samples, {{Point(0.1, 2.5, 0.5), 0.1, 1}}, 0.1).paths().are_empty());
+  EXPECT_TRUE(Paths(curve, samples, {}, 0.1).paths().are_empty());
 }
 
 // The neck is 0.2 wide; a loop of the curve takes 2 r from strand to strand. At r = 0.2 one of the

@@ -8,6 +8,7 @@
 // compile time: the trait that its static_assert uses is tested here.
 
 #include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/Run_checkpoint.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
 
@@ -33,6 +34,9 @@ using Fill = internal::Fill_signature<Point>;
 using Simplify = internal::Simplify_signature;
 
 Isotopy_certificate certificate;
+const Run_state state;
+
+void note(const Run_checkpoint&) {}
 
 double one(const Point&)
 {
@@ -84,6 +88,11 @@ static_assert(!takes<Untangle, decltype(parameters::number_of_chains(1.5))>);
 static_assert(takes<Untangle, decltype(parameters::certificate(std::ref(certificate)))>);
 static_assert(takes<Untangle, decltype(parameters::certificate(&certificate))>);
 static_assert(!takes<Untangle, decltype(parameters::certificate(certificate))>);
+static_assert(takes<Fill, decltype(parameters::resume_from(std::cref(state)))>);
+static_assert(!takes<Fill, decltype(parameters::resume_from(state))>);
+static_assert(takes<Untangle, decltype(parameters::checkpoint(note))>);
+static_assert(!takes<Simplify, decltype(parameters::checkpoint(note))>);
+static_assert(!takes<Untangle, decltype(parameters::checkpoint(one))>);
 
 TEST(Named_parameters, fill_a_struct)
 {

@@ -63,6 +63,13 @@ public:
   std::uint64_t number_of_operations() const { return m_number_of_operations; }
   const std::string& bytes() const { return m_bytes; }
 
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_bytes, m_number_of_operations, m_last_node);
+  }
+
 private:
   static std::uint64_t difference(std::uint64_t node, std::uint64_t from)
   {

@@ -173,6 +173,14 @@ public:
     return std::move(numbering.former_nodes);
   }
 
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_nodes, m_edges, m_components, m_input, m_number_of_removed_nodes,
+            m_number_of_removed_edges, m_has_garbage);
+  }
+
 private:
   struct Node
   {
@@ -180,6 +188,12 @@ private:
     Index origin = narrow(null);
     Index component = narrow(null);
     bool is_pinned = false;
+
+    template <typename Archive>
+    void serialize(Archive& archive)
+    {
+      archive(edges, origin, component, is_pinned);
+    }
   };
 
   static constexpr Index narrow(std::size_t i) { return static_cast<Index>(i); }

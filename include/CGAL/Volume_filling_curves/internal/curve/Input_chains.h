@@ -33,6 +33,12 @@ public:
 
     Index chain = none;
     bool is_reversed = false;
+
+    template <typename Archive>
+    void serialize(Archive& archive)
+    {
+      archive(chain, is_reversed);
+    }
   };
 
   Input_chains() : m_first_node(1, 0), m_first_chain(1, 0) {}
@@ -88,6 +94,13 @@ public:
     labels.reserve(former.size());
     for(const Index e : former) labels.push_back(m_labels[e]);
     m_labels = std::move(labels);
+  }
+
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_nodes, m_first_node, m_first_chain, m_labels);
   }
 
 private:

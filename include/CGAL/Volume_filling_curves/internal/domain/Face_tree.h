@@ -72,6 +72,9 @@ public:
 
   const Mesh& mesh() const { return m_mesh; }
 
+  // the corners of all faces, in the order of the tree
+  const std::vector<Corners>& corners() const { return m_corners; }
+
   const Bbox_3& bbox() const { return m_tree.root().box; }
 
   const Mesh_shells<Mesh>& shells() const { return m_shells; }

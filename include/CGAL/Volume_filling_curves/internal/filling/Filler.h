@@ -17,9 +17,14 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Region_paths.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/state/Decisions.h>
+#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/step/Idle_steps.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
@@ -53,7 +58,8 @@ class Filler
   using Result = Filling_result<Point_3>;
 
 public:
-  // Takes the thickness to start from, and the radius of the widest ball inside.
+  // Takes the thickness to start from, and the radius of the widest ball inside. If the saver has a
+  // state to read, the curve is the one of that state.
   Filler(Guard& guard,
          const Samples& samples,
          const std::vector<double>& boundary_distances,
@@ -61,20 +67,27 @@ public:
          double thickness,
          double widest_radius,
          const Deadline& deadline,
-         Visitor& visitor)
+         Visitor& visitor,
+         Run_saver& saver)
       : m_parameters(parameters),
         m_thickness(thickness),
         m_coarsest_thickness(coarsest_share * widest_radius),
         m_deadline(deadline),
         m_samples(samples),
         m_boundary_distances(boundary_distances),
-        m_flow(guard, with_thickness(parameters, thickness)),
-        m_visitor(visitor)
+        m_guard(guard),
+        m_flow(guard, with_thickness(parameters, thickness), saver.reader()),
+        m_visitor(visitor),
+        m_saver(saver)
   {}
 
   Result operator()()
   {
-    m_visitor.on_start(m_flow);
+    if(State_reader* const reader = m_saver.reader())
+      (*reader)(m_resumed_stage, m_decisions);
+    else
+      m_visitor.on_start(m_flow);
+    m_thickness = m_decisions([this] { return m_thickness; });
     grow();
     settle();
     return result();
@@ -110,7 +123,7 @@ private:
     if(return_to_empty_regions()) run(Filling_stage::settling());
     if(!(m_parameters.length > 0)) return;
     for(int k = 0; k < max_corrections_of_thickness && !m_end; ++k) {
-      const double excess = m_flow.length() / m_parameters.length;
+      const double excess = m_decisions([&] { return m_flow.length() / m_parameters.length; });
       if(std::abs(excess - 1) < length_tolerance) return;
       // the strands' cross sections fill the volume
       m_thickness *= std::sqrt(excess);
@@ -119,15 +132,20 @@ private:
     }
   }
 
+  bool is_much_unfilled()
+  {
+    return !m_end && m_decisions([&] { return is_much_unfilled_now(); });
+  }
+
   // A thin ear of a bunny is less than a hundredth of the volume, but far away.
-  bool is_much_unfilled() const
+  bool is_much_unfilled_now() const
   {
     const std::vector<double> distances = sample_distances(m_flow.curve(), m_samples);
     const auto farther_than = [&](double multiple) {
       return unfilled_fraction(m_samples, distances,
                                [&](const Point_3& p) { return multiple / 2 * thickness_at(p); });
     };
-    return !m_end && (farther_than(2) > tolerated_unfilled_fraction || farther_than(3) > 0);
+    return farther_than(2) > tolerated_unfilled_fraction || farther_than(3) > 0;
   }
 
   // Where the curve does not get to by itself, as through a neck that is too narrow for a loop, it
@@ -158,8 +176,11 @@ private:
   bool find_paths(double thinness)
   {
     if(m_end) return false;
-    m_paths = std::make_shared<const Paths>(m_flow.curve(), m_samples, empty_regions_to_drive_at(),
-                                            thinness * m_thickness, &m_deadline);
+    m_paths = std::make_shared<const Thinned_paths>(m_decisions([&] {
+      return Paths(m_flow.curve(), m_samples, empty_regions_to_drive_at(), thinness * m_thickness,
+                   &m_deadline)
+          .paths();
+    }));
     return !m_paths->are_empty();
   }
 
@@ -186,17 +207,32 @@ private:
   // Runs a stage with a multiple of the thickness, which may vary.
   void run(const Filling_stage& stage, double factor, Thickness_field multiple)
   {
-    if(m_end) return;
-    start(stage, factor, std::move(multiple));
-    Length_window lengths;
-    lengths.add(m_flow.length());
-    while(!(m_end = end_before_step()) &&
-          !lengths.has_settled(stage.window, stage.change_of_length)) {
+    if(m_end || ++m_stage < m_resumed_stage) return;
+    if(m_stage == m_resumed_stage)
+      resume(thickness_field(factor, std::move(multiple)));
+    else
+      start(stage, factor, std::move(multiple));
+    while(!(m_end = end_between_steps()) &&
+          !m_lengths.has_settled(stage.window, stage.change_of_length)) {
       m_idle_steps.note(step());
-      lengths.add(m_flow.length());
+      m_lengths.add(m_flow.length());
       m_flow.set_max_displacement(m_displacement *= stage.cooling);
       m_visitor.on_iteration(m_flow);
     }
+  }
+
+  // Goes on in the middle of a stage.
+  void resume(const Thickness_field& thickness)
+  {
+    m_flow.resume(*m_saver.reader(), thickness);
+    (*m_saver.reader())(m_lengths, m_displacement, m_idle_steps);
+    m_visitor.on_start(m_flow);
+  }
+
+  void write_state(State_writer& writer) const
+  {
+    writer(m_flow.curve(), m_guard, m_stage, m_decisions);
+    writer(m_flow, m_lengths, m_displacement, m_idle_steps);
   }
 
   bool step()
@@ -213,13 +249,28 @@ private:
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
     m_flow.keep_apart(stage.separation);
     p.max_displacement = m_displacement = (std::min)(p.max_displacement, stage.max_displacement);
-    if(!m_parameters.thickness_field && !multiple)
-      m_flow.set_parameters(p);
-    else
-      m_flow.set_parameters(p, [factor, multiple, field = m_parameters.thickness_field,
-                                r = m_thickness](const Point_3& x) {
-        return factor * (field ? field(x) : r) * (multiple ? multiple(x) : 1);
-      });
+    m_flow.set_parameters(p, thickness_field(factor, std::move(multiple)));
+    m_lengths = {};
+    m_lengths.add(m_flow.length());
+  }
+
+  // None if the thickness is the same everywhere.
+  Thickness_field thickness_field(double factor, Thickness_field multiple) const
+  {
+    if(!m_parameters.thickness_field && !multiple) return nullptr;
+    return [factor, multiple = std::move(multiple), field = m_parameters.thickness_field,
+            r = m_thickness](const Point_3& x) {
+      return factor * (field ? field(x) : r) * (multiple ? multiple(x) : 1);
+    };
+  }
+
+  // To ask again, as a run does that resumes, changes nothing.
+  std::optional<Filling_status> end_between_steps()
+  {
+    const std::optional<Filling_status> end = end_before_step();
+    if(end != Filling_status::STALLED)
+      m_saver.offer(end.has_value(), [this](State_writer& writer) { write_state(writer); });
+    return end;
   }
 
   std::optional<Filling_status> end_before_step()
@@ -275,13 +326,18 @@ private:
   const Deadline& m_deadline;
   const Samples& m_samples;
   const std::vector<double>& m_boundary_distances; // of the samples
+  Guard& m_guard;
   Flow m_flow;
   Visitor& m_visitor;
-  std::shared_ptr<const Paths> m_paths; // to empty regions
-  Thickness_field m_thinning;           // for good, where the domain is too thin
-  std::optional<Filling_status> m_end;  // if it is not because the curve has settled
-  double m_displacement = 0;            // the largest, in units of the thickness
-  double m_seconds_of_step = 0;         // the last one took
+  Run_saver& m_saver;
+  Decisions m_decisions;
+  std::size_t m_stage = 0, m_resumed_stage = 0; // from 1; 0 if the run has started anew
+  Length_window m_lengths;                      // of the stage
+  std::shared_ptr<const Thinned_paths> m_paths; // to empty regions
+  Thickness_field m_thinning;                   // for good, where the domain is too thin
+  std::optional<Filling_status> m_end;          // if it is not because the curve has settled
+  double m_displacement = 0;                    // the largest, in units of the thickness
+  double m_seconds_of_step = 0;                 // the last one took
   Idle_steps m_idle_steps;
 };
 

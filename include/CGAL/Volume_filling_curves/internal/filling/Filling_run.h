@@ -22,6 +22,11 @@
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/fingers/Finger_tree.h>
+#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
+#include <CGAL/Volume_filling_curves/internal/state/domain_hash.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_facts.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -59,7 +64,8 @@ public:
         m_deadline(timer, parameters.time_limit),
         m_visitor(visitor),
         m_survey(domain, parameters, curves.traits(), m_deadline),
-        m_fit(m_survey.thickness_fit())
+        m_fit(m_survey.thickness_fit()),
+        m_saver(parameters, [this] { return facts(); })
   {}
 
   Result operator()()
@@ -80,14 +86,31 @@ private:
     m_curves = Network(m_circles, CGAL::parameters::default_values(), m_curves.traits());
   }
 
+  // All that the run depends on. A thickness that varies is known by its values at the samples.
+  Run_facts facts() const
+  {
+    State_writer thicknesses;
+    if(m_parameters.thickness_field)
+      for(const Point_3& p : m_survey.samples().points()) thicknesses(m_survey.thickness_at(p));
+    return run_facts("fill", m_parameters,
+                     {{"curve", state_hash(m_curves)},
+                      {"domain", domain_hash(m_domain, m_curves.traits())},
+                      {"thickness field", to_hex(sha256(thicknesses.bytes()))}});
+  }
+
   Result grow()
   {
+    State_reader* const reader = m_saver.reader();
+    if(reader) (*reader)(m_curves);
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
     if(m_parameters.certificate) guard.start_recording();
-    if(m_parameters.start == Filling_start::TREE) reach_out(guard);
+    if(reader)
+      (*reader)(guard);
+    else if(m_parameters.start == Filling_start::TREE)
+      reach_out(guard);
     Filler<Flow, typename Survey::Samples, Visitor> filler(
         guard, m_survey.samples(), m_survey.distances_to_boundary(), m_parameters,
-        start_thickness(), m_survey.widest_radius(), m_deadline, m_visitor);
+        start_thickness(), m_survey.widest_radius(), m_deadline, m_visitor, m_saver);
     const Result result = filler();
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
     return result;
@@ -125,6 +148,7 @@ private:
   Visitor& m_visitor;
   const Survey m_survey;
   const Thickness_fit m_fit;
+  Run_saver m_saver;
   std::vector<std::vector<Point_3>> m_circles; // if the run starts from them
 };
 

@@ -32,6 +32,13 @@ public:
     return *most - *least < fraction * *most;
   }
 
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_lengths);
+  }
+
 private:
   std::vector<double> m_lengths;
 };

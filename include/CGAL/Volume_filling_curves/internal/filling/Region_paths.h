@@ -10,19 +10,17 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
 #include <boost/functional/hash.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -47,26 +45,14 @@ public:
                const std::vector<Region>& regions,
                double cell,
                const Deadline* deadline = nullptr)
-      : m_samples(samples), m_tree(curve), m_cell(cell), m_deadline(deadline)
+      : m_samples(samples), m_tree(curve), m_cell(cell), m_deadline(deadline), m_paths(cell)
   {
     for(const Region& region : regions) find_path(to_vector(region.point));
   }
 
-  bool are_empty() const { return m_path_points.empty(); }
-
-  // The factor of the thickness at a point: `least` on a path, 1 away from it.
-  double thinning(const Point_3& p, double least) const
-  {
-    const double reach = ramp * m_cell;
-    double nearest = std::numeric_limits<double>::infinity();
-    for(const Vector& q : m_path_points)
-      nearest = (std::min)(nearest, (q - to_vector(p)).squaredNorm());
-    const double d = std::sqrt(nearest) / reach;
-    return d < 1 ? least : (std::min)(1., least + (1 - least) * (d - 1));
-  }
+  const Thinned_paths& paths() const { return m_paths; }
 
 private:
-  static constexpr double ramp = 4;    // in cells, to either side of a path
   static constexpr double reached = 2; // in cells, from the curve
   static constexpr std::size_t most_cells = 1000000;
 
@@ -109,8 +95,8 @@ private:
 
   void add_path(const Cells& former, Cell c)
   {
-    for(; former.at(c) != c; c = former.at(c)) m_path_points.push_back(position(c));
-    m_path_points.push_back(position(c));
+    for(; former.at(c) != c; c = former.at(c)) m_paths.add(position(c));
+    m_paths.add(position(c));
   }
 
   const Samples& m_samples;
@@ -118,7 +104,7 @@ private:
   double m_cell;
   const Deadline* m_deadline;
   Vector m_origin;
-  std::vector<Vector> m_path_points;
+  Thinned_paths m_paths;
 };
 
 } // namespace internal

@@ -108,6 +108,13 @@ public:
     return writer.bytes();
   }
 
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_writer, m_numbers, m_next_number);
+  }
+
 private:
   static constexpr std::uint64_t obstacle = static_cast<std::uint64_t>(-1);
 

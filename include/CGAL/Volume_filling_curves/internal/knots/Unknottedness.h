@@ -50,6 +50,13 @@ public:
     result.link = m_link;
   }
 
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_proofs, m_link);
+  }
+
 private:
   bool are_unknots() const
   {

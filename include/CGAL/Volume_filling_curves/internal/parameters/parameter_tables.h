@@ -75,10 +75,11 @@ constexpr auto parameter_table(const Curve_run_parameters* p)
   using P = Curve_run_parameters;
   return std::tuple_cat(
       parameter_table(static_cast<const Curve_flow_parameters*>(p)),
-      std::make_tuple(parameter<number_of_iterations_t>(&P::number_of_iterations),
-                      parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER),
-                      parameter<random_seed_t>(&P::random_seed),
-                      parameter<certificate_t>(&P::certificate)));
+      std::make_tuple(
+          parameter<number_of_iterations_t>(&P::number_of_iterations),
+          parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER),
+          parameter<random_seed_t>(&P::random_seed), parameter<certificate_t>(&P::certificate),
+          parameter<checkpoint_t>(&P::checkpoint), parameter<resume_from_t>(&P::resume_from)));
 }
 
 constexpr auto parameter_table(const Untangling_parameters* p)

@@ -67,6 +67,18 @@ public:
     m_last_direction = std::move(direction);
   }
 
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    std::vector<double> direction(m_last_direction.data(),
+                                  m_last_direction.data() + m_last_direction.size());
+    archive(m_largest, m_time_step, direction);
+    if constexpr(Archive::is_reading)
+      m_last_direction = Eigen::Map<const Vector_field>(
+          direction.data(), static_cast<Eigen::Index>(direction.size() / 3), 3);
+  }
+
 private:
   static constexpr double tolerated_fraction = 0.5;
   // 1.3 takes 7 % fewer iterations than 1.15 on the paper's curves (2026-11-21)

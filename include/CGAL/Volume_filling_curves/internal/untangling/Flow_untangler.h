@@ -18,6 +18,8 @@
 #include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
@@ -51,24 +53,27 @@ class Flow_untangler
 public:
   Flow_untangler(const Untangling_run<Guard, Visitor>& run, const Flow_start& start)
       : m_run(run),
-        m_flow(run.guard, with_thickness(run.parameters, start.thickness)),
+        m_flow(run.guard, with_thickness(run.parameters, start.thickness), run.saver.reader()),
         m_start(start)
-  {}
+  {
+    State_reader* const reader = run.saver.reader();
+    if(!reader) return;
+    m_flow.resume(*reader);
+    (*reader)(*this);
+  }
 
   Untangling_result operator()()
   {
     m_run.visitor.on_start(m_flow);
-    std::optional<Untangling_status> status = status_before_step();
+    std::optional<Untangling_status> status = status_between_steps();
     while(!status) {
       turn_tails();
       const bool did_move = m_flow.step();
       m_run.visitor.on_iteration(m_flow);
       const double length = m_flow.length() - m_run.tails.length();
-      const bool is_stalled =
+      m_has_stalled =
           m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.tails.hold();
-      status = status_before_step();
-      if(!status && (is_stalled || has_lingered_for_long()))
-        status = unless_proved(Untangling_status::STALLED);
+      status = status_between_steps();
     }
     if constexpr(!Guard::Domain_boundary::is_bounded)
       if(can_lower_ropelength(*status)) status = lower_ropelength(*status);
@@ -76,7 +81,37 @@ public:
     return result(*status);
   }
 
+  // Writes or reads what the run depends on between two steps, see State_writer, but for the flow.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_unknottedness, m_stall_monitor, m_has_stalled, m_iterations_to_proof,
+            m_looks_unknotted, m_lingering, m_number_of_turns, m_are_tails_turning);
+  }
+
 private:
+  // To ask again, as a run does that resumes, changes nothing.
+  std::optional<Untangling_status> status_between_steps()
+  {
+    std::optional<Untangling_status> status = status_before_step();
+    if(!status && (m_has_stalled || has_lingered_for_long()))
+      status = unless_proved(Untangling_status::STALLED);
+    if(!status || is_cut_short(*status))
+      m_run.saver.offer(status.has_value(), [this](State_writer& writer) { write_state(writer); });
+    return status;
+  }
+
+  static bool is_cut_short(Untangling_status status)
+  {
+    return status == Untangling_status::LIMIT || status == Untangling_status::INTERRUPTED;
+  }
+
+  void write_state(State_writer& writer) const
+  {
+    m_run.write_state(writer);
+    writer(m_flow, *this);
+  }
+
   std::optional<Untangling_status> status_before_step()
   {
     m_unknottedness.update(m_flow.curve());
@@ -118,8 +153,8 @@ private:
   bool has_lingered_for_long()
   {
     constexpr double noticeable = 0.99; // a fall of the length
-    if(!m_lingering) return false;
     const std::size_t iterations = m_flow.statistics().iterations;
+    if(!m_lingering || iterations == 0) return false;
     if(m_flow.length() < noticeable * m_lingering->length)
       m_lingering = {iterations, m_flow.length()};
     return iterations - m_lingering->iteration >= m_start.patience;
@@ -214,10 +249,13 @@ private:
            !has_pinned_node(m_flow.curve());
   }
 
-  // Returns how the run ended: as the flow, unless it is cut short, or unties what had stalled.
+  // Returns how the run ended: as the flow, unless it is cut short, or unties what had stalled. The
+  // descent has no state of its own: a run that is cut short resumes where it began.
   Untangling_status lower_ropelength(Untangling_status status_of_flow)
   {
     Untangling_status status = status_of_flow;
+    State_writer start;
+    if(m_run.saver.is_saving()) write_state(start);
     Ropelength_descent<Guard, typename Flow::Concurrency_tag> descend(m_run.guard,
                                                                       m_flow.thickness() / 2);
     m_is_ropelength_lowered = descend([&] {
@@ -233,6 +271,8 @@ private:
       return status == status_of_flow;
     });
     m_flow.update();
+    if(is_cut_short(status))
+      m_run.saver.offer(true, [&](State_writer& writer) { writer.append(start.bytes()); });
     return status;
   }
 
@@ -253,6 +293,12 @@ private:
   {
     std::size_t iteration;
     double length;
+
+    template <typename Archive>
+    void serialize(Archive& archive)
+    {
+      archive(iteration, length);
+    }
   };
 
   static constexpr std::size_t most_iterations_to_settle = 50;
@@ -264,6 +310,7 @@ private:
   Flow_start m_start;
   Unknottedness<Network> m_unknottedness;
   Stall_monitor m_stall_monitor;
+  bool m_has_stalled = false;
   std::optional<std::size_t> m_iterations_to_proof;
   std::optional<bool> m_looks_unknotted;
   std::optional<Place> m_lingering;

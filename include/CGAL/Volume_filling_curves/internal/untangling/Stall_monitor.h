@@ -33,6 +33,13 @@ public:
     return m_idle_steps.are_too_many() || is_flat();
   }
 
+  // Writes or reads everything, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_window, m_idle_steps);
+  }
+
 private:
   static constexpr std::size_t window_size = 100;
   static constexpr double least_change_of_length = 1e-3;
@@ -41,6 +48,12 @@ private:
   struct Sample
   {
     double length, gradient_norm;
+
+    template <typename Archive>
+    void serialize(Archive& archive)
+    {
+      archive(length, gradient_norm);
+    }
   };
 
   bool is_flat() const

@@ -16,6 +16,8 @@
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_search.h>
 #include <CGAL/Volume_filling_curves/internal/remeshing/Curve_simplifier.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
@@ -49,6 +51,7 @@ public:
     // no flow follows that could jam, and be followed by a search with more patience
     if(run.parameters.strategy == Untangling_strategy::SEARCH)
       m_search_parameters.patience_factor = patience_growth;
+    if(State_reader* const reader = run.saver.reader()) (*reader)(*this);
   }
 
   Untangling_result operator()()
@@ -56,17 +59,22 @@ public:
     // with tails the search might take the curve out of their sphere
     if(m_run.parameters.strategy == Untangling_strategy::FLOW || m_run.tails.are_needed())
       return flow();
-    Untangling_status status = search();
-    // a ring has no strands whose distance could be measured
-    if(!(m_thickness > 0) && is_ring()) m_thickness = thickness_of_rings * total_length(m_curve);
+    Untangling_status status = m_is_flowing ? Untangling_status::CONVERGED : prepare_flow();
     while(m_run.parameters.strategy == Untangling_strategy::AUTO &&
           status == Untangling_status::CONVERGED) {
       const Untangling_result last = flow();
       if(last.status != Untangling_status::STALLED || !can_search_again()) return last;
-      status = search();
-      if(m_thickness > 0) m_thickness *= thinning;
+      status = prepare_flow();
     }
     return result(status);
+  }
+
+  // Writes or reads what the run depends on between searches and flows, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_thickness, m_search_parameters.patience_factor, m_seeds, m_statistics, m_searches,
+            m_sweeps, m_seconds_of_searches, m_follows_search, m_is_flowing);
   }
 
 private:
@@ -75,9 +83,35 @@ private:
   static constexpr double thickness_of_rings = 0.025; // in units of the length: 100 to 200 edges
   static constexpr double share_of_searches = 0.25;   // of the time limit, before a flow
 
+  // Searches, and sets the thickness of the flow that follows.
+  Untangling_status prepare_flow()
+  {
+    const bool has_jammed = m_searches > 0;
+    const Untangling_status status = search();
+    if(m_thickness > 0)
+      m_thickness *= has_jammed ? thinning : 1;
+    else if(!has_jammed && is_ring()) // which has no strands whose distance could be measured
+      m_thickness = thickness_of_rings * total_length(m_curve);
+    return status;
+  }
+
+  // Has no state of its own: a run that is cut short resumes where the search began.
+  Untangling_status search()
+  {
+    State_writer start;
+    if(m_run.saver.is_saving()) {
+      m_run.write_state(start);
+      start(*this);
+    }
+    const Untangling_status status = search_and_adopt();
+    if(status == Untangling_status::LIMIT || status == Untangling_status::INTERRUPTED)
+      m_run.saver.offer(true, [&](State_writer& writer) { writer.append(start.bytes()); });
+    return status;
+  }
+
   // Searches from a simplified copy until that gets no further, and takes over what it finds. An
   // unknot is proved later, by the flow or the result.
-  Untangling_status search()
+  Untangling_status search_and_adopt()
   {
     const double start = m_run.timer.time();
     const Network coarse = simplified(m_curve);
@@ -175,9 +209,19 @@ private:
     Flow_start start{m_thickness, m_statistics.iterations, m_follows_search, m_searches > 0};
     if(m_searches > 0 && m_searches < max_searches) start.patience = 0; // a search gets on faster
     start.is_last = m_searches == 0 || !can_search_again();
+    note_flow(true);
     const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
+    note_flow(false);
     m_statistics += result.statistics;
     return completed(result);
+  }
+
+  void note_flow(bool is_flowing)
+  {
+    m_is_flowing = is_flowing;
+    State_writer writer;
+    if(is_flowing) writer(*this);
+    m_run.state_of_strategy = writer.bytes();
   }
 
   // Of a curve that did not flow, or not at last. What is proved is proved of the curve as it
@@ -211,6 +255,7 @@ private:
   std::size_t m_searches = 0, m_sweeps = 0;
   double m_seconds_of_searches = 0;
   bool m_follows_search = false; // the curve
+  bool m_is_flowing = false;
 };
 
 template <typename Flow, typename ConcurrencyTag, typename Guard, typename Visitor>

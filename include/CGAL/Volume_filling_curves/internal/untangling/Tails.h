@@ -109,6 +109,13 @@ public:
     return test();
   }
 
+  // Writes or reads everything but the tails themselves, which are in the curve, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_ends, m_ball.center, m_ball.radius, m_inner_radius, m_length);
+  }
+
 private:
   static constexpr double radius_over_size = 1.25, margin_over_thickness = 5;
   static constexpr double largest_spacing = 1.5; // in units of the flow's, which splits from 2 on
