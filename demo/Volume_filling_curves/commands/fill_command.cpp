@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "files/certificates.h"
+#include "files/checkpoints.h"
 #include "files/curve_map.h"
 #include "options/Command_line.h"
 #include "options/Fill_options.h"
@@ -52,6 +53,7 @@ void plan_files(Session& session, const Fill_options& options)
   session.outputs().add("--certificate", file_of_circles(options));
   session.outputs().add("--map", options.film.map);
   session.outputs().add_folder("--frames", options.film.frames, Frames::is_frame);
+  plan_checkpoints(session, options.saving);
 }
 
 // The curve to start from, empty for circles.
@@ -71,14 +73,19 @@ Filling_result fill(Session& session,
                     const Domain& domain,
                     const Thickness& field,
                     const Fill_options& options,
+                    const curves::Run_state& state,
                     curves::Isotopy_certificate& certificate)
 {
   Flow_observer observer(session, options.parameters, 0, Frames(options.film));
   curves::Filling_parameters<> parameters = options.parameters;
   parameters.thickness_field = field;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
-  Filling_result result =
-      curves::fill<CGAL::Parallel_if_available_tag>(curve, domain, parameters, std::ref(observer));
+  parameters.resume_from = &state;
+  save_states(session, parameters, options.saving);
+  Filling_result result = resume(options.saving, [&] {
+    return curves::fill<CGAL::Parallel_if_available_tag>(curve, domain, parameters,
+                                                         std::ref(observer));
+  });
   observer.finish();
   return result;
 }
@@ -96,6 +103,7 @@ int run(Session& session, const Fill_options& options)
   session.report()["input"] = options.mesh;
   session.report()["seed"] = options.parameters.random_seed;
   plan_files(session, options);
+  const curves::Run_state state = read_run_state(options.saving);
   const Mesh_and_defects mesh = options.may_repair ? read_mended_mesh(session, options.mesh)
                                                    : read_mesh(session, options.mesh);
   check_filling(options.parameters.thickness, options.parameters.length, options.parameters.spacing,
@@ -105,7 +113,7 @@ int run(Session& session, const Fill_options& options)
   const Domain domain(mesh.mesh);
   Curve curve = start(session, options, domain);
   curves::Isotopy_certificate certificate;
-  const Filling_result result = fill(session, curve, domain, field, options, certificate);
+  const Filling_result result = fill(session, curve, domain, field, options, state, certificate);
   note_thickness(session, options, result.thickness);
   report_stages(session, result.statistics);
   // the certificate first: no curve comes out of a run that was to be certified without one

@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "files/certificates.h"
+#include "files/checkpoints.h"
 #include "files/curve_map.h"
 #include "files/mesh_files.h"
 #include "options/Command_line.h"
@@ -89,18 +90,24 @@ std::optional<Domain> read_domain(Session& session,
   return domain;
 }
 
-Untangling_result untangle(Curve& curve,
+Untangling_result untangle(const Session& session,
+                           Curve& curve,
                            const std::optional<Domain>& domain,
                            const Untangle_options& options,
+                           const curves::Run_state& state,
                            curves::Isotopy_certificate& certificate,
                            Flow_observer& observer)
 {
   curves::Untangling_parameters parameters = options.parameters;
   parameters.thickness = thickness(curve, parameters);
   if(!options.certificate.empty()) parameters.certificate = &certificate;
+  parameters.resume_from = &state;
+  save_states(session, parameters, options.saving);
   using Tag = CGAL::Parallel_if_available_tag;
-  return domain ? curves::untangle<Tag>(curve, *domain, parameters, std::ref(observer))
-                : curves::untangle<Tag>(curve, parameters, std::ref(observer));
+  return resume(options.saving, [&] {
+    return domain ? curves::untangle<Tag>(curve, *domain, parameters, std::ref(observer))
+                  : curves::untangle<Tag>(curve, parameters, std::ref(observer));
+  });
 }
 
 void write_files(Session& session,
@@ -139,6 +146,8 @@ int run(Session& session, const Untangle_options& options)
       throw Usage_error("--domain: only for the strategy flow, since tighten does not know it");
   }
   plan_outputs(session.outputs(), options);
+  plan_checkpoints(session, options.saving);
+  const curves::Run_state state = read_run_state(options.saving);
   poll_interruptions();
   Curve curve = read_curve(session, options.file, options.curve.is_network);
   const double length = curves::length(curve);
@@ -149,7 +158,7 @@ int run(Session& session, const Untangle_options& options)
   {
     Flow_observer observer(session, options.parameters, options.parameters.tolerance,
                            Frames(options.film));
-    result = untangle(curve, domain, options, certificate, observer);
+    result = untangle(session, curve, domain, options, state, certificate, observer);
     observer.finish();
   }
   check_length(session, options, curve, length);

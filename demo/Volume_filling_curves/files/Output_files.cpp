@@ -65,6 +65,19 @@ void Output_files::add_input(const std::string& path, const std::string& replace
 
 void Output_files::add(const std::string& option, const std::string& path)
 {
+  add(option, path, m_may_overwrite);
+}
+
+void Output_files::add_continued(const std::string& option,
+                                 const std::string& path,
+                                 const std::string& continued)
+{
+  const bool is_continued = !path.empty() && !continued.empty() && are_same_file(path, continued);
+  add(option, path, is_continued || m_may_overwrite);
+}
+
+void Output_files::add(const std::string& option, const std::string& path, bool may_overwrite)
+{
   if(path.empty()) return;
   for(const Input& input : m_inputs)
     if(option != input.replaced_by && are_same_file(path, input.path))
@@ -76,7 +89,7 @@ void Output_files::add(const std::string& option, const std::string& path)
   const fs::file_status status = fs::status(path, error);
   if(fs::is_directory(status)) refuse(option, path, "is a folder");
   if(fs::exists(status) && !fs::is_regular_file(status)) return;
-  if(fs::exists(status) && !m_may_overwrite) refuse(option, path, "exists; --force overwrites it");
+  if(fs::exists(status) && !may_overwrite) refuse(option, path, "exists; --force overwrites it");
   check_writable(option, path);
   m_outputs.push_back({option, path});
 }

@@ -30,6 +30,12 @@ public:
   // \throws Usage_error that names the option
   void add(const std::string& option, const std::string& path);
 
+  // Likewise a file that a run replaces by newer ones, and that may be there if it is the one that
+  // the run goes on from.
+  void add_continued(const std::string& option,
+                     const std::string& path,
+                     const std::string& continued);
+
   // Checks a folder that is created when its first file is written. It may exist if it is empty, or
   // if the files there that are replaced, `is_replaced(path)`, are nobody else's.
   void add_folder(const std::string& option,
@@ -49,6 +55,8 @@ private:
   {
     std::string option, path;
   };
+
+  void add(const std::string& option, const std::string& path, bool may_overwrite);
 
   bool m_may_overwrite;
   std::vector<Input> m_inputs;

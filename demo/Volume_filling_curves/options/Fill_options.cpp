@@ -62,6 +62,7 @@ void add_fill_options(CLI::App& command, Fill_options& options)
       "the record of all certified changes, to be verified by vfc check --certificate with MESH "
       "for --domain; without --curve the circles that it starts from go to FILE.start.obj");
   add_film_options(command, options.film);
+  add_checkpoint_options(command, options.saving);
   add_start_options(command, options);
   add_density_options(command, options);
   repair.excludes(command.get_option("--thickness-field")); // whose vertices would be others

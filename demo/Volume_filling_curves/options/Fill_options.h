@@ -27,6 +27,7 @@ struct Fill_options
   std::string thickness_field; // a file
   bool may_repair = false;     // the mesh
   Film_options film;
+  Checkpoint_options saving;
   Curve_options curve;
   CGAL::Volume_filling_curves::Filling_parameters<> parameters;
 };

@@ -27,6 +27,7 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       "a closed triangle mesh that the curve stays inside of; obstacles are shells within it. The "
       "curve flows, since the search does not know the mesh");
   add_film_options(command, options.film);
+  add_checkpoint_options(command, options.saving);
   add_curve_options(command, options.curve);
   command.add_flag("--keep-length", parameters.keep_length,
                    "scale the result to the length of the input");

@@ -25,6 +25,7 @@ struct Untangle_options
   std::string file, output, certificate;
   std::string domain; // a mesh that the curve must not leave, or empty
   Film_options film;
+  Checkpoint_options saving;
   Curve_options curve;
   CGAL::Volume_filling_curves::Untangling_parameters parameters;
 };

@@ -33,6 +33,22 @@ void add_film_options(CLI::App& command, Film_options& options)
       ->needs(&frames);
 }
 
+void add_checkpoint_options(CLI::App& command, Checkpoint_options& options)
+{
+  CLI::Option& checkpoint =
+      add_file(command, "--checkpoint", options.checkpoint,
+               "the state of the run, written now and then, and where it is interrupted or a limit "
+               "is reached; --resume goes on from there");
+  add_number(command, "--save-every", options.save_every, "seconds between two states",
+             not_negative)
+      .capture_default_str()
+      ->needs(&checkpoint)
+      ->type_name("SECONDS");
+  add_file(command, "--resume", options.resume,
+           "the state of a run with the same input and options, but for limits and outputs; the "
+           "result is the same as if that run had not ended");
+}
+
 void add_curve_options(CLI::App& command, Curve_options& options)
 {
   add_network_flag(command, options.is_network);

@@ -7,6 +7,8 @@
 #ifndef VFC_SHARED_OPTIONS_H
 #define VFC_SHARED_OPTIONS_H
 
+#include "files/checkpoints.h"
+
 #include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
 
 #include <cstddef>
@@ -36,6 +38,7 @@ struct Curve_options
 };
 
 void add_film_options(CLI::App& command, Film_options& options);
+void add_checkpoint_options(CLI::App& command, Checkpoint_options& options);
 void add_curve_options(CLI::App& command, Curve_options& options);
 // All but the tolerance, which not every command has.
 void add_stop_options(CLI::App& command,

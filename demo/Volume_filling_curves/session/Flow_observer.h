@@ -49,7 +49,7 @@ public:
     poll_interruptions(); // before there is a curve, nothing is lost if the program ends at once
     m_start_seconds = m_session.seconds();
     m_start_gradient = flow.gradient_norm();
-    m_frames.add(0, flow.curve());
+    m_frames.add(flow.statistics().iterations, flow.curve());
   }
 
   void on_thin_domain(const CGAL::Volume_filling_curves::Thickness_fit& fit)

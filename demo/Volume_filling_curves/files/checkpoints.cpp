@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "files/checkpoints.h"
+
+#include "files/Output_files.h"
+#include "session/Session.h"
+
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+namespace vfc {
+
+namespace curves = CGAL::Volume_filling_curves;
+
+void plan_checkpoints(Session& session, const Checkpoint_options& options)
+{
+  if(!options.resume.empty()) session.add_input(options.resume, "--checkpoint");
+  session.outputs().add_continued("--checkpoint", options.checkpoint, options.resume);
+}
+
+Input_error rejected_state(const std::string& file, const std::string& message)
+{
+  return Input_error({{"state rejected", file, {}, 0, message}}, "a state to resume from");
+}
+
+curves::Run_state read_run_state(const Checkpoint_options& options)
+{
+  if(options.resume.empty()) return {};
+  std::string content;
+  const std::error_code error = curves::internal::read_whole_file(options.resume, content);
+  if(error) throw rejected_state(options.resume, error.message());
+  return resume(options, [&] { return curves::Run_state(std::move(content)); });
+}
+
+void save_states(const Session& session,
+                 curves::Curve_run_parameters& parameters,
+                 const Checkpoint_options& options)
+{
+  if(options.checkpoint.empty()) return;
+  using Clock = std::chrono::steady_clock;
+  parameters.checkpoint = [&session, options, last = Clock::now()](const auto& checkpoint) mutable {
+    const std::chrono::duration<double> seconds = Clock::now() - last;
+    if(!checkpoint.is_last() && seconds.count() < options.save_every) return;
+    try {
+      Output_files::write(options.checkpoint, checkpoint.state().bytes());
+    } catch(const Usage_error& error) { // the curve is worth more than the state
+      session.console().warn(error.what());
+    }
+    last = Clock::now();
+  };
+}
+
+} // namespace vfc

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_CHECKPOINTS_H
+#define VFC_CHECKPOINTS_H
+
+#include "reports/Defect.h"
+#include "session/errors.h"
+
+#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
+#include <CGAL/Volume_filling_curves/Run_checkpoint.h>
+#include <CGAL/Volume_filling_curves/Run_state.h>
+
+#include <string>
+
+namespace vfc {
+
+class Session;
+
+// Where the state of a run goes, and where it comes from.
+struct Checkpoint_options
+{
+  std::string checkpoint, resume; // files, or empty
+  double save_every = 60;         // seconds
+};
+
+// Checks the files. \throws Usage_error
+void plan_checkpoints(Session& session, const Checkpoint_options& options);
+
+// The state to resume from, empty if there is none. \throws Input_error
+CGAL::Volume_filling_curves::Run_state read_run_state(const Checkpoint_options& options);
+
+// Has a run write its state now and then, and where it ends early; a newer one replaces the older.
+// Warns if that is impossible.
+void save_states(const Session& session,
+                 CGAL::Volume_filling_curves::Curve_run_parameters& parameters,
+                 const Checkpoint_options& options);
+
+Input_error rejected_state(const std::string& file, const std::string& message);
+
+// Runs. \throws Input_error if the state to resume from is that of another run
+template <typename Run>
+auto resume(const Checkpoint_options& options, const Run& run)
+{
+  try {
+    return run();
+  } catch(const CGAL::Volume_filling_curves::Run_state_error& error) {
+    throw rejected_state(options.resume, error.what());
+  }
+}
+
+} // namespace vfc
+
+#endif // VFC_CHECKPOINTS_H
