@@ -41,7 +41,8 @@ class CurveFlowVisitor
 {
 public:
   /// is called once per flow, before its first step, when the thickness is known and the edges have
-  /// the lengths that the flow wants. Everything that `flow.statistics()` counts begins at 0 again.
+  /// the lengths that the flow wants. Everything that `flow.statistics()` counts begins at 0 again,
+  /// unless the run resumes in the middle of this flow.
   /// In `fill()` it is called once, with the thickness asked for, although the curve then grows
   /// with a coarser one first. `Flow` is an instance of
   /// `CGAL::Volume_filling_curves::Curve_flow_3`.
