@@ -43,7 +43,8 @@ class Logarithmic:
         return (math.log10(value) - self.low) / (self.high - self.low)
 
     def ticks(self):
-        digits = (1, 2, 5) if self.high - self.low < 2.5 else (1,)
+        span = self.high - self.low
+        digits = range(1, 10) if span < 0.7 else (1, 2, 5) if span < 2 else (1,)
         decades = range(math.floor(self.low), math.ceil(self.high) + 1)
         return [x for x in (digit * 10.0**k for k in decades for digit in digits) if 0 <= self.place(x) <= 1]
 

@@ -34,12 +34,10 @@ class Growth:
     """The line of least squares in logarithms through points (size, value), at least two."""
 
     def __init__(self, points):
-        logs = [(math.log(x), math.log(y)) for x, y in sorted(points)]
+        logs = [(math.log(x), math.log(y)) for x, y in points]
         self.x, self.y = (statistics.mean(axis) for axis in zip(*logs))
         self.exponent = (sum((x - self.x) * (y - self.y) for x, y in logs) /
                          sum((x - self.x) ** 2 for x, _ in logs))
-        (x1, y1), (x2, y2) = logs[-2:]
-        self.last = (y2 - y1) / (x2 - x1)  # the exponent between the last two
 
     def at(self, size):
         return math.exp(self.y + self.exponent * (math.log(size) - self.x))
@@ -49,3 +47,9 @@ def growth(points, least_value=0.0):
     """None if fewer than two points are left that are large enough to tell anything."""
     points = [(x, y) for x, y in points if x > 0 and y > least_value]
     return Growth(points) if len({x for x, _ in points}) > 1 else None
+
+
+def growth_of_large(points, least_value=0.0):
+    """The same of the last decade of sizes, where what is constant or small at first no longer matters."""
+    largest = max((x for x, _ in points), default=0)
+    return growth([(x, y) for x, y in points if 10.5 * x >= largest], least_value)

@@ -8,9 +8,7 @@
 import statistics
 from collections import Counter
 
-from .ratios import growth, ratio
-
-LEAST_SECONDS_OF_GROWTH = 0.05  # below, a time is that of starting a program
+from .ratios import ratio
 
 
 class Measured:
@@ -88,27 +86,19 @@ class Suite:
         return ratio(*(programs[p].by_turn(key) for p in (self.programs[0], other)))
 
     def ratio_of_sums(self, other, key, group=None):
-        """Over the cases that both have done as often as any."""
-        pairs = [(programs[self.programs[0]].by_turn(key), programs[other].by_turn(key))
-                 for programs in self.cases.values() if {self.programs[0], other} <= programs.keys()
-                 if group is None or programs[other]["group"] == group]
-        pairs = [(a, b) for a, b in pairs if a and b]
-        if not pairs:
-            return None
-        turns = range(max(max(a.keys() & b.keys(), default=0) for a, b in pairs) + 1)
-        # a case that was run once counts in every turn
-        sums = [{turn: sum(pair[side].get(turn, pair[side][min(pair[side])]) for pair in pairs)
-                 for turn in turns} for side in (0, 1)]
+        """Over the cases that both have done. A case that was run less often counts with its last turn."""
+        names, pairs = (self.programs[0], other), []
+        for programs in self.cases.values():
+            if all(name in programs for name in names) and group in (None, programs[other]["group"]):
+                first, second = (programs[name].by_turn(key) for name in names)
+                pairs.append([(first[turn], second[turn]) for turn in sorted(first.keys() & second.keys())])
+        pairs = [turns for turns in pairs if turns]
+        sums = [{turn: sum(turns[min(turn, len(turns) - 1)][side] for turns in pairs)
+                 for turn in range(max(map(len, pairs), default=0))} for side in (0, 1)]
         return ratio(*sums)
-
-
-def growth_of(measured, value, size=lambda m: m.nodes):
-    done = [m for m in measured if m.is_done]
-    return growth([(size(m), value(m)) for m in done], LEAST_SECONDS_OF_GROWTH)
 
 
 def per_node_and_iteration(measured):
     """Microseconds; None where nothing was done."""
-    iterations, report = measured.report.get("iterations"), measured.report
-    nodes = report.get("nodes_end")
-    return 1e6 * measured.seconds / (iterations * nodes) if iterations and nodes else None
+    work = (measured.report.get("iterations") or 0) * measured.nodes
+    return 1e6 * measured.seconds / work if work else None

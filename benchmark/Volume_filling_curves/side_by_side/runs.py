@@ -66,10 +66,10 @@ class Session:
                     break
 
     def takers(self, case):
-        """The programs that the case is for."""
+        """The programs that the case is for: no peers in series."""
         if not case.for_others:
             return self.programs[:1]
-        return [program for program in self.programs if not program.is_peer or case.job != "simplify"]
+        return [program for program in self.programs if not (program.is_peer and case.series)]
 
     def is_too_long(self, program, case):
         size, seconds = self.last_of_series.get((program.name, case.suite, case.series), (0, 0))

@@ -30,7 +30,7 @@ def fillings(inputs, quick):
     """Domains filled, each with a curve of its own thickness."""
     torus = inputs.bundled / "torus.off"
     if quick:
-        return [Case("fillings", "torus, bundled", "fill", torus, 0.2)]
+        return [Case("fillings", "torus, bundled", "fill", torus, 0.3)]
     found = [(inputs.of_shared_data(f"domains/{name}"), r) for name, r in DOMAINS.items()]
     found += [(inputs.cube(), CUBE_THICKNESS)]
     cases = [Case("fillings", mesh.stem, "fill", mesh, r) for mesh, r in found if mesh]
@@ -38,10 +38,15 @@ def fillings(inputs, quick):
 
 
 def unknots(inputs, quick):
-    """Unknots that look knotted, untangled by the flow alone."""
-    files = [] if quick else [inputs.of_shared_data(f"paper/{name}.obj") for name in UNKNOTS]
-    files = [file for file in files if file] + [inputs.bundled / "hard_unknot.obj"]
-    return [Case("unknots", file.stem, "untangle", file, options=BY_FLOW) for file in files]
+    """Unknots that look knotted, untangled by the flow alone; and the trefoil that the paper shows."""
+    def cases(files, group=""):
+        return [Case("unknots", file.stem, "untangle", file, options=BY_FLOW, group=group)
+                for file in files if file]
+
+    names = [] if quick else [*UNKNOTS, "trefoil0001"]
+    files = [inputs.of_shared_data(f"paper/{name}.obj") for name in names]
+    seven, others = files[:len(UNKNOTS)], files[len(UNKNOTS):] + [inputs.bundled / "hard_unknot.obj"]
+    return cases(seven, "the seven of the paper") + cases(others)
 
 
 def knots(inputs, quick):
@@ -60,7 +65,7 @@ def filling_scaling(inputs, quick):
     name, mesh, (r, nodes) = ("bunny", bunny, BUNNY_NODES) if bunny else (
         "torus", inputs.bundled / "torus.off", TORUS_NODES)
     cases = []
-    for size in [300, 600, 1200] if quick else FILLING_SIZES:
+    for size in [100, 200, 400] if quick else FILLING_SIZES:
         thickness = float(f"{r * (nodes / size) ** (1 / 3):.3g}")
         cases.append(Case("filling-scaling", f"{name}, r = {thickness:g}", "fill", mesh, thickness,
                           series=name, size=size))
@@ -80,22 +85,23 @@ def untangling_scaling(inputs, quick):
 
 def coverage(inputs, quick):
     """How much of a torus is covered after some iterations, with either way to start."""
-    mesh, r = inputs.bundled / "torus.off", 0.2 if quick else 0.12
+    mesh, r = inputs.bundled / "torus.off", 0.25 if quick else 0.12
+    numbers = [1, 4, 16] if quick else [1, 2, 4, 8, 16, 32, 64, 128, 256]
     return [Case("coverage", f"{start}, at most {n}", "fill", mesh, r,
                  ("--start", start, "--max-iterations", n), series=start, size=n, for_others=False)
-            for start in ("tree", "circle") for n in ([1, 4, 16] if quick else [1, 2, 4, 8, 16, 32, 64, 128, 256])]
+            for start in ("tree", "circle") for n in numbers]
 
 
 def threads(inputs, quick):
     """The same work with one thread, and with as many as there are processors."""
-    filled, flowed = (600, 200) if quick else (50_000, 10_000)
+    filled, flowed = (100, 200) if quick else (50_000, 10_000)
     bunny = None if quick else inputs.of_shared_data("domains/bunny.off")
     (r, nodes), mesh = (BUNNY_NODES, bunny) if bunny else (TORUS_NODES, inputs.bundled / "torus.off")
     r = float(f"{r * (nodes / filled) ** (1 / 3):.3g}")
     counts = sorted({1, min(2, os.cpu_count()), os.cpu_count()})
     works = [(f"{mesh.stem}, r = {r:g}", "fill", mesh, r, ()),
              (f"polygon of {flowed}", "untangle", inputs.simplified_polygon(flowed), None, BY_FLOW)]
-    return [Case("threads", f"{name}, {n} threads", job, file, thickness, options, series=name, size=n,
+    return [Case("threads", f"{name}, threads: {n}", job, file, thickness, options, series=name, size=n,
                  threads=n, for_others=False)
             for name, job, file, thickness, options in works for n in counts]
 

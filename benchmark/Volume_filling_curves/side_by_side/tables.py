@@ -3,12 +3,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Author(s) : The Volume_filling_curves authors
-"""The results of each suite in Markdown, to be put into a README."""
+"""The results of each suite as tables in Markdown, which have names: that of the suite, and what more
+there is to say about it. A function for a suite returns its tables by the second part of the name."""
 
 from collections import Counter
 from statistics import mean
 
-from .results import Suite, growth_of, per_node_and_iteration
+from .ratios import growth, growth_of_large
+from .results import Suite, per_node_and_iteration
+
+LEAST_SECONDS_OF_GROWTH = 0.05  # below, a time is that of starting a program
 
 
 def table(head, rows):
@@ -32,24 +36,22 @@ def rows_by_case(suite, cells):
             yield named + cells(measured)
 
 
-def ratios(suite, groups=("",)):
-    """The times of the first program by those of the others."""
-    parts = []
+RATIOS = {"CPU time": "cpu_seconds", "wall time": "wall_seconds", "memory": "peak_memory_bytes"}
+
+
+def ratios(suite, with_cases=True):
+    """The times of the first program by those of each other: of cases, of groups and of all together."""
+    parts = {}
     for other in suite.programs[1:]:
-        rows = [[case, spread.text(), wall.text(), memory.text()] for case in suite.cases
-                if (spread := suite.ratio(case, other, "cpu_seconds"))
-                if (wall := suite.ratio(case, other, "wall_seconds"))
-                if (memory := suite.ratio(case, other, "peak_memory_bytes"))]
-        if len(groups) > 1 or groups[0]:
-            rows = [[group, *(suite.ratio_of_sums(other, key, group).text()
-                              for key in ("cpu_seconds", "wall_seconds", "peak_memory_bytes"))]
-                    for group in groups if suite.ratio_of_sums(other, "cpu_seconds", group)]
-        if not rows:
-            continue
-        rows.append(["all together", *(suite.ratio_of_sums(other, key).text()
-                                       for key in ("cpu_seconds", "wall_seconds")), ""])
-        head = [f"{suite.programs[0]} / {other}", "CPU time", "wall time", "memory"]
-        parts.append(table(head, rows))
+        rows = {case: [suite.ratio(case, other, key) for key in RATIOS.values()]
+                for case in suite.cases if with_cases}
+        for group in filter(None, suite.groups()):
+            rows[group] = [suite.ratio_of_sums(other, key, group) for key in RATIOS.values()]
+        rows["all together"] = [suite.ratio_of_sums(other, key) for key in RATIOS.values()]
+        found = [[name, *(spread.text() for spread in spreads)]
+                 for name, spreads in rows.items() if all(spreads)]
+        if found:
+            parts[f"by {other}"] = table([f"{suite.programs[0]} / {other}", *RATIOS], found)
     return parts
 
 
@@ -66,7 +68,7 @@ def fillings(suite):
 
     head = ["domain", "r", "end", "iterations", "CPU s", "MB", "nodes", "length", "within r", "p99", "max",
             "empty", "outside", "clearance"]
-    return [table(head, rows_by_case(suite, cells)), *ratios(suite)]
+    return {"": table(head, rows_by_case(suite, cells)), **ratios(suite)}
 
 
 def unknots(suite):
@@ -74,8 +76,8 @@ def unknots(suite):
         return [m.end, number(m.report.get("iterations"), "d"), f"{m.seconds:.3f}", f"{m.megabytes:.0f}",
                 m.nodes]
 
-    return [table(["curve", "end", "iterations", "CPU s", "MB", "nodes"], rows_by_case(suite, cells)),
-            *ratios(suite)]
+    head = ["curve", "end", "iterations", "CPU s", "MB", "nodes"]
+    return {"": table(head, rows_by_case(suite, cells)), **ratios(suite)}
 
 
 def knots(suite):
@@ -89,14 +91,19 @@ def knots(suite):
             name = group if len(suite.programs) == 1 else f"{group}, {program}"
             rows.append([name, ends, f"{mean(iterations):.0f}, {max(iterations)}" if iterations else "",
                          f"{mean(seconds):.3f}, {max(seconds):.3f}"])
-    return [table(["set", "ends", "iterations: mean, most", "CPU s: mean, most"], rows),
-            *ratios(suite, suite.groups())]
+    head = ["set", "ends", "iterations: mean, most", "CPU s: mean, most"]
+    return {"": table(head, rows), **ratios(suite, with_cases=False)}
 
 
-def exponents(rows):
-    """Of named series of measurements: the exponent, that of the last two, the value at a million."""
-    cells = [[name, f"{g.exponent:.2f}", f"{g.last:.2f}", f"{g.at(1e6):.0f}"] for name, g in rows if g]
-    return [table(["", "exponent", "between the last two", "at 1,000,000 nodes by the fit, s"], cells)] if cells else []
+def exponents(series):
+    """How measurements grow, given as points (nodes, value) under a name; without those that stay below 1."""
+    rows = []
+    for name, points in series.items():
+        of_all, of_large = (grown(points, LEAST_SECONDS_OF_GROWTH) for grown in (growth, growth_of_large))
+        if of_large and of_large.at(1e6) >= 1:
+            rows.append([name, f"{of_all.exponent:.2f}", f"{of_large.exponent:.2f}", f"{of_large.at(1e6):.0f}"])
+    head = ["", "exponent", "of the last decade", "hence at 1,000,000 nodes"]
+    return {"growth": table(head, rows)} if rows else {}
 
 
 def filling_scaling(suite):
@@ -109,13 +116,17 @@ def filling_scaling(suite):
 
     head = ["domain", "nodes", "end", "iterations", "CPU s", "us per node and iteration", "MB", "within r",
             "p99", "max", "outside"]
-    grown = [(program, growth_of(suite.of(program), lambda m: m.seconds)) for program in suite.programs]
-    ours = suite.of(suite.programs[0])
+    grown = {}
+    for program in suite.programs:
+        done = [m for m in suite.of(program) if m.is_done]
+        grown[f"{program}, s"] = [(m.nodes, m.seconds) for m in done]
+        grown[f"{program}, MB"] = [(m.nodes, m.megabytes) for m in done]
+    ours = [m for m in suite.of(suite.programs[0]) if m.is_done]
     stages = dict.fromkeys(stage for m in ours for stage in m.stages())
-    grown += [(f"{suite.programs[0]}: {stage}", growth_of(ours, lambda m, s=stage: m.stages().get(s, 0)))
-              for stage in stages]
-    return [table(head, rows_by_case(suite, cells)), stage_table(ours, stages), *exponents(grown),
-            *ratios(suite)]
+    for stage in stages:
+        grown[f"{stage.replace('_', ' ')}, s"] = [(m.nodes, m.stages().get(stage, 0)) for m in ours]
+    return {"": table(head, rows_by_case(suite, cells)), "stages": stage_table(ours, stages),
+            **exponents(grown), **ratios(suite)}
 
 
 def stage_table(measured, stages):
@@ -129,9 +140,9 @@ def untangling_scaling(suite):
                 number(per_node_and_iteration(m), ".1f"), f"{m.megabytes:.0f}"]
 
     head = ["nodes at first", "nodes", "end", "iterations", "CPU s", "us per node and iteration", "MB"]
-    grown = [(f"{program}: {series}", growth_of(suite.of(program, series), lambda m: m.seconds, lambda m: m["size"]))
-             for program in suite.programs for series in suite.series()]
-    return [table(head, rows_by_case(suite, cells)), *exponents(grown), *ratios(suite)]
+    grown = {f"{program}: {series}, s": [(m["size"], m.seconds) for m in suite.of(program, series) if m.is_done]
+             for program in suite.programs for series in suite.series()}
+    return {"": table(head, rows_by_case(suite, cells)), **exponents(grown), **ratios(suite)}
 
 
 def coverage(suite):
@@ -140,7 +151,7 @@ def coverage(suite):
         c = m.report.get("coverage") or {}
         rows.append([m["series"], m.report.get("iterations", ""), m.end, percent(c.get("fraction_within_r")),
                      number(c.get("p99")), number(c.get("max"))])
-    return [table(["start", "iterations", "end", "within r", "p99", "max"], rows)]
+    return {"": table(["start", "iterations", "end", "within r", "p99", "max"], rows)}
 
 
 def threads(suite):
@@ -153,7 +164,7 @@ def threads(suite):
             rows.append([series, m["threads"], f"{m.median('wall_seconds'):.2f}", f"{m.seconds:.2f}",
                          f"{faster:.2f}", f"{100 * faster / m['threads']:.0f} %", same])
     head = ["", "threads", "wall s", "CPU s", "times as fast", "efficiency", "bits of the curve"]
-    return [table(head, rows)]
+    return {"": table(head, rows)}
 
 
 TABLES = {"fillings": fillings, "unknots": unknots, "knots": knots, "filling-scaling": filling_scaling,
@@ -161,10 +172,10 @@ TABLES = {"fillings": fillings, "unknots": unknots, "knots": knots, "filling-sca
 
 
 def tables(lines):
-    """The tables of all suites that have been run, under headings."""
-    parts = []
+    """The tables of all suites that have been run, by their names."""
+    named = {}
     for name, make in TABLES.items():
         suite = Suite(lines, name)
         if suite.cases:
-            parts += [f"## {name.replace('-', ' ').capitalize()}", *make(suite)]
-    return "\n\n".join(parts)
+            named.update({f"{name} {more}".strip(): text for more, text in make(suite).items()})
+    return named

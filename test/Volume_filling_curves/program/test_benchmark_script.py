@@ -19,7 +19,7 @@ import xml.etree.ElementTree as ElementTree
 sys.dont_write_bytecode = True
 PACKAGE = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(PACKAGE / "benchmark" / "Volume_filling_curves"))
-from side_by_side.ratios import growth, ratio  # noqa: E402
+from side_by_side.ratios import growth, growth_of_large, ratio  # noqa: E402
 
 VFC = os.environ["VFC_PROGRAM"]
 TWICE, TIME = 2, 2.0  # runs of a case, and the factor by which times of the same work may differ
@@ -40,7 +40,7 @@ class Quick(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.out = pathlib.Path(cls.temporary.name) / "out"
-        cls.peer = f"peer={VFC} {{job}} {{input}} -o {{output}} --thickness 0.2 --threads 1"
+        cls.peer = f"peer={VFC} {{job}} {{input}} -o {{output}} --thickness 0.3 --threads 1"
         cls.arguments = ("--against", f"there={VFC}", "--peer", cls.peer)
         cls.done = session(cls.out, *cls.arguments)
         cls.lines = [json.loads(line) for line in (cls.out / "runs.jsonl").read_text().splitlines()]
@@ -89,6 +89,15 @@ class Quick(unittest.TestCase):
             circles = ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}circle")
             self.assertGreaterEqual(len(list(circles)), 1, file.name)
 
+    def test_places_of_a_page_get_tables(self):
+        page, end = self.out / "page.md", "<!-- end of benchmark -->"
+        page.write_text(f"# A page\n<!-- benchmark own unknots -->\nold\n{end}\n"
+                        f"<!-- benchmark nonsense -->\nkept\n{end}\n")
+        done = benchmark("--show", self.out, "--into", page)
+        self.assertIn("nothing was measured for the table nonsense", done.stderr)
+        self.assertRegex(page.read_text(), r"^# A page\n<!-- .* -->\n\n\| curve .*\n\| --- .*\n\| hard_unknot \| "
+                         rf"unknotted .*\n\n{end}\n<!-- benchmark nonsense -->\nkept\n{end}\n$")
+
     def test_a_session_goes_on(self):
         self.assertEqual(session(self.out, *self.arguments, "--suite", "knots").returncode, 0)
         again = (self.out / "runs.jsonl").read_text().splitlines()
@@ -100,9 +109,9 @@ class Errors(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             out = pathlib.Path(name)
             endless = "endless=sh -c 'while :; do :; done' {input}"
-            done = session(out, "--suite", "unknots", "--most-seconds", 2, "--peer", endless)
+            done = session(out, "--suite", "unknots", "--repeat", 1, "--most-seconds", 1, "--peer", endless)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("| hard_unknot, endless | ended after 2 CPU seconds |", done.stdout)
+            self.assertIn("| hard_unknot, endless | ended after 1 CPU seconds |", done.stdout)
             self.assertFalse(list(out.glob("*.svg")), "nothing to compare with")
 
     def test_missing_programs_and_data_are_named(self):
@@ -124,8 +133,10 @@ class Arithmetic(unittest.TestCase):
     def test_growth_of_a_power_is_its_exponent(self):
         grown = growth([(n, 3 * n**1.5) for n in (100, 10, 1000)])
         self.assertAlmostEqual(grown.exponent, 1.5)
-        self.assertAlmostEqual(grown.last, 1.5)
         self.assertAlmostEqual(grown.at(4), 24)
+        turning = [(n, max(n, 1000)) for n in (10, 100, 1000, 2000, 10_000)]
+        self.assertAlmostEqual(growth_of_large(turning).exponent, 1)
+        self.assertLess(growth(turning).exponent, 0.5)
         self.assertIsNone(growth([(10, 1.0), (20, 0.01)], 0.05))
 
 
