@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -48,7 +47,7 @@ Stroke_layers::Stroke_layers(const Drawn_curve& curve) : m_reach(curve.width * (
 
 void Stroke_layers::cut_into_pieces(const Drawn_curve& curve, const Strand& strand)
 {
-  const std::size_t first = m_pieces.size(), number = m_total.size();
+  const std::size_t first = m_pieces.size(), number = m_courses.size();
   double length = 0;
   for(const std::size_t e : strand.edges) {
     const Drawn_edge& edge = curve.edges[e];
@@ -66,7 +65,9 @@ void Stroke_layers::cut_into_pieces(const Drawn_curve& curve, const Strand& stra
   }
   for(std::size_t i = first; i + 1 < m_pieces.size(); ++i) link(i, i + 1);
   if(strand.is_closed) link(m_pieces.size() - 1, first);
-  m_total.push_back(strand.is_closed ? length : std::numeric_limits<double>::infinity());
+  const std::size_t source = curve.edges[strand.edges.front()].source;
+  const std::size_t target = curve.edges[strand.edges.back()].target;
+  m_courses.push_back({length, strand.is_closed, {source, target}});
 }
 
 void Stroke_layers::link(std::size_t i, std::size_t j)
@@ -78,10 +79,30 @@ void Stroke_layers::link(std::size_t i, std::size_t j)
 // Neighbors along a strand have nothing between them that could be crossed.
 bool Stroke_layers::are_neighbors(const Stroke_piece& a, const Stroke_piece& b) const
 {
-  if(a.strand != b.strand) return false;
+  if(a.strand != b.strand) return are_joined(a, b);
+  const Course& course = m_courses[a.strand];
   const double first = (std::min)(a.end, b.end), second = (std::max)(a.begin, b.begin);
   const double whole = (std::max)(a.end, b.end) - (std::min)(a.begin, b.begin);
-  return (std::min)(second - first, m_total[a.strand] - whole) < 1.5 * m_reach;
+  if(second - first < 1.5 * m_reach) return true;
+  return course.is_closed ? course.length - whole < 1.5 * m_reach : are_joined(a, b);
+}
+
+// Neither have branches near their junction, where strokes lie side by side longer the smaller the
+// angle is: from 29 degrees on none is drawn over the other.
+bool Stroke_layers::are_joined(const Stroke_piece& a, const Stroke_piece& b) const
+{
+  for(const std::size_t i : {0u, 1u})
+    for(const std::size_t j : {0u, 1u})
+      if(m_courses[a.strand].ends[i] == m_courses[b.strand].ends[j] &&
+         distance_to_end(a, i) + distance_to_end(b, j) < 4 * m_reach)
+        return true;
+  return false;
+}
+
+// along the strand, to its first (0) or its last point (1)
+double Stroke_layers::distance_to_end(const Stroke_piece& piece, std::size_t end) const
+{
+  return end == 0 ? piece.begin : m_courses[piece.strand].length - piece.end;
 }
 
 void Stroke_layers::find_order()

@@ -9,6 +9,7 @@
 
 #include "pictures/Drawn_curve.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,9 +51,19 @@ public:
 private:
   using Index = std::uint32_t;
 
+  // A strand as a whole: its length, and the points at its ends.
+  struct Course
+  {
+    double length;
+    bool is_closed;
+    std::array<std::size_t, 2> ends;
+  };
+
   void cut_into_pieces(const Drawn_curve& curve, const Strand& strand);
   void link(std::size_t i, std::size_t j);
   bool are_neighbors(const Stroke_piece& a, const Stroke_piece& b) const;
+  bool are_joined(const Stroke_piece& a, const Stroke_piece& b) const;
+  double distance_to_end(const Stroke_piece& piece, std::size_t end) const;
   void find_order();
   void compare(Index i, Index j);
   void assign_layers();
@@ -61,7 +72,7 @@ private:
 
   const double m_reach; // strokes with middle lines farther apart than that do not touch
   std::vector<Stroke_piece> m_pieces;
-  std::vector<double> m_total; // length per strand, infinite if it is open
+  std::vector<Course> m_courses; // of the strands
   std::vector<std::vector<Index>> m_below, m_above;
 };
 

@@ -134,12 +134,15 @@ void Svg_painter::append_points(std::size_t first, std::size_t last, std::string
   }
 }
 
-// An open end is a dot.
+// An open end is a dot, and so is a junction, in the highest of the layers that meet there.
 void Svg_painter::collect_ends()
 {
   std::map<std::array<double, 2>, std::size_t> piece_at;
   for(std::size_t i = 0; i < m_pieces.size(); ++i)
-    for(const Vector& p : {m_pieces[i].source, m_pieces[i].target}) piece_at[{p.x(), p.y()}] = i;
+    for(const Vector& p : {m_pieces[i].source, m_pieces[i].target}) {
+      std::size_t& highest = piece_at.insert({{p.x(), p.y()}, i}).first->second;
+      if(m_pieces[i].layer > m_pieces[highest].layer) highest = i;
+    }
   for(const std::size_t v : m_curve.ends) {
     const Vector& p = m_curve.points[v];
     const auto found = piece_at.find({p.x(), p.y()});

@@ -9,6 +9,30 @@
 namespace vfc {
 namespace {
 
+constexpr std::size_t no_edge = static_cast<std::size_t>(-1);
+
+// the edge that leads on from an inner node of a path
+std::size_t edge_out_of(const Curve& curve, std::size_t v)
+{
+  if(curve.degree(v) != 2) return no_edge;
+  const std::size_t e = curve.incident_edge(v, 0), f = curve.incident_edge(v, 1);
+  if((curve.source(e) == v) == (curve.source(f) == v)) return no_edge;
+  return curve.source(e) == v ? e : f;
+}
+
+Strand walk_from(const Curve& curve, std::size_t start)
+{
+  Strand strand{{}, false};
+  for(std::size_t e = start; e != no_edge && !strand.is_closed;) {
+    strand.edges.push_back(e);
+    e = edge_out_of(curve, curve.target(e));
+    strand.is_closed = e == start;
+  }
+  return strand;
+}
+
+} // namespace
+
 bool has_junction(const Curve& curve, std::size_t component)
 {
   for(std::size_t v = curve.first_node(component); v < curve.first_node(component + 1); ++v)
@@ -16,36 +40,19 @@ bool has_junction(const Curve& curve, std::size_t component)
   return false;
 }
 
-// \pre there is no junction; a path has its start as first node
-Strand walk_along(const Curve& curve, std::size_t component)
-{
-  Strand strand{{}, curve.is_closed(component)};
-  const std::size_t start = curve.first_node(component);
-  std::size_t v = start;
-  do {
-    std::size_t k = 0;
-    while(k < curve.degree(v) && curve.source(curve.incident_edge(v, k)) != v) ++k;
-    if(k == curve.degree(v)) break; // the end of a path
-    strand.edges.push_back(curve.incident_edge(v, k));
-    v = curve.target(strand.edges.back());
-  } while(v != start);
-  return strand;
-}
-
-} // namespace
-
 std::vector<Strand> strands_of(const Curve& curve)
 {
   std::vector<Strand> strands;
-  std::vector<bool> is_cut(curve.number_of_components());
   for(std::size_t c = 0; c < curve.number_of_components(); ++c) {
-    is_cut[c] = has_junction(curve, c);
-    if(is_cut[c]) continue;
-    Strand strand = walk_along(curve, c);
-    if(!strand.edges.empty()) strands.push_back(strand);
+    for(std::size_t v = curve.first_node(c); v < curve.first_node(c + 1); ++v) {
+      if(edge_out_of(curve, v) != no_edge) continue;
+      for(std::size_t k = 0; k < curve.degree(v); ++k)
+        if(const std::size_t e = curve.incident_edge(v, k); curve.source(e) == v)
+          strands.push_back(walk_from(curve, e));
+    }
+    if(const std::size_t v = curve.first_node(c); curve.is_closed(c))
+      strands.push_back(walk_from(curve, edge_out_of(curve, v)));
   }
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
-    if(is_cut[curve.component(curve.source(e))]) strands.push_back({{e}, false});
   return strands;
 }
 

@@ -21,8 +21,11 @@ struct Strand
   bool is_closed;
 };
 
-// returns the components of the curve; of those with junctions every edge is a strand of its own
+// returns the components of the curve; those with junctions in parts, which end at junctions, at
+// ends, and where edges have opposite directions
 std::vector<Strand> strands_of(const Curve& curve);
+
+bool has_junction(const Curve& curve, std::size_t component);
 
 } // namespace vfc
 
