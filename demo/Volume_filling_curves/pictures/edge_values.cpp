@@ -9,22 +9,21 @@
 #include "pictures/strands.h"
 #include "session/errors.h"
 
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/default_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/curve/turning.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace vfc {
 namespace {
 
 namespace curves = CGAL::Volume_filling_curves;
-namespace internal = curves::internal;
+using Tag = CGAL::Parallel_if_available_tag;
 
 Edge_values components(const Curve& curve)
 {
@@ -40,7 +39,7 @@ Edge_values components(const Curve& curve)
 Edge_values arclengths(const Curve& curve)
 {
   for(std::size_t c = 0; c < curve.number_of_components(); ++c)
-    if(internal::has_junction(curve, c))
+    if(has_junction(curve, c))
       throw Usage_error("--color arclength: component " + std::to_string(c + 1) +
                         " has a junction, and no length along it");
   Edge_values values(curve.number_of_edges());
@@ -64,51 +63,13 @@ Edge_values at_both_nodes(const Curve& curve, const std::vector<double>& values)
   return result;
 }
 
-double curvature(const Curve& curve, std::size_t v)
+// Calls measure(cap) for radii up to what matters; they are 0 if the curve has no extent.
+template <typename Measure>
+Edge_values capped_radii(const Curve& curve, const Measure& measure)
 {
-  if(curve.degree(v) != 2) return 0;
-  const auto point = [&](std::size_t w) { return internal::to_vector(curve.point(w)); };
-  const auto neighbor = [&](std::size_t k) {
-    const std::size_t e = curve.incident_edge(v, k);
-    return curve.source(e) == v ? curve.target(e) : curve.source(e);
-  };
-  return 1 / internal::bend_radius(point(v) - point(neighbor(0)), point(neighbor(1)) - point(v));
-}
-
-Edge_values curvatures(const Curve& curve)
-{
-  std::vector<double> values;
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) values.push_back(curvature(curve, v));
-  return at_both_nodes(curve, values);
-}
-
-enum class Statistic
-{
-  MEAN,
-  LEAST
-};
-
-std::vector<double> medial_radii(const Curve& curve, Statistic statistic)
-{
-  using Tag = CGAL::Parallel_if_available_tag;
-  constexpr std::size_t directions = 16;
-  const double cap = 2 * curves::default_thickness<Tag>(curve, directions);
-  std::vector<double> radii(curve.number_of_nodes(), cap);
-  if(!(cap > 0)) return radii;
-  const internal::Vector_field x = internal::coordinates(curve);
-  const std::vector<double> half(curve.number_of_nodes(), cap / 2);
-  internal::Medial_sphere_search search(Tag(), x, half, 2);
-  const internal::Medial_spheres spheres = search(internal::node_circles(curve, x), directions);
-  for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
-    double sum = 0, least = cap;
-    for(std::size_t l = 0; l < directions; ++l) {
-      sum += spheres.radius(c, l);
-      least = (std::min)(least, spheres.radius(c, l));
-    }
-    double& radius = radii[spheres.circles()[c].node]; // a junction has several circles
-    radius = (std::min)(radius, statistic == Statistic::MEAN ? sum / directions : least);
-  }
-  return radii;
+  const double cap = 2 * curves::default_thickness<Tag>(curve);
+  return at_both_nodes(curve,
+                       cap > 0 ? measure(cap) : std::vector<double>(curve.number_of_nodes(), 0.));
 }
 
 } // namespace
@@ -121,11 +82,12 @@ Edge_values edge_values(const Curve& curve, Coloring coloring)
   case Coloring::ARCLENGTH:
     return arclengths(curve);
   case Coloring::CURVATURE:
-    return curvatures(curve);
+    return at_both_nodes(curve, curves::node_curvatures(curve));
   case Coloring::RADIUS:
-    return at_both_nodes(curve, medial_radii(curve, Statistic::MEAN));
+    return capped_radii(curve, [&](double cap) { return curves::medial_radii<Tag>(curve, cap); });
   case Coloring::THICKNESS:
-    return at_both_nodes(curve, medial_radii(curve, Statistic::LEAST));
+    return capped_radii(curve,
+                        [&](double cap) { return curves::least_medial_radii<Tag>(curve, cap); });
   }
   return {};
 }

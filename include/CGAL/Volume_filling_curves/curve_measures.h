@@ -21,6 +21,7 @@
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/parameters.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
@@ -129,6 +130,16 @@ template <typename Traits>
       least = (std::min)(least, internal::bend_radius(in, out));
     });
   return least;
+}
+
+/// returns for each node the reciprocal of its bend radius, see `min_bend_radius()`; 0 at ends and
+/// junctions. Linear time.
+/// \pre the network has no garbage
+template <typename Traits>
+[[nodiscard]] std::vector<double> node_curvatures(const Curve_network_3<Traits>& curve)
+{
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
+  return internal::node_curvatures(curve);
 }
 
 /// returns the reciprocal of `min_bend_radius()`; 0 if the curve is straight. Linear time.

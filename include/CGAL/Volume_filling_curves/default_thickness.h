@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -35,11 +36,16 @@ namespace Volume_filling_curves {
  *
  * \param curve the curve
  * \param number_of_directions how many medial spheres every point has
+ *
+ * \pre the network has no garbage
+ * \pre `number_of_directions` is positive
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
 [[nodiscard]] double default_thickness(const Curve_network_3<Traits>& curve,
                                        std::size_t number_of_directions = 16)
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
+  CGAL_precondition_msg(number_of_directions > 0, "`number_of_directions` is positive");
   using Thickness = internal::Default_thickness<Curve_network_3<Traits>, ConcurrencyTag>;
   return Thickness(curve, number_of_directions)();
 }

@@ -11,16 +11,13 @@
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/capped_medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/mean_radius.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_circles.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -54,15 +51,10 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
                                         double largest,
                                         std::size_t number_of_directions = 16)
 {
-  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
-  CGAL_precondition_msg(largest > 0 && std::isfinite(largest), "`largest` is positive and finite");
-  CGAL_precondition_msg(number_of_directions > 0, "`number_of_directions` is positive");
-  const internal::Vector_field x = internal::coordinates(curve);
-  const std::vector<double> unit(curve.number_of_nodes(), largest / 2);
-  internal::Medial_sphere_search search(ConcurrencyTag(), x, unit, 2); // found in a single round
-  return internal::mean_radius(search(internal::node_circles(curve, x), number_of_directions),
-                               internal::node_weights(curve, x), largest,
-                               [](std::size_t) { return true; });
+  return internal::mean_radius(
+      internal::capped_medial_spheres<ConcurrencyTag>(curve, largest, number_of_directions),
+      internal::node_weights(curve, internal::coordinates(curve)), largest,
+      [](std::size_t) { return true; });
 }
 
 } // namespace Volume_filling_curves

@@ -139,6 +139,18 @@ TEST(Total_curvature, of_a_plane_convex_polygon_is_two_pi)
     EXPECT_NEAR(vfc::total_curvatures(regular_polygon(n, 2))[0], 2 * pi, 1e-11);
 }
 
+// A square's corners touch its inscribed circle; ends and junctions have none.
+TEST(Node_curvatures, are_reciprocals_of_bend_radii)
+{
+  for(const double curvature : vfc::node_curvatures(regular_polygon(4, std::sqrt(2.))))
+    EXPECT_NEAR(curvature, 1, 1e-12);
+  const Curve arc = path({Point(0, 0, 0), Point(2, 0, 0), Point(2, 2, 0), Point(2, 3, 0)});
+  const std::vector<double> expected{0, 1, 0, 0};
+  const std::vector<double> curvatures = vfc::node_curvatures(arc);
+  ASSERT_EQ(curvatures.size(), expected.size());
+  for(std::size_t v = 0; v < 4; ++v) EXPECT_NEAR(curvatures[v], expected[v], 1e-12) << v;
+}
+
 TEST(Total_curvature, of_a_path_leaves_its_ends_out)
 {
   const Curve corner = path({Point(0, 0, 0), Point(1, 0, 0), Point(1, 5, 0)});

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -29,6 +31,22 @@ double total_curvature(const Network& curve, std::size_t c)
   for_each_corner(curve, c,
                   [&](const Vector& in, const Vector& out) { sum += turning_angle(in, out); });
   return sum;
+}
+
+// The reciprocal of the bend radius at each node; 0 at ends and junctions. All are finite: a fold
+// has the largest number.
+template <typename Network>
+std::vector<double> node_curvatures(const Network& curve)
+{
+  std::vector<double> curvatures(curve.number_of_nodes(), 0.);
+  for(const std::size_t v : curve.nodes()) {
+    if(curve.degree(v) != 2) continue;
+    const Vector p = to_vector(curve.point(v));
+    const double radius = bend_radius(p - to_vector(curve.point(curve.neighbor(v, 0))),
+                                      to_vector(curve.point(curve.neighbor(v, 1))) - p);
+    curvatures[v] = (std::min)(1 / radius, (std::numeric_limits<double>::max)());
+  }
+  return curvatures;
 }
 
 // The largest turning angle at a node of a closed component.

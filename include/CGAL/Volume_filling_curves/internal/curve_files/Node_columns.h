@@ -11,13 +11,12 @@
 
 #include <CGAL/Volume_filling_curves/Node_values.h>
 #include <CGAL/Volume_filling_curves/curve_origins.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
+#include <CGAL/Volume_filling_curves/internal/curve/turning.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -64,27 +63,12 @@ Node_column component_column(const Network& curve)
   return column;
 }
 
-// The reciprocals of the bend radii; 0 at ends and junctions. All are finite, as not every reader
-// takes other numbers.
-template <typename Network>
-Node_column curvature_column(const Network& curve)
-{
-  Node_column column{"curvature", std::vector<double>(curve.number_of_nodes(), 0.)};
-  for(const std::size_t v : curve.nodes()) {
-    if(curve.degree(v) != 2) continue;
-    const Vector p = to_vector(curve.point(v));
-    const double radius = bend_radius(p - to_vector(curve.point(curve.neighbor(v, 0))),
-                                      to_vector(curve.point(curve.neighbor(v, 1))) - p);
-    column.values[v] = (std::min)(1 / radius, (std::numeric_limits<double>::max)());
-  }
-  return column;
-}
-
 // What the curve itself tells, and then what the caller knows.
 template <typename Network>
 Node_columns node_columns(const Network& curve, const Node_values& values)
 {
-  Node_columns columns = {origin_column(curve), component_column(curve), curvature_column(curve)};
+  Node_columns columns = {
+      origin_column(curve), component_column(curve), {"curvature", node_curvatures(curve)}};
   for(const auto& [name, of_nodes] : values) columns.push_back({name, of_nodes});
   return columns;
 }
