@@ -86,10 +86,10 @@ namespace IO {
  * - `.polylines.txt`: one polyline per line, the number of its points followed by their
  *   coordinates. A polyline that repeats its first point at the end is closed. If junctions are
  *   allowed, equal end points of polylines are one node.
- * - `.ply`: PLY in ASCII with the elements `vertex` and `edge`, the latter with the properties
- *   `vertex1` and `vertex2`. Vertices whose property `pinned` is not 0 are pinned. All other
- *   elements and properties are ignored. Without edges and faces there is one closed curve through
- *   all vertices.
+ * - `.ply`: PLY, in ASCII or binary, with the elements `vertex` and `edge`, the latter with the
+ *   properties `vertex1` and `vertex2`. Vertices whose property `pinned` is not 0 are pinned. All
+ *   other elements and properties are ignored. Without edges and faces there is one closed curve
+ *   through all vertices.
  * - `.vtp`: VTK's XML format for polygonal data with its arrays in ASCII, of which the lines are
  *   taken; likewise.
  * - `.vect`: Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner. A negative number of

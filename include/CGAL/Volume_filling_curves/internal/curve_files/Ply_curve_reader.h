@@ -10,7 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Binary_ply_items.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Ply_header.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/without_lines.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 
@@ -27,42 +29,38 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Reads a PLY file with the elements `vertex`, of which x, y, z and `pinned` matter, and `edge`,
-// with vertex1 and vertex2. The header lists the elements, their numbers and their properties; then
-// each item has a line. Other elements and properties are passed over. Linear time.
+// with vertex1 and vertex2. Each item has a line; those of a binary file are given lines, which do
+// not count as lines of the file. Other elements and properties are passed over. Linear time.
 class Ply_curve_reader
 {
 public:
-  explicit Ply_curve_reader(std::string_view text) : m_readable(text), m_words(m_readable.text()) {}
+  explicit Ply_curve_reader(std::string_view text)
+      : m_readable(text),
+        m_words(m_readable.text()),
+        m_header(m_words, m_readable.is_complete(), m_file),
+        m_is_binary(m_header.is_complete() && m_header.format() != Ply_format::ASCII)
+  {
+    if(!m_is_binary) return;
+    const std::size_t end_of_header = m_readable.text().size() - m_words.rest().size();
+    const bool is_big_endian = m_header.format() == Ply_format::BINARY_BIG_ENDIAN;
+    m_items =
+        Binary_ply_items(text.substr(end_of_header), is_big_endian).to_text(m_header.elements());
+    m_words = Text_scanner(m_items);
+  }
 
   Curve_draft run()
   {
-    m_file.is_complete = read_header() && read_elements() && m_readable.is_complete();
-    if(!m_readable.is_complete() && !m_file.defects.has_error())
-      refuse(Curve_defect_kind::BINARY_DATA, m_readable.complaint());
+    m_file.is_complete = m_header.is_complete() && read_elements() && is_readable();
+    if(!is_readable()) refuse(Curve_defect_kind::BINARY_DATA, m_readable.complaint());
     if(m_file.is_complete) {
       check_indices();
-      if(m_edges.empty()) take_without_lines(m_file, m_line_of_face, m_words.line());
+      if(m_edges.empty()) take_without_lines(m_file, m_line_of_face, line());
     }
     return std::move(m_file);
   }
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  struct Element
-  {
-    std::string_view name;
-    std::size_t count;
-    std::vector<std::string_view> properties = {};
-    bool has_list = false; // so that the places of properties are not known
-
-    std::size_t place(std::string_view property) const
-    {
-      const auto found = std::find(properties.begin(), properties.end(), property);
-      return found == properties.end() ? none
-                                       : static_cast<std::size_t>(found - properties.begin());
-    }
-  };
+  static constexpr std::size_t none = Ply_element::none;
 
   struct Edge
   {
@@ -72,65 +70,24 @@ private:
 
   bool refuse(Curve_defect_kind kind, const std::string& message)
   {
-    m_file.defects.add({kind, message, m_words.line()});
+    if(!m_file.defects.has_error()) m_file.defects.add({kind, message, line()});
     return false;
   }
 
-  bool read_header()
-  {
-    if(m_words.next_word() != "ply")
-      return refuse(Curve_defect_kind::UNKNOWN_FORMAT, "the first word is not ply");
-    for(m_words.next_record(); !m_words.is_at_end(); m_words.next_record()) {
-      const std::string_view keyword = m_words.next_word();
-      if(keyword == "end_header") {
-        m_words.next_record();
-        return true;
-      }
-      if(!read_header_line(keyword)) return false;
-    }
-    // only the data can be binary, and only if the header says so
-    return m_readable.is_complete() &&
-           refuse(Curve_defect_kind::WRONG_POINT_COUNT, "the header has no end_header");
-  }
+  std::size_t line() const { return m_is_binary ? 0 : m_words.line(); }
 
-  bool read_header_line(std::string_view keyword)
-  {
-    if(keyword == "format") {
-      const std::string_view format = m_words.next_word();
-      return format == "ascii" ||
-             refuse(Curve_defect_kind::BINARY_DATA, quoted(format) + " is not the format ascii");
-    }
-    if(keyword == "element") {
-      const std::string_view name = m_words.next_word(), word = m_words.next_word();
-      m_elements.push_back({name, 0});
-      return parse_integer(word, m_elements.back().count) ||
-             refuse(Curve_defect_kind::UNPARSABLE_NUMBER,
-                    quoted(word) + " is not a number of items");
-    }
-    if(keyword == "property") return read_property();
-    if(keyword.empty() || keyword == "comment" || keyword == "obj_info") return true;
-    return refuse(Curve_defect_kind::UNKNOWN_FORMAT,
-                  quoted(keyword) + " does not belong in the header");
-  }
-
-  bool read_property()
-  {
-    if(m_elements.empty())
-      return refuse(Curve_defect_kind::UNKNOWN_FORMAT, "a property comes before any element");
-    Element& element = m_elements.back();
-    if(m_words.next_word() == "list") element.has_list = true;
-    element.properties.push_back(m_words.next_word());
-    return true;
-  }
+  // Only the items can be binary, and only if the header says so.
+  bool is_readable() const { return m_is_binary || m_readable.is_complete(); }
 
   bool read_elements()
   {
-    for(const Element& element : m_elements) {
+    for(const Ply_element& element : m_header.elements()) {
       const bool is_vertex = element.name == "vertex", is_edge = element.name == "edge";
-      if((is_vertex || is_edge) && element.has_list)
+      if((is_vertex || is_edge) && element.has_list())
         return refuse(Curve_defect_kind::UNKNOWN_FORMAT,
                       "a list is no property of " + std::string(element.name));
-      if(element.name == "face" && element.count > 0) m_line_of_face = m_words.line();
+      if(element.name == "face" && element.count > 0)
+        m_line_of_face = m_is_binary ? element.line : line();
       if(is_vertex ? !read_vertices(element) : is_edge ? !read_edges(element) : !pass_over(element))
         return false;
     }
@@ -138,16 +95,16 @@ private:
   }
 
   // Reads the words of the next line that has any. Returns whether there are enough.
-  bool read_item(const Element& element, std::size_t number)
+  bool read_item(const Ply_element& element, std::size_t number)
   {
     while(!m_words.is_at_end()) {
-      m_line = m_words.line();
+      m_line = line();
       m_item.clear();
       for(auto word = m_words.next_word(); !word.empty(); word = m_words.next_word())
         m_item.push_back(word);
       m_words.next_record();
       if(m_item.empty()) continue;
-      if(element.has_list || m_item.size() >= element.properties.size()) return true;
+      if(element.has_list() || m_item.size() >= element.properties.size()) return true;
       m_file.defects.add({Curve_defect_kind::MISSING_COORDINATES,
                           std::string(element.name) + " has " + std::to_string(m_item.size()) +
                               " of " + std::to_string(element.properties.size()) + " values",
@@ -155,20 +112,20 @@ private:
                           {Curve_draft::number(number)}});
       return false;
     }
-    return m_readable.is_complete() &&
+    return is_readable() &&
            refuse(Curve_defect_kind::WRONG_POINT_COUNT,
                   "the file ends after " + std::to_string(number) + " of " +
                       std::to_string(element.count) + " items of " + std::string(element.name));
   }
 
-  bool pass_over(const Element& element)
+  bool pass_over(const Ply_element& element)
   {
     for(std::size_t i = 0; i < element.count; ++i)
       if(!read_item(element, i)) return false;
     return true;
   }
 
-  bool read_vertices(const Element& element)
+  bool read_vertices(const Ply_element& element)
   {
     const std::array<std::size_t, 3> places = {element.place("x"), element.place("y"),
                                                element.place("z")};
@@ -177,7 +134,7 @@ private:
       return refuse(Curve_defect_kind::MISSING_COORDINATES, "vertices have no x, y and z");
     for(std::size_t i = 0; i < element.count; ++i) {
       if(!read_item(element, i)) return false;
-      if(pinned != none && m_item[pinned] != "0") m_file.pinned.push_back(m_file.points.size());
+      if(pinned != none && is_set(m_item[pinned])) m_file.pinned.push_back(m_file.points.size());
       add_vertex(places);
     }
     return true;
@@ -195,7 +152,7 @@ private:
     m_file.add_point(point, m_line);
   }
 
-  bool read_edges(const Element& element)
+  bool read_edges(const Ply_element& element)
   {
     const std::array<std::size_t, 2> places = {element.place("vertex1"), element.place("vertex2")};
     if(places[0] == none || places[1] == none)
@@ -224,9 +181,11 @@ private:
   }
 
   Readable_text m_readable;
+  std::string m_items; // of a binary file, as they stand in one in ASCII
   Text_scanner m_words;
   Curve_draft m_file;
-  std::vector<Element> m_elements;
+  Ply_header m_header;
+  bool m_is_binary;
   std::vector<std::string_view> m_item; // the words of a line
   std::size_t m_line = 0;               // its number
   std::vector<Edge> m_edges;
