@@ -13,8 +13,6 @@
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/mean_medial_radius.h>
-#include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <gtest/gtest.h>
 
@@ -59,8 +57,13 @@ TEST(Ply_reader, takes_vertices_without_edges_for_a_loop)
 TEST(Ply_reader, says_where_a_file_is_wrong)
 {
   EXPECT_EQ(complaint(read_ply("")), "1: the first word is not ply");
-  EXPECT_EQ(complaint(read_ply("ply\nformat binary_little_endian 1.0\nend_header\n\x01")),
-            "2: 'binary_little_endian' is not the format ascii");
+  EXPECT_EQ(complaint(read_ply("ply\nformat xml 1.0\nend_header\n")),
+            "2: 'xml' is no format of PLY");
+  EXPECT_EQ(complaint(read_ply(square_ply + "0 0 \x01\n")),
+            "12: byte 1 does not belong in a text file");
+  EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\n\x01")),
+            "3: byte 1 does not belong in a text file");
+  EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\n")), "3: the header has no end_header");
   EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\nelement vertex many\n")),
             "3: 'many' is not a number of items");
   EXPECT_EQ(complaint(read_ply("ply\nproperty double x\n")),
@@ -80,6 +83,19 @@ TEST(Ply_reader, says_where_a_file_is_wrong)
                                "end_header\n0 0 0\n")),
             "9: the file ends after 1 of 18446744073709551615 items of vertex")
       << "and takes no memory for what is announced";
+}
+
+TEST(Ply_reader, pins_what_is_not_zero)
+{
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                             "property double y\nproperty double z\nproperty float pinned\n"
+                             "element edge 2\nproperty int vertex1\nproperty int vertex2\n"
+                             "end_header\n";
+  const Network arc = read_ply(header + "0 0 0 0.0\n1 0 0 1e0\n2 0 0 0\n0 1\n1 2\n").network;
+  ASSERT_EQ(arc.number_of_nodes(), 3u);
+  EXPECT_FALSE(arc.is_pinned(0));
+  EXPECT_TRUE(arc.is_pinned(1));
+  EXPECT_FALSE(arc.is_pinned(2));
 }
 
 std::string vtp(const std::string& piece)
@@ -111,6 +127,17 @@ TEST(Vtp_reader, reads_lines_of_pieces)
   EXPECT_EQ(reading.network.point(6), Network::Point_3(3, 0, 2));
 }
 
+// A section without contents ends where it begins.
+TEST(Vtp_reader, does_not_take_vertices_for_lines)
+{
+  const Reading reading = read_vtp(vtp(
+      "<Piece>\n<Points>" + array("Points", "0 0 0 1 0 0 0 1 0") + "</Points>\n<Lines/>\n<Verts>" +
+      array("connectivity", "0 1") + array("offsets", "2") + "</Verts>\n</Piece>\n"));
+  ASSERT_TRUE(reading.is_accepted);
+  EXPECT_TRUE(reading.network.is_closed(0));
+  EXPECT_EQ(reading.network.number_of_edges(), 3u);
+}
+
 TEST(Vtp_reader, says_where_a_file_is_wrong)
 {
   const std::string points = "0 0 0 1 0 0 0 1 0";
@@ -130,6 +157,9 @@ TEST(Vtp_reader, says_where_a_file_is_wrong)
   EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>\n<DataArray format=\"binary\">AAAA"
                                    "</DataArray></Points></Piece>"))),
             "7: an array has the format 'binary', only ascii is read");
+  EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>\n<DataArray format='appended' offset='0'/>"
+                                   "</Points></Piece>"))),
+            "7: an array has the format 'appended', only ascii is read");
   EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>" + array("", points) + "</Points>\n<Polys>" +
                                    array("connectivity", "0 1 2") + "</Polys></Piece>"))),
             "8: there are faces but no lines");
@@ -166,6 +196,20 @@ TEST(Pdb_reader, reads_the_alpha_atoms_of_each_chain_of_the_first_model)
   ASSERT_EQ(reading.network.number_of_components(), 2u);
   EXPECT_EQ(reading.network.number_of_nodes(), 5u);
   EXPECT_EQ(reading.network.point(1), Network::Point_3(3, 0.5, 0.1));
+  EXPECT_TRUE(reading.defects.empty());
+}
+
+// Where a chain begins with a residue that is no standard one.
+TEST(Pdb_reader, takes_all_residues_of_a_chain_after_the_end_of_another)
+{
+  const std::string text = atom("ATOM", " CA ", 'A', 0, 0) + atom("ATOM", " CA ", 'A', 1, 3) +
+                           "TER\n" + atom("HETATM", " CA ", 'B', 0, 20) +
+                           atom("ATOM", " CA ", 'B', 1, 23) + "TER\n" +
+                           atom("HETATM", " CA ", 'A', 9, 40) + "END\n";
+  const Reading reading = read_pdb(text);
+  ASSERT_TRUE(reading.is_accepted);
+  EXPECT_EQ(reading.network.number_of_nodes(), 4u);
+  EXPECT_EQ(reading.network.number_of_components(), 2u);
   EXPECT_TRUE(reading.defects.empty());
 }
 
@@ -240,26 +284,6 @@ TEST(Node_values, that_cannot_be_written_are_refused)
   }
   EXPECT_FALSE(CGAL::IO::write_curve_network(folder.file("a.pdb"), network));
   EXPECT_EQ(folder.number_of_files(), 0u);
-}
-
-TEST(Medial_radii, of_a_circle_are_those_of_its_spheres)
-{
-  const Network circle = make_regular_polygon(200, 2);
-  const std::vector<double> radii = medial_radii(circle, 5, 4);
-  ASSERT_EQ(radii.size(), 200u);
-  // to the center the sphere of the circle, in all other directions the cap
-  for(const double radius : radii) EXPECT_NEAR(radius, (2 + 3 * 5) / 4., 0.01);
-}
-
-TEST(Medial_radii, have_the_mean_medial_radius_as_mean)
-{
-  const Network knot = make_torus_knot(2, 3, 120);
-  const std::vector<double> radii = medial_radii(knot, 1);
-  double sum = 0;
-  for(const std::size_t e : knot.edges())
-    sum +=
-        internal::edge_vector(knot, e).norm() * (radii[knot.source(e)] + radii[knot.target(e)]) / 2;
-  EXPECT_NEAR(sum / length(knot), mean_medial_radius(knot, 1), 1e-12);
 }
 
 TEST(Frames, are_listed_for_paraview)

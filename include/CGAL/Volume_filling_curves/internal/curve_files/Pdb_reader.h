@@ -30,8 +30,8 @@ namespace internal {
 
 // Reads the backbones of proteins from a file of the Protein Data Bank (format 3.3): an arc through
 // the C-alpha atoms of each chain of the first model. Fields have fixed columns. Of a residue with
-// alternate locations the first is taken; residues that are no standard ones count until the chain
-// ends. Coordinates are in Angstrom. Linear time.
+// alternate locations the first is taken; residues that are no standard ones count until their
+// chain ends. Coordinates are in Angstrom. Linear time.
 class Pdb_reader
 {
 public:
@@ -68,10 +68,16 @@ private:
     return line;
   }
 
-  // the columns first to last, counted from 1, without blanks around
+  // the columns first to last, counted from 1
+  static std::string_view columns(std::string_view line, std::size_t first, std::size_t last)
+  {
+    return line.substr((std::min)(first - 1, line.size()), last - first + 1);
+  }
+
+  // likewise, without blanks around
   static std::string_view field(std::string_view line, std::size_t first, std::size_t last)
   {
-    const std::string_view text = line.substr((std::min)(first - 1, line.size()), last - first + 1);
+    const std::string_view text = columns(line, first, last);
     const std::size_t begin = text.find_first_not_of(' ');
     if(begin == std::string_view::npos) return {};
     return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
@@ -81,22 +87,22 @@ private:
   bool read_record(std::string_view line)
   {
     const std::string_view name = field(line, 1, 6);
-    if(name == "TER") {
-      end_chain();
-      m_is_behind_chain = true;
-    }
     if(name == "ENDMDL" || name == "END") return false;
+    if(name == "TER") {
+      m_ended_chains += m_last_chain;
+      end_chain();
+    }
     const bool is_standard = name == "ATOM";
-    if(is_standard) m_is_behind_chain = false;
-    const bool is_alpha = line.substr((std::min)(line.size(), std::size_t(12)), 4) == " CA ";
-    if(is_alpha && (is_standard || (name == "HETATM" && !m_is_behind_chain))) add_atom(line);
+    if(!is_standard && name != "HETATM") return true;
+    m_last_chain = columns(line, 22, 22);
+    const bool is_behind_chain = m_ended_chains.find(m_last_chain) != std::string::npos;
+    if(columns(line, 13, 16) == " CA " && (is_standard || !is_behind_chain)) add_atom(line);
     return true;
   }
 
   void add_atom(std::string_view line)
   {
-    const std::string_view chain = line.substr((std::min)(line.size(), std::size_t(21)), 1);
-    const std::string_view residue = line.substr((std::min)(line.size(), std::size_t(22)), 5);
+    const std::string_view chain = m_last_chain, residue = columns(line, 23, 27);
     if(chain != m_chain) end_chain();
     if(!m_atoms.empty() && residue == m_residue) return; // an alternate location
     m_chain = chain;
@@ -142,8 +148,8 @@ private:
   std::size_t m_line = 0;
   Polylines_to_curve_draft m_polylines;
   std::vector<Polylines_to_curve_draft::Point> m_atoms; // of the chain
-  std::string_view m_chain, m_residue;
-  bool m_is_behind_chain = false; // where other molecules follow
+  std::string_view m_chain, m_residue, m_last_chain;    // the last one of any atom
+  std::string m_ended_chains; // their letters; what follows of them are other molecules
 };
 
 } // namespace internal

@@ -77,7 +77,7 @@ private:
       if(name == "Piece" && m_tags.is_end() && !end_piece()) return false;
       if(name == "Piece" && !m_tags.is_end()) m_piece = {};
       if(name == "DataArray" && !m_tags.is_end() && !read_array()) return false;
-      if(is_section(name)) m_section = m_tags.is_end() ? "" : name;
+      if(is_section(name)) m_section = m_tags.is_end() || m_tags.is_empty() ? "" : name;
     }
     return m_readable.is_complete() &&
            refuse(Curve_defect_kind::WRONG_POINT_COUNT, "the file ends before </VTKFile>");
@@ -93,12 +93,12 @@ private:
     Words* const array = wanted_array(m_tags.attribute("Name"));
     if(m_section == "Polys" && m_line_of_face == 0 && !words().empty())
       m_line_of_face = m_tags.line();
-    if(array == nullptr || m_tags.is_empty()) return true;
+    if(array == nullptr) return true;
     const std::string_view format = m_tags.attribute("format");
     if(!format.empty() && format != "ascii")
       return refuse(Curve_defect_kind::BINARY_DATA,
                     "an array has the format " + quoted(format) + ", only ascii is read");
-    *array = words();
+    if(!m_tags.is_empty()) *array = words();
     return true;
   }
 
@@ -130,7 +130,7 @@ private:
                     "the number of coordinates is no multiple of 3", m_piece.points.back().line);
     for(std::size_t i = 0; i < m_piece.points.size(); i += 3) add_point(&m_piece.points[i]);
     for(std::size_t i = 0; i < m_piece.pinned.size() && first + i < m_file.points.size(); ++i)
-      if(m_piece.pinned[i].text != "0") m_file.pinned.push_back(first + i);
+      if(is_set(m_piece.pinned[i].text)) m_file.pinned.push_back(first + i);
     return add_lines(first);
   }
 

@@ -40,6 +40,9 @@ public:
   // returns the number of the current line, from 1
   std::size_t line() const { return m_line; }
 
+  // returns what has not been read
+  std::string_view rest() const { return m_text.substr(m_position); }
+
   // returns the next word of the record, which is empty at the end of the record
   std::string_view next_word()
   {
@@ -172,6 +175,13 @@ inline bool parse_number(std::string_view word, double& number)
     return end == last;
   }
   return error == std::errc() && end == last;
+}
+
+// Returns whether a word is a number other than zero, as flags are in files that have numbers only.
+inline bool is_set(std::string_view word)
+{
+  double number = 0;
+  return parse_number(word, number) && number != 0;
 }
 
 // Reads an integer; the whole word has to be one.
