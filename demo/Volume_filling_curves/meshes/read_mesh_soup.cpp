@@ -94,8 +94,13 @@ void read_with_cgal(const std::string& file,
     return add_problems(problems, findings);
   bool is_read = false;
   try {
-    is_read =
-        CGAL::IO::read_polygon_soup(file, soup.points, polygons, CGAL::parameters::verbose(false));
+    const auto quiet = CGAL::parameters::verbose(false);
+    if(extension == ".off") {
+      std::istringstream in(off_with_lines(text));
+      is_read = CGAL::IO::read_OFF(in, soup.points, polygons, quiet);
+    } else {
+      is_read = CGAL::IO::read_polygon_soup(file, soup.points, polygons, quiet);
+    }
   } catch(const std::exception&) { // such as no memory for what a header announces
   }
   if(!is_read) add_reasons(extension, problems, findings);

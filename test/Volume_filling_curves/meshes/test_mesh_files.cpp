@@ -89,6 +89,38 @@ TEST_F(Mesh_file, says_where_a_file_is_malformed)
   EXPECT_EQ(kinds(), Kinds{"unreadable file"});
 }
 
+// Three words are a vertex, wherever lines end; a face ends its line.
+TEST_F(Mesh_file, reads_off_files_with_other_lines)
+{
+  const std::string faces = "3 0 2 1\n3 0 1 3 255 0 0\n3 1 2 3\n3 2 0 3\n";
+  for(const std::string& text :
+      {"OFF\n4 4 0\n0 0 0  1 0 0\n0 1 0  0 0 1\n" + faces,
+       "OFF 4 4 6\r\n0 0 0 1 0 0 0 1 0 0 0 1\r\n" + faces,
+       "OFF\n4 4 0\n0\n0 0 1 0\n\n0 0 1 # a comment\n0\n0 0 1 " + faces,
+       "OFF\n4 4 0\n0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n0 0 1 1 1 1\n" + faces}) {
+    EXPECT_TRUE(read("a.off", text)) << text;
+    EXPECT_TRUE(defects.empty()) << defects[0].text;
+    EXPECT_EQ(mesh.number_of_vertices(), 4u);
+    EXPECT_NEAR(volume(), 1. / 6, 1e-14) << text;
+  }
+}
+
+TEST_F(Mesh_file, says_where_off_files_with_other_lines_are_malformed)
+{
+  const auto refuse = [&](const std::string& text, const std::string& kind, std::size_t line) {
+    EXPECT_FALSE(read("a.off", text)) << text;
+    const vfc::Defect* const defect = find(kind);
+    ASSERT_NE(defect, nullptr) << text << defects.at(0).text;
+    EXPECT_EQ(defect->line, line) << text;
+  };
+  const std::string head = "OFF\n4 4 0\n0 0 0 1 0 0\n";
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  refuse(head + "0 1 0\n0 0 o\n" + faces, "unparsable number", 5);
+  refuse(head + "0 1 0 0 0 nan\n" + faces, "non-finite coordinate", 4);
+  refuse(head + "0 1 0 0 0 1\n3 0 2 1\n3 0 1 4\n3 1 2 3\n3 2 0 3\n", "bad index", 6);
+  refuse(head + "0 1 0 0 0 1\n3 0 2 1\n4 0 1 3\n3 1 2 3\n3 2 0 3\n", "truncated file", 8);
+}
+
 TEST_F(Mesh_file, survives_headers_that_announce_too_much)
 {
   EXPECT_FALSE(read("a.off", "OFF\n99999999999999 1 0\n0 0 0\n"));
