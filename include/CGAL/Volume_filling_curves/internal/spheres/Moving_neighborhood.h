@@ -31,8 +31,8 @@ public:
   }
 
 private:
-  // In units of the reach. With 0.2, and half as large leaves, an iteration takes 8 % longer in a
-  // filling and 15 % on knots (2026-11-22).
+  // In units of the reach. With 0.2, and half as large leaves, an iteration took 8 % longer in a
+  // filling and 15 % on knots (one run of each, 2026-11-22, so that a few percent are noise).
   static constexpr double skin = 0.4;
 
   void move_to(const Vector& p, double reach)

@@ -73,8 +73,7 @@ public:
     std::size_t k = 0; // neighboring directions often have the same supporting node
     for(std::size_t l = 0; l < m_support.size(); ++l) {
       if(!(m_support[l] > m_former_support[l])) continue;
-      if(value(k, l) != m_support[l])
-        for(k = 0; value(k, l) != m_support[l];) ++k;
+      if(value(k, l) != m_support[l]) k = supporting_image(l);
       m_supporting_nodes[l] = nodes.index(m_far_images[k]);
     }
   }
@@ -144,6 +143,18 @@ private:
         support[l] = (std::max)(support[l], (std::max)(first, last));
       }
     }
+  }
+
+  // Where compilers fuse a product and a sum (on ARM, without -ffp-contract=off), perhaps not alike
+  // at both places, no value may be the support to the last bit: then it is the greatest.
+  std::size_t supporting_image(std::size_t l) const
+  {
+    std::size_t greatest = 0;
+    for(std::size_t k = 0; k < m_number_of_images; ++k) {
+      if(value(k, l) == m_support[l]) return k;
+      if(value(k, l) > value(greatest, l)) greatest = k;
+    }
+    return greatest;
   }
 
   double value(std::size_t k, std::size_t l) const
