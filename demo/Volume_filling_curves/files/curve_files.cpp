@@ -27,11 +27,15 @@ namespace curves = CGAL::Volume_filling_curves;
 // What a file that holds no valid curve should hold, and what would help.
 static std::string expected_curve(const std::string& file, const Defects& defects)
 {
-  if(is_mesh_file(file)) return "a valid curve; it holds a surface";
-  const bool has_junction = std::any_of(defects.begin(), defects.end(), [](const Defect& defect) {
-    return defect.kind == to_string(curves::Curve_defect_kind::JUNCTION);
-  });
-  return has_junction ? "a valid curve; --network accepts junctions" : "a valid curve";
+  const auto has = [&](curves::Curve_defect_kind kind) {
+    return std::any_of(defects.begin(), defects.end(),
+                       [&](const Defect& defect) { return defect.kind == to_string(kind); });
+  };
+  const bool is_curve_format = curves::internal::Curve_format::of(file) != nullptr;
+  if(has(curves::Curve_defect_kind::FACES_ONLY) || (!is_curve_format && is_mesh_file(file)))
+    return "a valid curve; it holds a surface";
+  return has(curves::Curve_defect_kind::JUNCTION) ? "a valid curve; --network accepts junctions"
+                                                  : "a valid curve";
 }
 
 Curve_and_defects read_curve_and_defects(const std::string& file, bool is_network)

@@ -15,11 +15,31 @@
 #include <CGAL/IO/io.h>
 #include <CGAL/boost/graph/IO/STL.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 namespace vfc {
 namespace {
+
+// Whether the corners of each face are different points in single precision, and finite.
+bool is_fit_for_single_precision(const Mesh& mesh)
+{
+  using Corner = std::array<float, 3>;
+  const auto corner = [&](Mesh::Vertex_index v) -> Corner {
+    const auto& p = mesh.point(v);
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+  };
+  const auto is_finite = [](float x) { return std::isfinite(x); };
+  for(const Mesh::Halfedge_index h : mesh.halfedges()) {
+    const Corner source = corner(mesh.source(h));
+    if(source == corner(mesh.target(h)) || !std::all_of(source.begin(), source.end(), is_finite))
+      return false;
+  }
+  return true;
+}
 
 // Binary, with the numbers of single precision that the format has.
 std::string to_stl(const Mesh& mesh)
@@ -56,7 +76,12 @@ Mesh tube(const Curve& curve, double radius, std::size_t number_of_sides)
 void write_tube(const std::string& file, const Mesh& mesh)
 {
   const std::string extension = lower_case_extension(file);
-  Output_files::write(file, extension == ".stl" ? to_stl(mesh) : to_text(mesh, extension));
+  const bool is_stl = extension == ".stl";
+  if(is_stl && !is_fit_for_single_precision(mesh))
+    throw Usage_error("--output: " + file +
+                      ": the numbers of STL have single precision, in which " +
+                      "the surface is lost; .off, .ply and .obj keep it");
+  Output_files::write(file, is_stl ? to_stl(mesh) : to_text(mesh, extension));
 }
 
 } // namespace vfc

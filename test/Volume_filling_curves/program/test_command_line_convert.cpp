@@ -104,8 +104,23 @@ TEST_F(Command_line_convert, refuses_what_makes_no_sense)
   EXPECT_EQ(read("there.off"), "mine");
   const Finished invalid = run("convert bad.ply -o x.obj");
   EXPECT_EQ(invalid.status, 4);
+  EXPECT_EQ(invalid.err.find("it holds a surface"), std::string::npos) << invalid.err;
   EXPECT_NE(invalid.err.find("bad.ply:4: error"), std::string::npos) << invalid.err;
   EXPECT_FALSE(exists("x.obj"));
+}
+
+// Far from the origin, or too large, STL's numbers lose the surface, and with it more than digits.
+TEST_F(Command_line_convert, writes_no_stl_that_lost_the_surface)
+{
+  write("far.obj", "v 1e9 0 0\nv 1000000001 0 0\nv 1e9 1 0\nl 1 2 3 1\n");
+  write("huge.obj", "v 1e99 0 0\nv 0 1e99 0\nv 0 0 1e99\nl 1 2 3 1\n");
+  for(const std::string arguments : {"far.obj --tube 0.1", "huge.obj --tube 1e97"}) {
+    const Finished refused = run("convert " + arguments + " -o x.stl");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("single precision"), std::string::npos) << refused.err;
+    EXPECT_FALSE(exists("x.stl"));
+    EXPECT_EQ(run("convert " + arguments + " --force -o x.off").status, 0);
+  }
 }
 
 TEST_F(Command_line_convert, reads_proteins)
