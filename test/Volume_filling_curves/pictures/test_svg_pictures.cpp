@@ -166,10 +166,11 @@ TEST(Svg_picture, draws_networks_without_gaps_but_where_they_cross)
 {
   EXPECT_EQ(number_of_gaps(star({{1, 0, 0}, {-1, 1, 0.1}, {-1, -1, -0.1}})), 0u);
   EXPECT_EQ(number_of_gaps(star({{1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}, {-1, -1, 0}})), 0u);
-  const Curve crossed(
-      {Point(0, 0, 0), Point(9, 9, 0), Point(9, 0, 1), Point(0, 9, 1), Point(-4, 0, 0)},
-      {{0, 1}, {1, 2}, {2, 3}, {0, 4}, {3, 0}});
-  EXPECT_EQ(number_of_gaps(crossed), 1u);
+  const std::vector<Point> points{Point(0, 0, 0),   Point(9, 0, 0),  Point(13, 3, 0),
+                                  Point(13, -3, 0), Point(4, -4, 1), Point(4, 4, 1)};
+  const std::vector<std::array<std::size_t, 2>> fork{{0, 1}, {1, 2}, {1, 3}};
+  EXPECT_EQ(number_of_gaps(Curve(points, fork)), 0u);
+  EXPECT_EQ(number_of_gaps(Curve(points, {{0, 1}, {1, 2}, {1, 3}, {4, 5}})), 1u);
 }
 
 // Edges of opposite directions end a strand, too, but leave no gap.
