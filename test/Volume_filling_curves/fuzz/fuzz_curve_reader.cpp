@@ -129,6 +129,8 @@ const Words words_of_lists = {"\nv 0 0 0", "\nv 1 0 0",
                               " 0 0 1"};
 
 const Words words_of_ply = {"ply\nformat ascii 1.0\n",
+                            "ply\nformat binary_little_endian 1.0\n",
+                            "ply\nformat binary_big_endian 1.0\n",
                             "element vertex 3\n",
                             "element vertex ",
                             "element edge 2\n",

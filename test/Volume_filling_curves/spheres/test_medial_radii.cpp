@@ -34,15 +34,19 @@ TEST(Medial_radii, of_a_circle_are_those_of_its_spheres)
   for(const double radius : radii) EXPECT_NEAR(radius, (2 + 3 * 5) / 4., 0.01);
 }
 
+// Also where a node has several circles.
 TEST(Medial_radii, have_the_mean_medial_radius_as_mean)
 {
-  const auto knot = make_torus_knot(2, 3, 120);
-  const std::vector<double> radii = medial_radii(knot, 1);
-  double sum = 0;
-  for(const std::size_t e : knot.edges())
-    sum +=
-        internal::edge_vector(knot, e).norm() * (radii[knot.source(e)] + radii[knot.target(e)]) / 2;
-  EXPECT_NEAR(sum / length(knot), mean_medial_radius(knot, 1), 1e-12);
+  Random random(2);
+  for(const Network& curve :
+      {Network(make_torus_knot(2, 3, 120)), junctions_and_ends(60, random)}) {
+    const std::vector<double> radii = medial_radii(curve, 1);
+    double sum = 0;
+    for(const std::size_t e : curve.edges())
+      sum += internal::edge_vector(curve, e).norm() *
+             (radii[curve.source(e)] + radii[curve.target(e)]) / 2;
+    EXPECT_NEAR(sum / length(curve), mean_medial_radius(curve, 1), 1e-12);
+  }
 }
 
 // By definition: no other node lies inside of a sphere, and one lies on it.
