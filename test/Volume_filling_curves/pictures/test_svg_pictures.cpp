@@ -177,6 +177,22 @@ TEST(Svg_picture, labels_nodes_with_their_numbers)
   EXPECT_EQ(count(rest, ">2<") + count(rest, ">3<"), 0u);
 }
 
+TEST(Svg_picture, labels_the_nearer_of_two_nodes_at_one_place)
+{
+  const Curve curve({Point(0, 0, 0), Point(5, 0, 0), Point(0, 5, 0), Point(0, 0, 2)},
+                    {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  Picture_options options;
+  options.has_labels = true;
+  options.direction = Vector(0, 0, 1);
+  const std::string front = svg_picture(curve, Mesh(), options);
+  EXPECT_EQ(count(front, ">4<"), 1u);
+  EXPECT_EQ(count(front, ">1<"), 0u);
+  options.direction = Vector(0, 0, -1);
+  const std::string back = svg_picture(curve, Mesh(), options);
+  EXPECT_EQ(count(back, ">1<"), 1u);
+  EXPECT_EQ(count(back, ">4<"), 0u);
+}
+
 // Where the axes point in the picture.
 TEST(Curve_view, is_from_the_direction_that_is_asked_for)
 {
