@@ -9,20 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/domain/Face_tree.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Values_on_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/helpers.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <iterator>
-#include <memory>
-#include <stdexcept>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,9 +35,7 @@ namespace Volume_filling_curves {
 template <typename Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 class Mesh_thickness_field_3
 {
-  using Faces = internal::Face_tree<Kernel>;
-  using Mesh = typename Faces::Mesh;
-  using Vector = internal::Vector;
+  using Values = internal::Values_on_mesh<Kernel, double>;
 
 public:
   /// the kernel's point type
@@ -66,23 +54,8 @@ public:
    */
   template <typename TriangleMesh>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const std::vector<double>& values)
-  {
-    if(faces(mesh).size() < 2 || !CGAL::is_triangle_mesh(mesh))
-      throw std::invalid_argument(
-          "the mesh has a face that is no triangle, or fewer than two faces");
-    if(vertices(mesh).size() != values.size())
-      throw std::invalid_argument("there is not one value per vertex");
-    using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-    std::vector<std::pair<Vertex, typename Mesh::Vertex_index>> pairs;
-    Mesh copy;
-    CGAL::copy_face_graph(
-        mesh, copy, CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(pairs)));
-    std::unordered_map<Vertex, typename Mesh::Vertex_index> place(pairs.begin(), pairs.end());
-    m_values.resize(values.size());
-    std::size_t i = 0;
-    for(const Vertex v : vertices(mesh)) m_values[place.at(v)] = values[i++];
-    m_faces = std::make_unique<Faces>(std::move(copy));
-  }
+      : m_values(mesh, values)
+  {}
 
   /*!
    * constructs the function from a property map.
@@ -98,39 +71,20 @@ public:
    */
   template <typename TriangleMesh, typename VertexValueMap>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const VertexValueMap& values)
-      : Mesh_thickness_field_3(mesh, values_at_vertices(mesh, values))
+      : Mesh_thickness_field_3(mesh, Values::at_vertices(mesh, values))
   {}
 
   /// returns the value at the point of the surface that is closest to `p`.
   double operator()(const Point_3& p) const
   {
-    const Vector x = internal::to_vector(p);
-    const auto face = m_faces->nearest(x).face;
-    const Mesh& mesh = m_faces->mesh();
-    const auto h = mesh.halfedge(face);
-    const std::array<typename Mesh::Vertex_index, 3> corners = {mesh.source(h), mesh.target(h),
-                                                                mesh.target(mesh.next(h))};
-    const std::array<double, 3> weights =
-        internal::closest_barycentric_coordinates(x, {internal::to_vector(mesh.point(corners[0])),
-                                                      internal::to_vector(mesh.point(corners[1])),
-                                                      internal::to_vector(mesh.point(corners[2]))});
     double value = 0;
-    for(std::size_t i = 0; i < 3; ++i) value += weights[i] * m_values[corners[i]];
+    for(const auto& corner : m_values.at(internal::to_vector(p)))
+      value += corner.weight * corner.value;
     return value;
   }
 
 private:
-  template <typename TriangleMesh, typename VertexValueMap>
-  static std::vector<double> values_at_vertices(const TriangleMesh& mesh,
-                                                const VertexValueMap& values)
-  {
-    std::vector<double> result;
-    for(const auto v : vertices(mesh)) result.push_back(get(values, v));
-    return result;
-  }
-
-  std::unique_ptr<const Faces> m_faces; // behind a pointer, so that a function can be moved
-  std::vector<double> m_values;         // by vertices of the copy
+  Values m_values;
 };
 
 } // namespace Volume_filling_curves
