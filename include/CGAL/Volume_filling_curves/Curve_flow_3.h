@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/Medial_sphere.h>
 #include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/direction/Direction_solver.h>
 #include <CGAL/Volume_filling_curves/internal/direction/energy_gradient.h>
 #include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
@@ -33,6 +34,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -93,6 +95,9 @@ public:
 
   /// a thickness that varies in space; must be safe to call concurrently and return positive values
   using Thickness_field = std::function<double(const Point_3&)>;
+
+  /// a direction at each point, of which neither sign nor length matters; zero where there is none
+  using Direction_field = std::function<std::array<double, 3>(const Point_3&)>;
 
   /// one vector per node: a matrix with a row for each, `x`, `y`, `z`
   using Vector_field = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -162,6 +167,20 @@ public:
     m_thickness_field = std::move(thickness);
     set_max_displacement(parameters.max_displacement);
     start();
+  }
+
+  /*!
+   * lets the curve follow a direction field: an edge that includes an angle with the field counts
+   * \f$1 + w \sin^2\f$ of that angle times its length in the energy. Takes effect with the next
+   * `update()`. An empty function stands for no field.
+   *
+   * \param field the field
+   * \param weight the weight \f$w\f$, not negative, dimensionless
+   */
+  void set_direction_field(Direction_field field, double weight)
+  {
+    m_direction_field = std::move(field);
+    m_preference.weight = weight;
   }
 
   /// moves the curve by one step, remeshes it, and returns whether it moved.
@@ -331,13 +350,19 @@ private:
   {
     const internal::Stage_timer stage(m_statistics.seconds_direction);
     internal::Energy_gradient<Curve_network> gradient(curve(), m_positions, m_weights);
-    gradient.add_length(internal::component_tensions(curve(), m_weights, m_thickness));
+    const auto tensions = internal::component_tensions(curve(), m_weights, m_thickness);
+    gradient.add_length(tensions);
+    if(m_direction_field) {
+      m_preference.directions = internal::edge_directions(curve(), m_direction_field);
+      gradient.add_direction_preference(m_preference, tensions);
+    }
     gradient.add_medial_spheres(m_spheres, m_thickness, m_parameters.medial_weight);
     m_gradient = gradient.result();
     const double weight = weight_of_free_nodes();
     m_gradient_norm = weight > 0 ? thickness() * m_gradient.rowwise().norm().sum() / weight : 0;
     m_direction = m_solver(internal::preconditioner(m_parameters, curve(), m_positions, m_weights,
-                                                    m_thickness, m_spheres),
+                                                    m_thickness, m_spheres,
+                                                    m_direction_field ? &m_preference : nullptr),
                            -m_gradient);
   }
 
@@ -424,6 +449,8 @@ private:
       m_first_refused_change; // of the guard's, where the flow began
   Curve_flow_parameters m_parameters;
   Thickness_field m_thickness_field; // none if the thickness is the same everywhere
+  Direction_field m_direction_field; // none if the curve is to follow no directions
+  internal::Direction_preference m_preference;
   Curve_flow_statistics m_statistics;
   internal::Step_size m_step_size;
   int m_steps_with_held_nodes = 0;

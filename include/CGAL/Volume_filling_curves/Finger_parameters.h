@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -38,6 +39,15 @@ struct Finger_parameters
   /// A thickness that varies in space, instead of `thickness`: a function of the point, which must
   /// be positive. None by default.
   std::function<double(const Point_3&)> thickness_field;
+
+  /// A direction field that the curve is to follow: a function of the point that returns a vector,
+  /// of which neither sign nor length matters, zero where there is no preference. It must be
+  /// finite. None by default.
+  std::function<std::array<double, 3>(const Point_3&)> direction_field;
+
+  /// How much a `direction_field` counts: of two places that are as far, the tree prefers the one
+  /// along it. The same as that of `Filling_parameters`.
+  double direction_weight = 0.2;
 
   /// The seed of the points and of the tree.
   std::size_t random_seed = 0;

@@ -122,10 +122,11 @@ Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
  * \param domain the domain, or a closed triangle mesh, whose inside is filled as a
  * `Triangle_mesh_domain_3` is
  * \param np an optional sequence of the named parameters `thickness`, a number or a function of
- * `Point_3`, `length` (see `Filling_parameters`), `number_of_iterations`, `time_limit`,
- * `random_seed`, `certificate`, `checkpoint`, `resume_from` (see `Curve_run_parameters`), `wall`,
- * `number_of_directions`, `max_radius`, `spacing`, `screening`, `medial_weight`, `coupling`,
- * `preconditioner`, `max_displacement`, `time_step` (see `Curve_flow_parameters`, and for defaults
+ * `Point_3`, `length`, `direction_field`, `direction_weight` (see `Filling_parameters`),
+ * `number_of_iterations`, `time_limit`, `random_seed`, `certificate`, `checkpoint`, `resume_from`
+ * (see `Curve_run_parameters`), `wall`, `number_of_directions`, `max_radius`, `spacing`,
+ * `screening`, `medial_weight`, `coupling`, `preconditioner`, `max_displacement`, `time_step` (see
+ * `Curve_flow_parameters`, and for defaults
  * `Filling_parameters`), and `visitor`, a model of `CurveFlowVisitor`, or `std::ref()` of one; with
  * a mesh also `vertex_point_map`, as for `Triangle_mesh_domain_3`
  *
@@ -135,8 +136,9 @@ Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
  *
  * \throws std::invalid_argument if the curves are not embedded or not strictly inside the domain,
  * with the nodes in the message, if the domain is unbounded or hardly any point of its box is
- * inside, if a parameter has a value that it must not have, with its name in the message, if both a
- * length and a thickness are given, or if a mesh bounds no domain, see `Triangle_mesh_domain_3`
+ * inside, if a parameter has a value that it must not have, or the direction field is not finite
+ * somewhere, with its name in the message, if both a length and a thickness are given, or if a mesh
+ * bounds no domain, see `Triangle_mesh_domain_3`
  * \throws Run_state_error if the state to resume from is that of another run, with what differs in
  * the message
  *

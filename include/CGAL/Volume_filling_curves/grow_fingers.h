@@ -57,14 +57,15 @@ struct Finger_growth
  *
  * \param guard the guard of the curves, in their domain
  * \param np an optional sequence of the named parameters `thickness`, a number or a function of
- * `Point_3`, `random_seed` and `time_limit`, see `Finger_parameters`
+ * `Point_3`, `direction_field`, `direction_weight`, `random_seed` and `time_limit`, see
+ * `Finger_parameters`
  *
  * \returns how many points there are, and how many of them were reached
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if a parameter has a value that it must not have, or if there is no
- * thickness, with its name in the message
+ * \throws std::invalid_argument if a parameter has a value that it must not have, if there is no
+ * thickness, or if the direction field is not finite somewhere, with its name in the message
  */
 template <typename Traits,
           typename Domain,
@@ -86,6 +87,7 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
   const internal::Deadline deadline(timer, parameters.time_limit);
   auto tree = internal::finger_tree(guard, guard.walls().domain(), thickness,
                                     parameters.random_seed, deadline);
+  tree.follow(parameters.direction_field, parameters.direction_weight);
   tree.grow();
   return {tree.number_of_places(), tree.number_of_fingers()};
 }

@@ -24,6 +24,8 @@
   X(clearance)                     \
   X(closure)                       \
   X(coupling)                      \
+  X(direction_field)               \
+  X(direction_weight)              \
   X(junctions)                     \
   X(keep_length)                   \
   X(length)                        \

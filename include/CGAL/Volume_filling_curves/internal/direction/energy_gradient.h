@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/direction/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/near_junctions.h>
@@ -65,6 +66,19 @@ public:
       const std::size_t a = m_curve.source(e), b = m_curve.target(e);
       const double tension = tensions[m_curve.component(a)];
       const Vector pull = tension * (row(m_x, b) - row(m_x, a)).normalized();
+      add(a, -pull);
+      add(b, pull);
+    }
+  }
+
+  // Beyond the paper: what edges across a direction field cost more, times a factor per component.
+  void add_direction_preference(const Direction_preference& preference,
+                                const std::vector<double>& tensions)
+  {
+    for(std::size_t e = 0; e < m_curve.number_of_edges(); ++e) {
+      const std::size_t a = m_curve.source(e), b = m_curve.target(e);
+      const Vector pull = tensions[m_curve.component(a)] *
+                          preference.pull(e, (row(m_x, b) - row(m_x, a)).normalized());
       add(a, -pull);
       add(b, pull);
     }

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/direction/touching_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
@@ -51,6 +52,15 @@ public:
     }
   }
 
+  // One factor for x, y and z: the largest eigenvalue of the Hessian of each edge.
+  void add_direction_laplacian(const Vector_field& x, const Direction_preference& preference)
+  {
+    for(std::size_t e = 0; e < m_curve.number_of_edges(); ++e) {
+      const std::size_t a = m_curve.source(e), b = m_curve.target(e);
+      couple(a, b, preference.stiffness(e, row(x, b) - row(x, a)));
+    }
+  }
+
   void add_medial_laplacian(const std::vector<Touching_pair>& pairs, double beta)
   {
     for(const Touching_pair& pair : pairs) couple(pair.low, pair.high, beta / pair.radius);
@@ -85,13 +95,15 @@ private:
   std::vector<Eigen::Triplet<double>> m_entries;
 };
 
+// Takes a null pointer if the curve follows no direction field.
 template <typename Network>
 Sparse_matrix preconditioner(const Curve_flow_parameters& parameters,
                              const Network& curve,
                              const Vector_field& x,
                              const std::vector<double>& weights,
                              const std::vector<double>& thickness,
-                             const Medial_spheres& spheres)
+                             const Medial_spheres& spheres,
+                             const Direction_preference* preference = nullptr)
 {
   const Preconditioner kind = parameters.preconditioner;
   std::vector<double> mass_factors;
@@ -101,6 +113,7 @@ Sparse_matrix preconditioner(const Curve_flow_parameters& parameters,
   Preconditioner_assembly<Network> assembly(curve);
   assembly.add_mass(weights, mass_factors);
   if(kind != Preconditioner::L2) assembly.add_curve_laplacian(x);
+  if(kind != Preconditioner::L2 && preference) assembly.add_direction_laplacian(x, *preference);
   if(kind == Preconditioner::MEDIAL)
     assembly.add_medial_laplacian(touching_pairs(spheres, curve.number_of_nodes()),
                                   parameters.coupling);

@@ -208,6 +208,8 @@ private:
   void run(const Filling_stage& stage, double factor, Thickness_field multiple)
   {
     if(m_end || ++m_stage < m_resumed_stage) return;
+    m_flow.set_direction_field(m_parameters.direction_field,
+                               stage.direction_weight * m_parameters.direction_weight);
     if(m_stage == m_resumed_stage)
       resume(thickness_field(factor, std::move(multiple)));
     else

@@ -86,16 +86,20 @@ private:
     m_curves = Network(m_circles, CGAL::parameters::default_values(), m_curves.traits());
   }
 
-  // All that the run depends on. A thickness that varies is known by its values at the samples.
+  // All that the run depends on. Fields are known by their values at the samples.
   Run_facts facts() const
   {
-    State_writer thicknesses;
+    State_writer thicknesses, directions;
     if(m_parameters.thickness_field)
       for(const Point_3& p : m_survey.samples().points()) thicknesses(m_survey.thickness_at(p));
+    if(m_parameters.direction_field)
+      for(const Point_3& p : m_survey.samples().points())
+        for(const double coordinate : m_parameters.direction_field(p)) directions(coordinate);
     return run_facts("fill", m_parameters,
                      {{"curve", state_hash(m_curves)},
                       {"domain", domain_hash(m_domain, m_curves.traits())},
-                      {"thickness field", to_hex(sha256(thicknesses.bytes()))}});
+                      {"thickness field", to_hex(sha256(thicknesses.bytes()))},
+                      {"direction field", to_hex(sha256(directions.bytes()))}});
   }
 
   Result grow()
@@ -119,7 +123,9 @@ private:
   void reach_out(Isotopy_guard_3<Traits, Domain>& guard) const
   {
     const auto thickness = [this](const Point_3& p) { return m_survey.thickness_at(p); };
-    finger_tree(guard, m_domain, thickness, m_parameters.random_seed, m_deadline).grow();
+    auto tree = finger_tree(guard, m_domain, thickness, m_parameters.random_seed, m_deadline);
+    tree.follow(m_parameters.direction_field, m_parameters.direction_weight);
+    tree.grow();
   }
 
   double start_thickness() const

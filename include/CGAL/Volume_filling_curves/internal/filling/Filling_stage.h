@@ -23,6 +23,7 @@ struct Filling_stage
   double screening = 1;           // in units of the one asked for
   double max_radius = 2;          // in units of the thickness; the most
   double max_displacement = 0.1;  // likewise
+  double direction_weight = 1;    // in units of the one asked for
   double cooling = 1;             // by which the largest displacement is multiplied in each step
   double separation = 0;          // strands go that far apart, likewise
   std::size_t window = 10;        // the stage ends if over that many iterations
@@ -34,6 +35,7 @@ struct Filling_stage
   {
     Filling_stage stage;
     stage.screening = 30;
+    stage.direction_weight = 4; // the strands find their places now: costs less coverage than later
     stage.max_radius = 6;
     stage.max_displacement = 0.5;
     return stage;

@@ -102,10 +102,13 @@ constexpr auto parameter_table(const Filling_parameters<Point_3>* p)
 {
   using namespace internal_np;
   using P = Filling_parameters<Point_3>;
-  return std::tuple_cat(parameter_table(static_cast<const Curve_run_parameters*>(p)),
-                        std::make_tuple(parameter<thickness_t>(&P::thickness_field),
-                                        parameter<length_t>(&P::length, Range::NOT_NEGATIVE),
-                                        parameter<start_t>(&P::start)));
+  return std::tuple_cat(
+      parameter_table(static_cast<const Curve_run_parameters*>(p)),
+      std::make_tuple(parameter<thickness_t>(&P::thickness_field),
+                      parameter<direction_field_t>(&P::direction_field),
+                      parameter<direction_weight_t>(&P::direction_weight, Range::NOT_NEGATIVE),
+                      parameter<length_t>(&P::length, Range::NOT_NEGATIVE),
+                      parameter<start_t>(&P::start)));
 }
 
 template <typename Point_3>
@@ -115,6 +118,8 @@ constexpr auto parameter_table(const Finger_parameters<Point_3>*)
   using P = Finger_parameters<Point_3>;
   return std::make_tuple(parameter<thickness_t>(&P::thickness, Range::NOT_NEGATIVE),
                          parameter<thickness_t>(&P::thickness_field),
+                         parameter<direction_field_t>(&P::direction_field),
+                         parameter<direction_weight_t>(&P::direction_weight, Range::NOT_NEGATIVE),
                          parameter<random_seed_t>(&P::random_seed),
                          parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER));
 }

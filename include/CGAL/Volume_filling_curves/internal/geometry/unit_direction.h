@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_UNIT_DIRECTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_UNIT_DIRECTION_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <array>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The direction that a field asks for at a point, as a unit vector, or zero if it asks for none
+// there. Throws std::invalid_argument, with the point in the message, if it is not finite.
+template <typename Field, typename Point_3>
+Vector unit_direction(const Field& field, const Point_3& p)
+{
+  const std::array<double, 3> given = field(p);
+  const Vector v(given[0], given[1], given[2]);
+  if(!v.allFinite()) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "direction_field is not finite at (" << p.x() << ", " << p.y() << ", " << p.z() << ')';
+    throw std::invalid_argument(text.str());
+  }
+  const double size = v.cwiseAbs().maxCoeff(); // squares must neither overflow nor underflow
+  return size > 0 ? (v / size).normalized() : Vector();
+}
+
+} // namespace internal
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_UNIT_DIRECTION_H

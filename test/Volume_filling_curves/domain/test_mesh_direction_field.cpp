@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "support/mesh_test_support.h"
+
+#include <CGAL/Volume_filling_curves/Mesh_direction_field_3.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+namespace test_mesh_direction_field {
+
+using namespace CGAL::Volume_filling_curves;
+using meshes::Mesh;
+using Direction = std::array<double, 3>;
+
+void expect_parallel(const Direction& a, const Direction& b)
+{
+  EXPECT_NEAR(a[0] * b[1], a[1] * b[0], 1e-15);
+  EXPECT_NEAR(a[1] * b[2], a[2] * b[1], 1e-15);
+  EXPECT_NEAR(a[2] * b[0], a[0] * b[2], 1e-15);
+}
+
+TEST(Mesh_direction_field, interpolates_on_the_surface_whatever_the_signs)
+{
+  const Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}, {1, 0, 0}}));
+  std::vector<Direction> vectors, turned;
+  for(const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    const double sign = v.idx() % 2 == 0 ? 1 : -1;
+    vectors.push_back({1, p.x(), 0});
+    turned.push_back({sign, sign * p.x(), 0});
+  }
+  const Mesh_direction_field_3<> field(mesh, vectors), same(mesh, turned);
+  for(const Mesh::Point& p : {Mesh::Point(.3, .4, .1), Mesh::Point(1.4, .3, .9)}) {
+    expect_parallel(field(p), {1, p.x(), 0});
+    expect_parallel(same(p), {1, p.x(), 0});
+  }
+}
+
+TEST(Mesh_direction_field, may_have_vertices_without_a_direction)
+{
+  const Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}}));
+  std::vector<Direction> vectors(mesh.number_of_vertices(), Direction{0, 0, 0});
+  EXPECT_EQ(Mesh_direction_field_3<>(mesh, vectors)({.5, .5, .5}), (Direction{0, 0, 0}));
+  for(Direction& vector : vectors) vector = {0, 0, 2};
+  expect_parallel(Mesh_direction_field_3<>(mesh, vectors)({.5, .5, .5}), {0, 0, 1});
+}
+
+TEST(Mesh_direction_field, needs_a_vector_per_vertex)
+{
+  const Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}}));
+  const std::vector<Direction> one(1);
+  EXPECT_THROW(Mesh_direction_field_3<>(mesh, one), std::invalid_argument);
+  EXPECT_THROW(Mesh_direction_field_3<>(Mesh(), std::vector<Direction>()), std::invalid_argument);
+}
+
+} // namespace test_mesh_direction_field
