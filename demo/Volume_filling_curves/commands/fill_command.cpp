@@ -12,6 +12,7 @@
 #include "files/curve_map.h"
 #include "options/Command_line.h"
 #include "options/Fill_options.h"
+#include "options/direction_field.h"
 #include "options/pins.h"
 #include "options/thickness.h"
 #include "options/thickness_field.h"
@@ -22,6 +23,7 @@
 #include "session/Flow_observer.h"
 
 #include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/alignment.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 
 #include <CGAL/tags.h>
@@ -48,6 +50,8 @@ void plan_files(Session& session, const Fill_options& options)
   session.add_input(options.mesh);
   if(!options.start.empty()) session.add_input(options.start, "--output");
   if(!options.thickness_field.empty()) session.add_input(options.thickness_field);
+  if(!options.direction_field.empty() && !is_vector(options.direction_field))
+    session.add_input(options.direction_field);
   add_curve_file(session.outputs(), "--output", options.output);
   session.outputs().add("--certificate", options.certificate);
   session.outputs().add("--certificate", file_of_circles(options));
@@ -72,6 +76,7 @@ Filling_result fill(Session& session,
                     Curve& curve,
                     const Domain& domain,
                     const Thickness& field,
+                    const Direction_field& directions,
                     const Fill_options& options,
                     const curves::Run_state& state,
                     curves::Isotopy_certificate& certificate)
@@ -79,6 +84,7 @@ Filling_result fill(Session& session,
   Flow_observer observer(session, options.parameters, 0, Frames(options.film));
   curves::Filling_parameters<> parameters = options.parameters;
   parameters.thickness_field = field;
+  parameters.direction_field = directions;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
   parameters.resume_from = &state;
   save_states(session, parameters, options.saving);
@@ -110,10 +116,14 @@ int run(Session& session, const Fill_options& options)
                 mesh.mesh);
   Thickness field;
   if(!options.thickness_field.empty()) field = read_thickness_field(options.thickness_field, mesh);
+  Direction_field directions;
+  if(!options.direction_field.empty())
+    directions = make_direction_field(options.direction_field, mesh);
   const Domain domain(mesh.mesh);
   Curve curve = start(session, options, domain);
   curves::Isotopy_certificate certificate;
-  const Filling_result result = fill(session, curve, domain, field, options, state, certificate);
+  const Filling_result result =
+      fill(session, curve, domain, field, directions, options, state, certificate);
   note_thickness(session, options, result.thickness);
   report_stages(session, result.statistics);
   // the certificate first: no curve comes out of a run that was to be certified without one
@@ -123,6 +133,7 @@ int run(Session& session, const Fill_options& options)
   write_map(options.film.map, options.output, curve);
   session.end_stage("writing");
   if(session.has_report()) report_filling(session.report(), curve, domain, result);
+  if(directions) session.report()["alignment"] = curves::alignment(curve, directions);
   session.end_stage("measuring");
   session.print_summary(summary(session, curve, result));
   return exit_status(result.status);

@@ -13,6 +13,7 @@
 #include <CGAL/IO/read_ply_points.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -31,8 +32,30 @@ std::string cell_of(std::string line)
   return line.empty() || line[0] == '#' ? std::string() : line;
 }
 
+bool parse_cell(const std::string& cell, double& value)
+{
+  return parse(cell, value);
+}
+
+bool parse_cell(const std::string& cell, std::array<double, 3>& value)
+{
+  return parse_vector(cell, value);
+}
+
+std::string demand(double)
+{
+  return " is not one finite number";
+}
+
+std::string demand(const std::array<double, 3>&)
+{
+  return " is not three finite numbers";
+}
+
+// Reads a value of a line each; the first line that is not empty may be a header.
+template <typename Value>
 void read_csv(std::istream& in,
-              std::vector<double>& values,
+              std::vector<Value>& values,
               std::vector<std::size_t>& lines,
               Mesh_findings& findings)
 {
@@ -42,13 +65,12 @@ void read_csv(std::istream& in,
     ++line;
     const std::string cell = cell_of(text);
     if(cell.empty()) continue;
-    double value = 0;
-    if(parse(cell, value)) {
+    Value value{};
+    if(parse_cell(cell, value)) {
       values.push_back(value);
       lines.push_back(line);
     } else if(!is_first) {
-      findings.add_error("unparsable number", in_quotes(cell) + " is not one finite number",
-                         {line});
+      findings.add_error("unparsable number", in_quotes(cell) + demand(value), {line});
     }
     is_first = false;
   }
@@ -83,6 +105,15 @@ void read_ply(const std::string& text,
     findings.add_error("unreadable file", "this is no complete PLY file");
 }
 
+void check_count(std::size_t number_of_values,
+                 std::size_t number_of_vertices,
+                 Mesh_findings& findings)
+{
+  if(number_of_values != number_of_vertices)
+    findings.add_error("wrong value count", std::to_string(number_of_values) + " values for " +
+                                                std::to_string(number_of_vertices) + " vertices");
+}
+
 void check_values(const std::vector<double>& values,
                   const std::vector<std::size_t>& lines,
                   std::size_t number_of_vertices,
@@ -92,12 +123,41 @@ void check_values(const std::vector<double>& values,
     if(!(values[v] > 0) || !std::isfinite(values[v]))
       findings.add_error("bad value", "a value is not positive and finite",
                          {v < lines.size() ? lines[v] : 0, {v + 1}});
-  if(values.size() != number_of_vertices)
-    findings.add_error("wrong value count", std::to_string(values.size()) + " values for " +
-                                                std::to_string(number_of_vertices) + " vertices");
+  check_count(values.size(), number_of_vertices, findings);
+}
+
+void check_vectors(const std::vector<std::array<double, 3>>& vectors,
+                   std::size_t number_of_vertices,
+                   Mesh_findings& findings)
+{
+  for(std::size_t v = 0; v < vectors.size(); ++v)
+    for(const double x : vectors[v])
+      if(!std::isfinite(x)) findings.add_error("bad value", "a vector is not finite", {0, {v + 1}});
+  check_count(vectors.size(), number_of_vertices, findings);
+}
+
+// Three columns as the rows that they stand for.
+std::vector<std::array<double, 3>> rows(const std::array<std::vector<double>, 3>& columns)
+{
+  std::vector<std::array<double, 3>> rows;
+  for(std::size_t v = 0; v < columns[0].size(); ++v)
+    rows.push_back({columns[0][v], columns[1][v], columns[2][v]});
+  return rows;
 }
 
 } // namespace
+
+bool parse_vector(const std::string& text, std::array<double, 3>& vector)
+{
+  std::string words = text;
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+  std::istringstream in(words);
+  std::string word;
+  for(double& x : vector)
+    if(!(in >> word) || !parse(word, x)) return false;
+  return !(in >> word);
+}
 
 std::vector<double> read_vertex_values(const std::string& file,
                                        const std::string& property,
@@ -117,6 +177,30 @@ std::vector<double> read_vertex_values(const std::string& file,
     read_csv(in, values, lines, findings);
   if(!findings.has_error()) check_values(values, lines, number_of_vertices, findings);
   return values;
+}
+
+std::vector<std::array<double, 3>> read_vertex_vectors(const std::string& file,
+                                                       const std::array<std::string, 3>& properties,
+                                                       std::size_t number_of_vertices,
+                                                       Mesh_findings& findings)
+{
+  std::vector<std::array<double, 3>> vectors;
+  std::vector<std::size_t> lines;
+  std::ifstream in(file, std::ios::binary);
+  if(!in) {
+    findings.add_error("unreadable file", "the file cannot be opened");
+    return vectors;
+  }
+  if(lower_case_extension(file) == ".ply") {
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    std::array<std::vector<double>, 3> columns;
+    for(std::size_t k = 0; k < 3 && !findings.has_error(); ++k)
+      read_ply(text, properties[k], columns[k], findings);
+    if(!findings.has_error()) vectors = rows(columns);
+  } else
+    read_csv(in, vectors, lines, findings);
+  if(!findings.has_error()) check_vectors(vectors, number_of_vertices, findings);
+  return vectors;
 }
 
 } // namespace vfc

@@ -9,6 +9,7 @@
 
 #include "meshes/Mesh_findings.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -23,6 +24,16 @@ std::vector<double> read_vertex_values(const std::string& file,
                                        const std::string& property,
                                        std::size_t number_of_vertices,
                                        Mesh_findings& findings);
+
+// Likewise one vector of any length per vertex: three properties, or three numbers per line, with
+// commas, semicolons or blanks between them.
+std::vector<std::array<double, 3>> read_vertex_vectors(const std::string& file,
+                                                       const std::array<std::string, 3>& properties,
+                                                       std::size_t number_of_vertices,
+                                                       Mesh_findings& findings);
+
+// Returns whether all of the text is three finite numbers, separated so.
+bool parse_vector(const std::string& text, std::array<double, 3>& vector);
 
 } // namespace vfc
 

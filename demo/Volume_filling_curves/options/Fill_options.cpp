@@ -34,6 +34,20 @@ void add_density_options(CLI::App& command, Fill_options& options)
   length.excludes(&thickness)->excludes(&field);
 }
 
+void add_direction_options(CLI::App& command, Fill_options& options)
+{
+  CLI::Option& field = *command.add_option(
+      "--direction-field", options.direction_field,
+      "strands follow it: a vector x,y,z, or a PLY file with the vertex properties direction_x, "
+      "direction_y and direction_z, or a CSV file with a vector per vertex of MESH; neither sign "
+      "nor length matters, and zero asks for nothing");
+  field.type_name("FILE|X,Y,Z");
+  add_number(
+      command, "--direction-weight", options.parameters.direction_weight,
+      "how much more length across the field counts; larger ones leave gaps where strands turn")
+      .needs(&field);
+}
+
 // What to start from.
 void add_start_options(CLI::App& command, Fill_options& options)
 {
@@ -65,7 +79,9 @@ void add_fill_options(CLI::App& command, Fill_options& options)
   add_checkpoint_options(command, options.saving);
   add_start_options(command, options);
   add_density_options(command, options);
+  add_direction_options(command, options);
   repair.excludes(command.get_option("--thickness-field")); // whose vertices would be others
+  repair.excludes(command.get_option("--direction-field"));
   add_choice(
       command, "--wall", options.parameters.wall,
       {{"cover", Wall::COVER}, {"keep-clear", Wall::KEEP_CLEAR}},

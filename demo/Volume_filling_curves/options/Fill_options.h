@@ -25,6 +25,7 @@ struct Fill_options
   std::string mesh, output, certificate;
   std::string start;           // a curve file, or empty for a circle at the widest place
   std::string thickness_field; // a file
+  std::string direction_field; // a file, or a vector
   bool may_repair = false;     // the mesh
   Film_options film;
   Checkpoint_options saving;

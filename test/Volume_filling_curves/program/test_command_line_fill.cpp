@@ -175,6 +175,45 @@ TEST_F(Command_line_fill, bad_values_of_the_thickness_are_named)
   EXPECT_EQ(run("fill cube.off --thickness-field missing.csv").status, 4);
 }
 
+TEST_F(Command_line_fill, strands_follow_a_direction_field)
+{
+  make_cube();
+  const std::string fill = "fill cube.off --thickness 0.5 --max-iterations 12 ";
+  run(fill + "--report none.json -o none.obj");
+  EXPECT_TRUE(json("none.json")["alignment"].is_null());
+  run(fill + "--direction-field 0,0,1 --report z.json -o z.obj");
+  EXPECT_GT(json("z.json")["alignment"], 0.5);
+  std::string csv = "x,y,z\n", ply = "ply\nformat ascii 1.0\nelement vertex 8\n"
+                                     "property double direction_x\nproperty double direction_y\n"
+                                     "property double direction_z\nend_header\n";
+  for(int v = 0; v < 8; ++v) {
+    csv += v % 2 == 0 ? "0, 0, -1\n" : "0;0;2\n";
+    ply += v % 2 == 0 ? "0 0 -1\n" : "0 0 2\n";
+  }
+  write("d.csv", csv);
+  write("d.ply", ply);
+  run(fill + "--direction-field d.csv -o csv.obj");
+  run(fill + "--direction-field d.ply -o ply.obj");
+  EXPECT_EQ(read("csv.obj"), read("ply.obj"));
+  EXPECT_EQ(read("csv.obj"), read("z.obj"));
+}
+
+TEST_F(Command_line_fill, bad_direction_fields_are_named)
+{
+  make_cube();
+  const auto expect_refused = [&](const std::string& text, const std::string& message) {
+    write("d.csv", text);
+    const Finished fill = run("fill cube.off --direction-field d.csv");
+    EXPECT_EQ(fill.status, 4) << text;
+    EXPECT_NE(fill.err.find(message), std::string::npos) << fill.err;
+  };
+  expect_refused("1,0,0\n0,1,0\n", "2 values for 8 vertices");
+  expect_refused("x,y,z\n1,0,0\n1,0\n", "d.csv:3: error");
+  expect_refused("x,y,z\n1,0,0\n1,0,inf\n", "d.csv:3: error");
+  EXPECT_EQ(run("fill cube.off --direction-field missing.csv").status, 4);
+  EXPECT_EQ(run("fill cube.off --direction-weight 1").status, 1) << "there is no field";
+}
+
 TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
 {
   make_cube();

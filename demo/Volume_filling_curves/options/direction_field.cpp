@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "options/direction_field.h"
+
+#include "meshes/vertex_values.h"
+#include "session/errors.h"
+
+#include <CGAL/Volume_filling_curves/Mesh_direction_field_3.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace vfc {
+
+namespace curves = CGAL::Volume_filling_curves;
+
+bool is_vector(const std::string& text)
+{
+  std::array<double, 3> vector;
+  return parse_vector(text, vector);
+}
+
+Direction_field make_direction_field(const std::string& text, const Mesh_and_defects& mesh)
+{
+  std::array<double, 3> vector;
+  if(parse_vector(text, vector)) return [vector](const Curve::Point_3&) { return vector; };
+  Mesh_findings findings(text);
+  const auto vectors = read_vertex_vectors(text, {"direction_x", "direction_y", "direction_z"},
+                                           mesh.number_of_vertices_in_file, findings);
+  if(findings.has_error()) throw Input_error(findings.list(), "a vector for every vertex");
+  std::vector<std::array<double, 3>> at_vertices;
+  for(const std::size_t origin : mesh.origins) at_vertices.push_back(vectors[origin]);
+  const auto field =
+      std::make_shared<const curves::Mesh_direction_field_3<>>(mesh.mesh, at_vertices);
+  return [field](const Curve::Point_3& p) { return (*field)(p); };
+}
+
+} // namespace vfc
