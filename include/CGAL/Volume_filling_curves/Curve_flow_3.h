@@ -28,6 +28,7 @@
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/step/Strand_separator.h>
+#include <CGAL/Volume_filling_curves/internal/step/motion_outcome.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 
 #include <CGAL/assertions.h>
@@ -148,8 +149,8 @@ public:
     m_step_size.set_largest_displacement(max_displacement);
   }
 
-  /// lets strands that come closer than `distance`, in units of the least thickness, go apart after
-  /// every step. By default that is done to strands that almost touch and hold one another, only.
+  /// lets strands that are closer than `distance`, in units of the least thickness, go apart after
+  /// every step. By default they do so where they hold one another, up to half of the thickness.
   void keep_apart(double distance) { m_separation = distance; }
 
   /// changes the parameters, and brings the edges to the lengths that they ask for.
@@ -231,7 +232,7 @@ public:
   void serialize(Archive& archive)
   {
     archive(m_first_certified_change, m_first_refused_change, m_parameters, m_statistics,
-            m_step_size, m_steps_with_held_nodes, m_separation);
+            m_step_size, m_separation);
   }
   /// \endcond
 
@@ -381,30 +382,22 @@ private:
     if(m_direction.isZero(0)) return false;
     const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
                                                     : m_step_size.next(m_direction, m_thickness);
-    const std::vector<double> fractions =
-        m_guard.template advance_nodes<ConcurrencyTag>(m_positions + scale * m_direction);
-    const auto n = static_cast<double>(fractions.size());
-    const double mean = std::accumulate(fractions.begin(), fractions.end(), 0.) / n;
-    m_step_size.note_fraction(mean);
-    if(mean < 1) ++m_statistics.shortened_steps;
-    const auto held = std::count(fractions.begin(), fractions.end(), 0);
-    return (is_separation_due(mean, held) && separate_strands()) || mean > 0;
+    const auto outcome = internal::motion_outcome(
+        m_guard.template advance_nodes<ConcurrencyTag>(m_positions + scale * m_direction),
+        m_direction);
+    m_step_size.note_fraction(outcome.mean_fraction);
+    if(outcome.is_shortened()) ++m_statistics.shortened_steps;
+    const bool is_separation_due = outcome.are_nodes_held || m_separation > 0;
+    return (is_separation_due && separate_strands()) || outcome.has_moved();
   }
 
-  // Strands that almost touch do not let one another go anywhere. That others go on meanwhile is no
-  // reason to leave them alone for good.
-  bool is_separation_due(double mean_fraction, std::ptrdiff_t held_nodes)
-  {
-    if(m_separation > 0) return true;
-    constexpr int patience = 10; // steps
-    if(held_nodes > 0) ++m_steps_with_held_nodes;
-    return mean_fraction == 0 || (held_nodes > 0 && m_steps_with_held_nodes % patience == 0);
-  }
-
+  // Strands that hold one another go apart by more than an edge is long: at smaller distances the
+  // energy cannot tell them apart, and would bring them back together.
   bool separate_strands()
   {
-    const double distance = (std::max)(clearance(), m_separation * least_thickness());
-    return internal::Strand_separator<Guard>(m_guard, distance)();
+    constexpr double separation_of_held_strands = 0.5;
+    const double distance = (std::max)(separation_of_held_strands, m_separation);
+    return internal::Strand_separator<Guard>(m_guard, distance * least_thickness())();
   }
 
   void remesh()
@@ -453,7 +446,6 @@ private:
   internal::Direction_preference m_preference;
   Curve_flow_statistics m_statistics;
   internal::Step_size m_step_size;
-  int m_steps_with_held_nodes = 0;
   double m_separation = 0; // in units of the least thickness
   internal::Direction_solver m_solver;
 

@@ -70,6 +70,18 @@ TEST(Strand_separator, leaves_alone_what_is_far_apart_or_pinned)
   }
 }
 
+// A hairpin bends back on itself; that is no other strand.
+TEST(Strand_separator, leaves_alone_what_is_near_along_the_curve)
+{
+  std::vector<Vector> points;
+  for(const double x : {1., 0.9, 0.8}) points.push_back({x, 0, 0});
+  for(const double x : {0.8, 0.9, 1.}) points.push_back({x, 0.05, 0});
+  Network curve = network_of(points, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
+  Guard guard(curve);
+  EXPECT_FALSE(internal::Strand_separator<Guard>(guard, 0.2)());
+  EXPECT_TRUE(internal::Strand_separator<Guard>(guard, 0.06)()); // 0.25 apart along the curve
+}
+
 // Of polygons with random edges every fourth has strands that no step of the flow moves apart.
 TEST(Strand_separator, lets_random_polygons_flow)
 {

@@ -14,7 +14,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Counts the steps running in which nothing moved. A few of them are no harm: each has strands that
-// almost touch freed, and the next one may go.
+// hold one another freed, and the next one may go.
 class Idle_steps
 {
 public:
