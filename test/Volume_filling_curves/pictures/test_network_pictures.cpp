@@ -84,7 +84,9 @@ TEST(Strands, are_paths_that_hold_every_edge_once)
     for(const Strand& strand : strands)
       for(std::size_t i = 0; i < strand.edges.size(); ++i) {
         ++visits[strand.edges[i]];
-        if(i > 0) EXPECT_EQ(curve->target(strand.edges[i - 1]), curve->source(strand.edges[i]));
+        if(i > 0) {
+          EXPECT_EQ(curve->target(strand.edges[i - 1]), curve->source(strand.edges[i]));
+        }
       }
     EXPECT_EQ(visits, std::vector<int>(curve->number_of_edges(), 1));
   }
