@@ -75,11 +75,13 @@ template <typename Point_3>
 struct Filling_result
 {
   Filling_status status = Filling_status::LIMIT; ///< how the run ended
-  double thickness = 0;         ///< r, in the input's unit; the mean of the nodes' if it varies
-  double medial_radius = 0;     ///< the mean medial radius, capped by the boundary and at 2 r
-  double gradient_norm = 0;     ///< at the end, see `Curve_flow_3::gradient_norm()`
-  double unfilled_fraction = 0; ///< the share of the volume that is farther than 2 r from the curve
-  Coverage coverage;            ///< the distances of uniform samples inside to the curve, over r
+  double thickness = 0;     ///< r, in the input's unit; the mean of the nodes' if it varies
+  double medial_radius = 0; ///< the mean medial radius, capped by the boundary and at 2 r
+  double gradient_norm = 0; ///< at the end, see `Curve_flow_3::gradient_norm()`
+  /// the share of the volume that is farther than 2 r from the curve; with `Wall::KEEP_CLEAR` what
+  /// is within 2 r of the boundary is not to be filled
+  double unfilled_fraction = 0;
+  Coverage coverage; ///< the distances of uniform samples inside to the curve, over r
   /// where the curve did not get to; not searched for once the time is up
   std::vector<Empty_region_3<Point_3>> empty_regions;
 

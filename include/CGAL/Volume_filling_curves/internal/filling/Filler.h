@@ -140,7 +140,7 @@ private:
   // A thin ear of a bunny is less than a hundredth of the volume, but far away.
   bool is_much_unfilled_now() const
   {
-    const std::vector<double> distances = sample_distances(m_flow.curve(), m_samples);
+    const std::vector<double> distances = distances_to_fill();
     const auto farther_than = [&](double multiple) {
       return unfilled_fraction(m_samples, distances,
                                [&](const Point_3& p) { return multiple / 2 * thickness_at(p); });
@@ -197,9 +197,19 @@ private:
   std::vector<Empty_region_3<Point_3>> empty_regions_to_drive_at() const
   {
     const auto thickness = [&](const Point_3& p) { return driven_share * thickness_at(p); };
-    return find_empty_regions(m_flow.curve(), m_samples,
-                              sample_distances(m_flow.curve(), m_samples), &m_boundary_distances,
+    return find_empty_regions(m_flow.curve(), m_samples, distances_to_fill(), &m_boundary_distances,
                               thickness);
+  }
+
+  // Of the samples from the curve; 0 where it is to keep clear of the boundary. Driven there, it
+  // would be compressed, and stay so.
+  std::vector<double> distances_to_fill() const
+  {
+    std::vector<double> distances = sample_distances(m_flow.curve(), m_samples);
+    if(m_parameters.wall == Wall::KEEP_CLEAR)
+      for(std::size_t k = 0; k < distances.size(); ++k)
+        if(m_boundary_distances[k] < 2 * thickness_at(m_samples.points()[k])) distances[k] = 0;
+    return distances;
   }
 
   void run(const Filling_stage& stage, double factor = 1) { run(stage, factor, m_thinning); }
@@ -301,9 +311,9 @@ private:
   void measure_coverage(Result& result)
   {
     const auto thickness = [&](const Point_3& p) { return thickness_at(p); };
-    const std::vector<double> distances = sample_distances(m_flow.curve(), m_samples);
+    result.coverage = coverage(m_samples, sample_distances(m_flow.curve(), m_samples), thickness);
+    const std::vector<double> distances = distances_to_fill();
     result.unfilled_fraction = unfilled_fraction(m_samples, distances, thickness);
-    result.coverage = coverage(m_samples, distances, thickness);
     if(!m_deadline.leaves(m_seconds_of_step)) return; // the search for them can take seconds
     result.empty_regions =
         find_empty_regions(m_flow.curve(), m_samples, distances, &m_boundary_distances, thickness);
