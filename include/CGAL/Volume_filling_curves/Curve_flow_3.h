@@ -397,7 +397,8 @@ private:
   {
     constexpr double separation_of_held_strands = 0.5;
     const double distance = (std::max)(separation_of_held_strands, m_separation);
-    return internal::Strand_separator<Guard>(m_guard, distance * least_thickness())();
+    const double unit = least_thickness(), longest_way = m_parameters.max_displacement * unit;
+    return internal::Strand_separator<Guard>(m_guard, distance * unit, longest_way)();
   }
 
   void remesh()

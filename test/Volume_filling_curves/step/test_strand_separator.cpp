@@ -52,7 +52,7 @@ TEST(Strand_separator, moves_strands_apart)
     for(const double gap : {1e-3, 1e-12, 1e-30}) {
       Network curve = two_paths(gap, is_crossing);
       Guard guard(curve);
-      for(int k = 0; k < 5; ++k) internal::Strand_separator<Guard>(guard, 0.1)();
+      for(int k = 0; k < 5; ++k) internal::Strand_separator<Guard>(guard, 0.1, 1)();
       EXPECT_GT(distance(curve), 0.05) << gap;
       EXPECT_LT(distance(curve), 0.3) << gap;
     }
@@ -65,7 +65,7 @@ TEST(Strand_separator, leaves_alone_what_is_far_apart_or_pinned)
   for(Network* curve : {&far, &pinned}) {
     const auto before = contents(*curve);
     Guard guard(*curve);
-    EXPECT_FALSE(internal::Strand_separator<Guard>(guard, 0.1)());
+    EXPECT_FALSE(internal::Strand_separator<Guard>(guard, 0.1, 1)());
     EXPECT_EQ(contents(*curve), before);
   }
 }
@@ -78,8 +78,8 @@ TEST(Strand_separator, leaves_alone_what_is_near_along_the_curve)
   for(const double x : {0.8, 0.9, 1.}) points.push_back({x, 0.05, 0});
   Network curve = network_of(points, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
   Guard guard(curve);
-  EXPECT_FALSE(internal::Strand_separator<Guard>(guard, 0.2)());
-  EXPECT_TRUE(internal::Strand_separator<Guard>(guard, 0.06)()); // 0.25 apart along the curve
+  EXPECT_FALSE(internal::Strand_separator<Guard>(guard, 0.2, 1)());
+  EXPECT_TRUE(internal::Strand_separator<Guard>(guard, 0.06, 1)()); // 0.25 apart along the curve
 }
 
 // Of polygons with random edges every fourth has strands that no step of the flow moves apart.

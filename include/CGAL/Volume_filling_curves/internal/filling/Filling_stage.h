@@ -68,8 +68,8 @@ struct Filling_stage
     Filling_stage stage;
     stage.screening = 3;
     stage.max_displacement = 0.6;
-    stage.separation = 1.1;
-    stage.cooling = 0.8; // with 0.7 small domains end too dense
+    stage.separation = 0.7; // with 0.9 thick curves are pushed out of shape between the walls
+    stage.cooling = 0.8;    // with 0.7 small domains end too dense
     stage.window = 20;
     stage.change_of_length = 1e-3;
     return stage;

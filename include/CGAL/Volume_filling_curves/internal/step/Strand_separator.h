@@ -20,27 +20,33 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Frees a curve that cannot move since strands almost touch: nodes of edges that are closer than a
-// distance go apart, one by one, as far as that is certified, along the common perpendicular of the
-// edges. The energy does not do that: the medial spheres of strands that cross touch nodes of each
-// other, which lie beside the crossing. Linear in the number of edges and pairs of them that are
-// close.
+// Frees a curve that cannot move since strands almost touch: nodes of edges that are closer than
+// a distance go apart as far as that is certified, along the common perpendicular of the edges.
+// The energy does not do that: the medial spheres of strands that cross touch nodes of each
+// other, which lie beside the crossing. Each node moves once at most, for the closest pair of
+// edges: where a whole bundle is tangled there are many times as many pairs as nodes. Near linear
+// in the number of edges and of pairs of them that are close.
 template <typename Guard>
 class Strand_separator
 {
   using Network = typename Guard::Curve_network;
 
 public:
-  Strand_separator(Guard& guard, double distance)
+  // Takes the distance, and how far a node may go.
+  Strand_separator(Guard& guard, double distance, double longest_way)
       : m_guard(guard),
         m_curve(guard.curve()),
         m_distance(distance),
-        m_clearance(m_curve, CGAL_PI * distance)
+        m_longest_way(longest_way),
+        m_clearance(m_curve, CGAL_PI * distance),
+        m_is_done(m_curve.number_of_nodes(), false)
   {}
 
   // Returns whether any node moved.
@@ -50,9 +56,11 @@ public:
     const auto are_close = [&](std::size_t e, std::size_t f) {
       return distance(e, f) < m_distance && !m_clearance.are_neighbors(e, f);
     };
-    auto pairs = Broad_phase(m_curve, x, x, m_distance).pairs<Sequential_tag>(are_close);
-    std::sort(pairs.begin(), pairs.end());
-    for(const auto& [e, f] : pairs) separate(e, f);
+    const auto pairs = Broad_phase(m_curve, x, x, m_distance).pairs<Sequential_tag>(are_close);
+    std::vector<std::tuple<double, std::size_t, std::size_t>> closest_first;
+    for(const auto& [e, f] : pairs) closest_first.push_back({distance(e, f), e, f});
+    std::sort(closest_first.begin(), closest_first.end());
+    for(const auto& [d, e, f] : closest_first) separate(e, f);
     return m_have_moved;
   }
 
@@ -64,7 +72,7 @@ private:
   {
     const double missing = m_distance - distance(e, f);
     if(!(missing > 0)) return; // others made room
-    const Vector way = missing / 2 * normal_from(f, e);
+    const Vector way = (std::min)(missing / 2, m_longest_way) * normal_from(f, e);
     for(const std::size_t v : {m_curve.source(e), m_curve.target(e)}) move(v, way);
     for(const std::size_t v : {m_curve.source(f), m_curve.target(f)}) move(v, -way);
   }
@@ -88,7 +96,8 @@ private:
 
   void move(std::size_t v, const Vector& way)
   {
-    if(m_curve.is_pinned(v)) return;
+    if(m_curve.is_pinned(v) || m_is_done[v]) return;
+    m_is_done[v] = true;
     for(const double part : {1., 0.25}) {
       const Vector target = to_vector(m_curve.point(v)) + part * way;
       if(!m_guard.move_node(v, to_point(target, m_curve.traits()))) continue;
@@ -99,8 +108,9 @@ private:
 
   Guard& m_guard;
   const Network& m_curve;
-  double m_distance;
+  double m_distance, m_longest_way;
   Least_clearance<Network> m_clearance;
+  std::vector<bool> m_is_done; // of the nodes
   bool m_have_moved = false;
 };
 
