@@ -43,7 +43,9 @@ void add_batch_options(CLI::App& command,
           " per line. The output is a folder then, which gets NAME.obj for each of them, and "
           "results.jsonl, with a report per line; what stands there is not done again. The names "
           "given for other files are endings of NAME");
-  batch.type_name("LIST")->excludes(&input)->excludes(command.get_option("--report"));
+  batch.type_name("LIST")->excludes(&input);
+  for(const char* one_for_all : {"--report", "--checkpoint", "--resume"})
+    if(CLI::Option* const other = command.get_option_no_throw(one_for_all)) batch.excludes(other);
   batch.needs(command.get_option("--output"));
   command
       .add_option_function<std::string>(

@@ -166,6 +166,8 @@ TEST_F(Command_line_batch, takes_the_place_of_input_and_report)
   expect_refused("simplify a.obj --batch list -o x", 1, "excludes");
   expect_refused("simplify --batch list", 1, "--output");
   expect_refused("simplify --batch list -o x --report y", 1, "excludes");
+  expect_refused("untangle --batch list -o x --checkpoint y", 1, "excludes");
+  expect_refused("untangle --batch list -o x --resume y", 1, "excludes");
   expect_refused("simplify a.obj -o x.obj --shard 1/2", 1, "--batch");
   expect_refused("simplify a.obj -o x.obj --format vtp", 1, "--batch");
   expect_refused("simplify --batch list -o x --map y/z", 1, "y/z");
