@@ -158,8 +158,12 @@ private:
   {
     if(faces(mesh).begin() == faces(mesh).end())
       throw std::invalid_argument("the mesh has no faces");
-    if(!CGAL::is_triangle_mesh(mesh)) throw std::invalid_argument("a face is not a triangle");
-    if(!CGAL::is_closed(mesh)) throw std::invalid_argument("the mesh is not closed");
+    if(!CGAL::is_triangle_mesh(mesh))
+      throw std::invalid_argument(
+          "a face is not a triangle; Polygon_mesh_processing::triangulate_faces() cuts it");
+    if(!CGAL::is_closed(mesh))
+      throw std::invalid_argument("the mesh is not closed; vfc repair closes holes, as "
+                                  "Polygon_mesh_processing::triangulate_hole() does");
     const auto points = CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
         CGAL::get_const_property_map(CGAL::vertex_point, mesh));

@@ -45,59 +45,26 @@ inline double diagonal(const CGAL::Bbox_3& box)
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief fills a domain, with a struct of parameters in place of named ones.
- *
- * \tparam ConcurrencyTag enables parallel algorithms
- * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or a model
- * of `FaceListGraph`
- * \tparam Point_3 that point type
- * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
- */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename Traits,
-          typename Domain,
-          typename Point_3,
-          typename Visitor = Default_curve_flow_visitor>
-Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
-                             const Domain& domain,
-                             const Filling_parameters<Point_3>& parameters,
-                             Visitor visitor = Visitor())
-{
-  const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
-  using Inside = std::decay_t<decltype(inside)>;
-  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  internal::check_filling(parameters, internal::diagonal(inside.bbox()));
-  Real_timer timer;
-  timer.start();
-  auto& observer = internal::unwrapped(visitor);
-  using Observer = std::remove_reference_t<decltype(observer)>;
-  return internal::Filling_run<Traits, Inside, ConcurrencyTag, Observer>(curves, inside, parameters,
-                                                                         timer, observer)();
-}
-
-/*!
- * \ingroup PkgVolumeFillingCurvesRef
- *
  * \brief fills a domain evenly with curves: lets them grow until nearly every point inside is
- * within the thickness r of them.
+ * within about 1.4 times the thickness r of them.
  *
  * The curves never leave the domain and never pass through themselves or one another: every change
  * is certified (see `Isotopy_guard_3`), so that the result is ambient isotopic to the start and
  * lies strictly inside, as exactly as the domain can tell. Components that are not connected grow
  * side by side; networks keep their graph, pinned nodes their places.
  *
- * If there are no curves yet, a circle is placed at the widest place of each connected part of the
- * inside that is wide enough, that is, holds a ball with an eighth of the radius r, or of that of
- * the widest ball inside. A mesh knows its parts by its shells. In any other domain parts are found
- * by samples: one with a passage that is thinner than the samples are dense may count as two. Where
- * more than 1 % of the domain is too thin for r, the visitor's `on_thin_domain()` is called before
- * the start.
+ * If there are no curves yet, a small circle is placed at the widest place of each connected part
+ * of the inside that is wide enough, that is, holds a ball with an eighth of the radius r, or of
+ * that of the widest ball inside. From the curves fingers reach out all over the domain, which then
+ * open (see `Filling_start`). A mesh knows its parts by its shells. In any other domain parts are
+ * found by samples: one with a passage that is thinner than the samples are dense may count as two.
+ * Where more than 1 % of the domain is too thin for r, the visitor's `on_thin_domain()` is called
+ * before the start.
  *
  * With `Wall::COVER` the curve settles at about r from the boundary, with `Wall::KEEP_CLEAR` at
- * about 2r, and in both cases strands settle at about 2r from one another. On nine domains 77 to 79
- * % of the volume ended within r and 99 % within 1.4 r (2026-11-21). A user who asks that every
- * point is within some distance of the curve gives a thickness smaller by about 1.4.
+ * about 2r, and in both cases strands settle at about 2r from one another. On eleven domains 77 to
+ * 80 % of the volume ended within r, and 99 % within 1.3 to 1.5 r (2026-11-22). A user who asks
+ * that every point is within some distance of the curve gives a thickness smaller by about 1.4.
  *
  * The run ends when the length settles at the thickness asked for, and every empty region has been
  * driven at. A curve that has settled has not always filled its domain: if more than 1 % of the
@@ -122,13 +89,13 @@ Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
  * \param domain the domain, or a closed triangle mesh, whose inside is filled as a
  * `Triangle_mesh_domain_3` is
  * \param np an optional sequence of the named parameters `thickness`, a number or a function of
- * `Point_3`, `length`, `direction_field`, `direction_weight` (see `Filling_parameters`),
+ * `Point_3`, `length`, `start`, `direction_field`, `direction_weight` (see `Filling_parameters`),
  * `number_of_iterations`, `time_limit`, `random_seed`, `certificate`, `checkpoint`, `resume_from`
  * (see `Curve_run_parameters`), `wall`, `number_of_directions`, `max_radius`, `spacing`,
  * `screening`, `medial_weight`, `coupling`, `preconditioner`, `max_displacement`, `time_step` (see
- * `Curve_flow_parameters`, and for defaults
- * `Filling_parameters`), and `visitor`, a model of `CurveFlowVisitor`, or `std::ref()` of one; with
- * a mesh also `vertex_point_map`, as for `Triangle_mesh_domain_3`
+ * `Curve_flow_parameters`, and for defaults `Filling_parameters`), and `visitor`, a model of
+ * `CurveFlowVisitor`, or `std::ref()` of one; with a mesh also `vertex_point_map`, as for
+ * `Triangle_mesh_domain_3`
  *
  * \returns how the run ended, where the curve did not get to, and statistics
  *
@@ -168,15 +135,17 @@ Filling_result<typename Traits::Point_3> fill(
  * \brief fills a domain evenly with a polyline, or with several.
  *
  * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
- * the result; the ends of the others are pinned. See the overload for `Curve_network_3`.
+ * the result; the ends of the others are pinned: they are ports. An empty polyline, or container,
+ * stands for no curves. See the overload for `Curve_network_3`.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or a model
+ * of `FaceListGraph`
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
- * \param domain the domain
+ * \param domain the domain, or a closed triangle mesh, whose inside is filled
  * \param np an optional sequence of the named parameters of the overload for networks, and of
  * `point_map` and `closure` of the constructor of `Curve_network_3` from polylines, where the map
  * must be writable, and
@@ -193,8 +162,8 @@ Filling_result<typename Traits::Point_3> fill(
  *
  * \returns how the run ended, where the curve did not get to, and statistics
  *
- * \throws std::invalid_argument as that overload and that constructor. The polylines are unchanged
- * then.
+ * \throws std::invalid_argument as that overload and that constructor, and if an empty polyline is
+ * to hold the curves of several parts of the domain. The polylines are unchanged then.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Polylines,
@@ -210,12 +179,51 @@ auto fill(Polylines& polylines,
           const NamedParameters& np = parameters::default_values())
 {
   internal::Polylines_in_place<Polylines, NamedParameters> in_place(polylines, np);
-  using Point_3 = typename decltype(in_place)::Network::Point_3;
-  const auto parameters = internal::get_parameters<internal::Fill_polylines_signature<Point_3>>(np);
+  using Traits = typename decltype(in_place)::Network::Traits;
+  using Point_3 = typename Traits::Point_3;
+  using Signature = std::conditional_t<internal::Is_domain<Domain>::value,
+                                       internal::Fill_polylines_signature<Point_3>,
+                                       internal::Fill_mesh_with_polylines_signature<Point_3>>;
+  const auto parameters = internal::get_parameters<Signature>(np);
   const Filling_result<Point_3> result =
-      fill<ConcurrencyTag>(in_place.curves(), domain, parameters, internal::get_visitor(np));
+      fill<ConcurrencyTag>(in_place.curves(), internal::as_domain<Traits>(domain, np), parameters,
+                           internal::get_visitor(np));
   in_place.store();
   return result;
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief fills a domain, with a struct of parameters in place of named ones.
+ *
+ * \tparam ConcurrencyTag enables parallel algorithms
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or a model
+ * of `FaceListGraph`
+ * \tparam Point_3 that point type
+ * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Traits,
+          typename Domain,
+          typename Point_3,
+          typename Visitor = Default_curve_flow_visitor>
+Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
+                             const Domain& domain,
+                             const Filling_parameters<Point_3>& parameters,
+                             Visitor visitor = Visitor())
+{
+  const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
+  using Inside = std::decay_t<decltype(inside)>;
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  internal::check_filling(parameters, internal::diagonal(inside.bbox()));
+  Real_timer timer;
+  timer.start();
+  auto& observer = internal::unwrapped(visitor);
+  using Observer = std::remove_reference_t<decltype(observer)>;
+  return internal::Filling_run<Traits, Inside, ConcurrencyTag, Observer>(curves, inside, parameters,
+                                                                         timer, observer)();
 }
 
 } // namespace Volume_filling_curves

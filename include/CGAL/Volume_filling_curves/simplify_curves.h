@@ -29,26 +29,6 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 
-/// \ingroup PkgVolumeFillingCurvesRef
-///
-/// simplifies curves, with a struct of parameters in place of named ones.
-template <typename Traits>
-std::size_t simplify_curves(Curve_network_3<Traits>& curves,
-                            const Simplification_parameters& parameters)
-{
-  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  internal::check_parameters(parameters);
-  internal::check_embedded(curves);
-  Isotopy_guard_3<Traits> guard(curves);
-  if(parameters.certificate) guard.start_recording();
-  guard.set_clearance(parameters.clearance);
-  const std::size_t count =
-      internal::Curve_simplifier<Isotopy_guard_3<Traits>>(guard, parameters.max_distance).run();
-  guard.collect_garbage();
-  if(parameters.certificate) *parameters.certificate = guard.certificate();
-  return count;
-}
-
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
@@ -136,6 +116,26 @@ std::size_t simplify_curves(Polylines& polylines,
   internal::Polylines_in_place<Polylines, NamedParameters> in_place(polylines, np);
   const std::size_t count = simplify_curves(in_place.curves(), parameters);
   in_place.store();
+  return count;
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// simplifies curves, with a struct of parameters in place of named ones.
+template <typename Traits>
+std::size_t simplify_curves(Curve_network_3<Traits>& curves,
+                            const Simplification_parameters& parameters)
+{
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  internal::check_parameters(parameters);
+  internal::check_embedded(curves);
+  Isotopy_guard_3<Traits> guard(curves);
+  if(parameters.certificate) guard.start_recording();
+  guard.set_clearance(parameters.clearance);
+  const std::size_t count =
+      internal::Curve_simplifier<Isotopy_guard_3<Traits>>(guard, parameters.max_distance).run();
+  guard.collect_garbage();
+  if(parameters.certificate) *parameters.certificate = guard.certificate();
   return count;
 }
 

@@ -83,52 +83,6 @@ Untangling_result recorded_untangling(Guard& guard,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles curves, with a struct of parameters in place of named ones.
- *
- * \tparam ConcurrencyTag enables parallel algorithms
- * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
- */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename Traits,
-          typename Visitor = Default_curve_flow_visitor>
-Untangling_result untangle(Curve_network_3<Traits>& curves,
-                           const Untangling_parameters& parameters,
-                           Visitor visitor = Visitor())
-{
-  using Flow = Curve_flow_3<Traits, Unbounded_domain_3<Traits>, ConcurrencyTag>;
-  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  Real_timer timer;
-  timer.start();
-  internal::check_untangling(parameters, curves);
-  Curve_network_3<Traits> input = curves;
-  internal::Run_saver saver(parameters, [&] {
-    return internal::run_facts("untangle", parameters, {{"curve", internal::state_hash(curves)}});
-  });
-  if(saver.reader()) (*saver.reader())(curves);
-  const double length = internal::total_length(input);
-  std::optional<Isotopy_guard_3<Traits>> guard(std::in_place, curves);
-  Untangling_result result = internal::recorded_untangling(*guard, parameters, length, saver, [&] {
-    Untangling_parameters run_parameters = parameters; // tails need the thickness first
-    internal::Tails<Isotopy_guard_3<Traits>> tails(*guard);
-    if(saver.reader())
-      (*saver.reader())(tails);
-    else
-      tails.template grow<ConcurrencyTag>(run_parameters);
-    const internal::Untangling_run run{
-        *guard, tails, run_parameters, timer, internal::unwrapped(visitor), saver};
-    Untangling_result of_run = internal::untangle_by_strategy<Flow, ConcurrencyTag>(run);
-    of_run.is_closure_kept = tails.can_turn_outwards();
-    return of_run;
-  });
-  guard.reset(); // which the curves must not be assigned to
-  internal::keep_tighter_input(std::move(input), parameters, curves, result);
-  return result;
-}
-
-/*!
- * \ingroup PkgVolumeFillingCurvesRef
- *
  * \brief untangles curves: moves them, without ever passing through themselves, to a short and
  * simple shape.
  *
@@ -246,6 +200,52 @@ Untangling_result untangle(Polylines& polylines,
   const Untangling_result result =
       untangle<ConcurrencyTag>(in_place.curves(), parameters, internal::get_visitor(np));
   in_place.store();
+  return result;
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief untangles curves, with a struct of parameters in place of named ones.
+ *
+ * \tparam ConcurrencyTag enables parallel algorithms
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Traits,
+          typename Visitor = Default_curve_flow_visitor>
+Untangling_result untangle(Curve_network_3<Traits>& curves,
+                           const Untangling_parameters& parameters,
+                           Visitor visitor = Visitor())
+{
+  using Flow = Curve_flow_3<Traits, Unbounded_domain_3<Traits>, ConcurrencyTag>;
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  Real_timer timer;
+  timer.start();
+  internal::check_untangling(parameters, curves);
+  Curve_network_3<Traits> input = curves;
+  internal::Run_saver saver(parameters, [&] {
+    return internal::run_facts("untangle", parameters, {{"curve", internal::state_hash(curves)}});
+  });
+  if(saver.reader()) (*saver.reader())(curves);
+  const double length = internal::total_length(input);
+  std::optional<Isotopy_guard_3<Traits>> guard(std::in_place, curves);
+  Untangling_result result = internal::recorded_untangling(*guard, parameters, length, saver, [&] {
+    Untangling_parameters run_parameters = parameters; // tails need the thickness first
+    internal::Tails<Isotopy_guard_3<Traits>> tails(*guard);
+    if(saver.reader())
+      (*saver.reader())(tails);
+    else
+      tails.template grow<ConcurrencyTag>(run_parameters);
+    const internal::Untangling_run run{
+        *guard, tails, run_parameters, timer, internal::unwrapped(visitor), saver};
+    Untangling_result of_run = internal::untangle_by_strategy<Flow, ConcurrencyTag>(run);
+    of_run.is_closure_kept = tails.can_turn_outwards();
+    return of_run;
+  });
+  guard.reset(); // which the curves must not be assigned to
+  internal::keep_tighter_input(std::move(input), parameters, curves, result);
   return result;
 }
 

@@ -27,55 +27,6 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles curves inside a domain, with a struct of parameters in place of named ones.
- *
- * \tparam ConcurrencyTag enables parallel algorithms
- * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
- * `FaceListGraph`
- * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
- */
-template <typename ConcurrencyTag = Sequential_tag,
-          typename Traits,
-          typename Domain,
-          typename Visitor = Default_curve_flow_visitor>
-Untangling_result untangle(Curve_network_3<Traits>& curves,
-                           const Domain& domain,
-                           const Untangling_parameters& parameters,
-                           Visitor visitor = Visitor())
-{
-  const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
-  using Inside = std::decay_t<decltype(inside)>;
-  using Guard = Isotopy_guard_3<Traits, Inside>;
-  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  Real_timer timer;
-  timer.start();
-  internal::check_untangling(parameters, curves);
-  if(parameters.strategy == Untangling_strategy::SEARCH)
-    internal::refuse_value(internal_np::strategy_t(), parameters.strategy,
-                           "the search does not know the domain");
-  internal::check_inside(curves, inside);
-  internal::Run_saver saver(parameters, [&] {
-    return internal::run_facts("untangle in a domain", parameters,
-                               {{"curve", internal::state_hash(curves)},
-                                {"domain", internal::domain_hash(inside, curves.traits())}});
-  });
-  const double length = internal::total_length(curves);
-  if(saver.reader()) (*saver.reader())(curves);
-  Guard guard(curves, inside);
-  return internal::recorded_untangling(guard, parameters, length, saver, [&] {
-    internal::Tails<Guard> no_tails(guard);
-    if(saver.reader()) (*saver.reader())(no_tails);
-    const internal::Untangling_run run{
-        guard, no_tails, parameters, timer, internal::unwrapped(visitor), saver};
-    return internal::untangle_by_flow<Curve_flow_3<Traits, Inside, ConcurrencyTag>>(
-        run, {parameters.thickness, 0, false, false});
-  });
-}
-
-/*!
- * \ingroup PkgVolumeFillingCurvesRef
- *
  * \brief untangles curves that must not leave a domain: moves them, without ever passing through
  * themselves or the boundary, to a short and simple shape.
  *
@@ -131,6 +82,107 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
   const auto parameters = internal::get_parameters<Signature>(np);
   return untangle<ConcurrencyTag>(curves, internal::as_domain<Traits>(domain, np), parameters,
                                   internal::get_visitor(np));
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief untangles a polyline, or several, that must not leave a domain.
+ *
+ * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
+ * the result; the ends of the others are pinned. See the overload for `Curve_network_3`.
+ *
+ * \tparam ConcurrencyTag enables parallel algorithms
+ * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
+ * `FaceListGraph`
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param polylines the polylines, replaced by the result
+ * \param domain the domain, or a closed triangle mesh, whose inside it is
+ * \param np an optional sequence of the named parameters of the overload for networks in a domain,
+ * and of `point_map`, `closure` and `origins`, as for `untangle()` of polylines without a domain
+ *
+ * \returns how the run ended, what is proved of the curves, and statistics
+ *
+ * \throws std::invalid_argument as that overload and the constructor of `Curve_network_3` from
+ * polylines. The polylines are unchanged then.
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Polylines,
+          typename Domain,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::is_range_of_items<Polylines> &&
+                               !internal::Are_named_parameters<Domain>::value,
+                           int> = 0
+#endif
+          >
+Untangling_result untangle(Polylines& polylines,
+                           const Domain& domain,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using Signature = std::conditional_t<internal::Is_domain<Domain>::value,
+                                       internal::Untangle_polylines_in_domain_signature,
+                                       internal::Untangle_polylines_in_mesh_signature>;
+  const auto parameters = internal::get_parameters<Signature>(np);
+  internal::Polylines_in_place<Polylines, NamedParameters> in_place(polylines, np);
+  using Traits = typename decltype(in_place)::Network::Traits;
+  const Untangling_result result =
+      untangle<ConcurrencyTag>(in_place.curves(), internal::as_domain<Traits>(domain, np),
+                               parameters, internal::get_visitor(np));
+  in_place.store();
+  return result;
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief untangles curves inside a domain, with a struct of parameters in place of named ones.
+ *
+ * \tparam ConcurrencyTag enables parallel algorithms
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
+ * `FaceListGraph`
+ * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
+ */
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Traits,
+          typename Domain,
+          typename Visitor = Default_curve_flow_visitor>
+Untangling_result untangle(Curve_network_3<Traits>& curves,
+                           const Domain& domain,
+                           const Untangling_parameters& parameters,
+                           Visitor visitor = Visitor())
+{
+  const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
+  using Inside = std::decay_t<decltype(inside)>;
+  using Guard = Isotopy_guard_3<Traits, Inside>;
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  Real_timer timer;
+  timer.start();
+  internal::check_untangling(parameters, curves);
+  if(parameters.strategy == Untangling_strategy::SEARCH)
+    internal::refuse_value(internal_np::strategy_t(), parameters.strategy,
+                           "the search does not know the domain");
+  internal::check_inside(curves, inside);
+  internal::Run_saver saver(parameters, [&] {
+    return internal::run_facts("untangle in a domain", parameters,
+                               {{"curve", internal::state_hash(curves)},
+                                {"domain", internal::domain_hash(inside, curves.traits())}});
+  });
+  const double length = internal::total_length(curves);
+  if(saver.reader()) (*saver.reader())(curves);
+  Guard guard(curves, inside);
+  return internal::recorded_untangling(guard, parameters, length, saver, [&] {
+    internal::Tails<Guard> no_tails(guard);
+    if(saver.reader()) (*saver.reader())(no_tails);
+    const internal::Untangling_run run{
+        guard, no_tails, parameters, timer, internal::unwrapped(visitor), saver};
+    return internal::untangle_by_flow<Curve_flow_3<Traits, Inside, ConcurrencyTag>>(
+        run, {parameters.thickness, 0, false, false});
+  });
 }
 
 } // namespace Volume_filling_curves

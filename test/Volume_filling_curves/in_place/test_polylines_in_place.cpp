@@ -14,7 +14,10 @@
 #include <CGAL/Volume_filling_curves/polylines.h>
 #include <CGAL/Volume_filling_curves/simplify_curves.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
+#include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/property_map.h>
 
 #include <gtest/gtest.h>
@@ -36,12 +39,20 @@ using Point_3 = Network::Point_3;
 using Polyline = std::vector<Point_3>;
 using Polylines = std::vector<Polyline>;
 using Origins = std::vector<Curve_origin>;
+using Mesh = CGAL::Surface_mesh<Point_3>;
 
 Polylines polylines_of(const Network& network)
 {
   Polylines result;
   curve_network_to_polylines(network, std::back_inserter(result));
   return result;
+}
+
+// Adds a tetrahedron around a ball of radius 5, whose center is at x.
+void add_tetrahedron(Mesh& mesh, double x)
+{
+  CGAL::make_tetrahedron(Point_3(x - 9, -9, -9), Point_3(x + 9, 9, -9), Point_3(x + 9, -9, 9),
+                         Point_3(x - 9, 9, 9), mesh);
 }
 
 // A line that winds three times around an axis.
@@ -140,6 +151,43 @@ TEST(Polylines, fill_a_domain)
   Polylines none;
   fill(none, ball, parameters::thickness(0.4));
   EXPECT_EQ(none.size(), 1u);
+}
+
+TEST(Polyline, may_be_empty)
+{
+  Polyline none;
+  untangle(none);
+  EXPECT_TRUE(none.empty());
+  simplify_curves(none);
+  EXPECT_TRUE(none.empty());
+}
+
+TEST(Polyline, is_untangled_in_a_mesh_like_the_network)
+{
+  Mesh mesh;
+  add_tetrahedron(mesh, 0);
+  Network network = make_torus_knot(2, 3, 60);
+  Polyline polyline = polylines_of(network)[0];
+  Origins origins;
+  const auto limit = parameters::number_of_iterations(5);
+  const Untangling_result expected = untangle(network, mesh, limit);
+  EXPECT_EQ(untangle(polyline, mesh, limit.origins(std::ref(origins))).status, expected.status);
+  EXPECT_EQ(polyline, polylines_of(network)[0]);
+  EXPECT_EQ(origins.size(), polyline.size());
+}
+
+TEST(Polylines, are_as_many_as_a_domain_has_parts)
+{
+  Mesh mesh;
+  add_tetrahedron(mesh, 0);
+  add_tetrahedron(mesh, 100);
+  const auto thick = parameters::thickness(4);
+  Polylines curves;
+  fill(curves, mesh, thick);
+  EXPECT_EQ(curves.size(), 2u);
+  Polyline one;
+  EXPECT_THROW(fill(one, mesh, thick), std::invalid_argument);
+  EXPECT_TRUE(one.empty());
 }
 
 TEST(Polylines, are_measured)

@@ -22,6 +22,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,9 +54,14 @@ public:
   Network& curves() { return m_curves; }
 
   // Replaces the polylines by the curves as they are, and gives out the origins if asked for.
+  // \throws std::invalid_argument if one polyline was given for what has become several curves
   void store()
   {
     auto paths = Curve_paths(m_curves).paths;
+    if(!is_range_of_ranges<Polylines> && paths.size() > 1) // an empty one, in a domain of parts
+      throw std::invalid_argument("there are " + std::to_string(paths.size()) +
+                                  " curves, one in each part of the domain, for which one polyline "
+                                  "does not do; pass a container of polylines");
     if(closure_of(m_parameters) == Closure::CLOSED)
       for(auto& path : paths) path.pop_back();
     const auto item = [&](std::size_t v) {
@@ -96,7 +103,7 @@ private:
         container.emplace_back();
         for(const std::size_t v : path) container.back().push_back(f(v));
       }
-    } else {
+    } else if(!paths.empty()) {
       for(const std::size_t v : paths.front()) container.push_back(f(v));
     }
   }

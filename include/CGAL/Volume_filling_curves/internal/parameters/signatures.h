@@ -40,6 +40,19 @@ using Untangle_polylines_signature = Signature<Untangling_parameters,
                                                         internal_np::origins_t>,
                                                Tag_list<internal_np::wall_t>>;
 
+using Untangle_polylines_in_domain_signature = Signature<Untangling_parameters,
+                                                         Tag_list<internal_np::visitor_t,
+                                                                  internal_np::point_map_t,
+                                                                  internal_np::closure_t,
+                                                                  internal_np::origins_t>>;
+
+using Untangle_polylines_in_mesh_signature = Signature<Untangling_parameters,
+                                                       Tag_list<internal_np::visitor_t,
+                                                                internal_np::vertex_point_map_t,
+                                                                internal_np::point_map_t,
+                                                                internal_np::closure_t,
+                                                                internal_np::origins_t>>;
+
 template <typename Point_3>
 using Fill_signature = Signature<Filling_parameters<Point_3>, Tag_list<internal_np::visitor_t>>;
 
@@ -49,6 +62,14 @@ using Fill_polylines_signature = Signature<Filling_parameters<Point_3>,
                                                     internal_np::point_map_t,
                                                     internal_np::closure_t,
                                                     internal_np::origins_t>>;
+
+template <typename Point_3>
+using Fill_mesh_with_polylines_signature = Signature<Filling_parameters<Point_3>,
+                                                     Tag_list<internal_np::visitor_t,
+                                                              internal_np::vertex_point_map_t,
+                                                              internal_np::point_map_t,
+                                                              internal_np::closure_t,
+                                                              internal_np::origins_t>>;
 
 template <typename Point_3>
 using Fill_mesh_signature =
