@@ -45,7 +45,7 @@ int main(int argc, char** argv)
   const double thickness = argc > 2 ? std::atof(argv[2]) : 0; // 0: by the widest ball inside
 
   const VFC::Triangle_mesh_domain_3 domain(mesh); // fill() takes the mesh itself, too
-  Curve curve; // empty: a circle is placed where the domain is widest
+  Curve curve; // empty: fill() starts one where the domain is widest
   const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness));
 
   const VFC::Domain_samples_3 samples(domain);

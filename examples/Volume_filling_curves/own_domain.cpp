@@ -65,7 +65,7 @@ private:
 int main()
 {
   const Cylinder cylinder(0.5, 1);
-  Curve curve; // empty: a circle is placed where the domain is widest
+  Curve curve; // empty: fill() starts one where the domain is widest
   const auto result = VFC::fill(curve, cylinder, VFC::parameters::thickness(0.15));
 
   const VFC::Domain_samples_3 samples(cylinder);

@@ -29,7 +29,7 @@ int main()
   CGAL::IO::write_curve_network("untangled.obj", curve);
 
   const VFC::Ball_domain_3<> ball({0, 0, 0}, 1);
-  VFC::Curve_network_3<> filling; // empty: it starts as a circle at the widest place
+  VFC::Curve_network_3<> filling; // empty: fill() starts one
   const auto filled = VFC::fill(filling, ball, VFC::parameters::thickness(0.2));
   std::cout << filled.status << ", length " << VFC::length(filling) << '\n';
   CGAL::IO::write_curve_network("filling.obj", filling);
