@@ -78,7 +78,9 @@ template <typename Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 class Curve_flow_traits_3
 {
   static_assert(internal::Is_exact_kernel<Kernel>::has_exact_predicates,
-                "The certificates need a kernel with exact predicates");
+                "The certificates need a kernel with exact predicates, such as "
+                "Exact_predicates_inexact_constructions_kernel; polylines of other points need a "
+                "point_map whose value type is a point of such a kernel");
   static_assert(internal::Is_exact_kernel<Kernel>::holds_doubles,
                 "The certificates need points whose coordinates can be any double, unrounded");
 

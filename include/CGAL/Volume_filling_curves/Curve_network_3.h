@@ -75,7 +75,7 @@ class Curve_network_3
   using Topology = internal::Curve_topology;
 
 public:
-  /// \name Types
+  /// \name Types and Constants
   /// @{
 
   /// the traits class
@@ -106,13 +106,13 @@ public:
   using Point_range = internal::Point_range<Point_3>;
 #endif
 
-  /// @}
-
   /// stands for "no node", for example as the origin of a node that was inserted.
   static constexpr size_type null_node()
   {
     return Topology::null;
   }
+
+  /// @}
 
   /// \name Construction
   /// @{
@@ -420,6 +420,9 @@ public:
 
   /// @}
 
+  /// \name Numbering and Traits
+  /// @{
+
   /// returns whether nodes were inserted or removed since the nodes were numbered.
   bool has_garbage() const
   {
@@ -431,6 +434,8 @@ public:
   {
     return m_traits;
   }
+
+  /// @}
 
 private:
   friend class internal::Network_editor<Curve_network_3>;       // of the guard

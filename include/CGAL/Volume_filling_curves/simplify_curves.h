@@ -122,6 +122,8 @@ std::size_t simplify_curves(Polylines& polylines,
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
 /// simplifies curves, with a struct of parameters in place of named ones.
+///
+/// \returns what the overload with named parameters returns; the same is thrown, too
 template <typename Traits>
 std::size_t simplify_curves(Curve_network_3<Traits>& curves,
                             const Simplification_parameters& parameters)

@@ -211,6 +211,12 @@ Untangling_result untangle(Polylines& polylines,
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
+ *
+ * \param curves the curves, replaced by the result
+ * \param parameters the parameters
+ * \param visitor is told of the progress, and can end the run
+ *
+ * \returns what the overload with named parameters returns; the same is thrown, too
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,

@@ -146,6 +146,13 @@ Untangling_result untangle(Polylines& polylines,
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
  * `FaceListGraph`
  * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
+ *
+ * \param curves the curves, replaced by the result
+ * \param domain the domain, or a closed triangle mesh, whose inside it is
+ * \param parameters the parameters
+ * \param visitor is told of the progress, and can end the run
+ *
+ * \returns what the overload with named parameters returns; the same is thrown, too
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
