@@ -14,16 +14,13 @@
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/Medial_sphere.h>
 #include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
-#include <CGAL/Volume_filling_curves/internal/direction/Direction_preference.h>
-#include <CGAL/Volume_filling_curves/internal/direction/Direction_solver.h>
-#include <CGAL/Volume_filling_curves/internal/direction/energy_gradient.h>
-#include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Flow_direction.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/remeshing/Remesher.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/Boundary_limit.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/mean_radius.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/medial_spheres_at.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
@@ -180,8 +177,7 @@ public:
    */
   void set_direction_field(Direction_field field, double weight)
   {
-    m_direction_field = std::move(field);
-    m_preference.weight = weight;
+    m_direction.follow(std::move(field), weight);
   }
 
   /// moves the curve by one step, remeshes it, and returns whether it moved.
@@ -201,13 +197,10 @@ public:
   void update()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
-    m_positions = internal::coordinates(curve());
-    m_weights = internal::node_weights(curve(), m_positions);
-    m_length = 0;
-    for(double weight : m_weights) m_length += weight;
     update_thickness();
-    update_spheres();
-    update_direction();
+    m_direction.update(curve(), m_guard.walls(), m_parameters, m_thickness, m_statistics);
+    m_length = std::accumulate(m_direction.weights().begin(), m_direction.weights().end(), 0.);
+    m_gradient_norm = m_direction.gradient_norm(curve(), thickness());
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -255,7 +248,7 @@ public:
   double length() const { return m_length; }
 
   /// returns the gradient of the energy at each node; zero at pinned nodes.
-  const Vector_field& gradient() const { return m_gradient; }
+  const Vector_field& gradient() const { return m_direction.gradient(); }
 
   /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes'
   /// shares of the length, pinned nodes left out: dimensionless, and independent of the spacing.
@@ -265,27 +258,18 @@ public:
   /// input's unit; pinned nodes are left out.
   double mean_medial_radius(double largest = std::numeric_limits<double>::infinity()) const
   {
-    return internal::mean_radius(m_spheres, m_weights, largest,
+    return internal::mean_radius(m_direction.spheres(), m_direction.weights(), largest,
                                  [&](size_type v) { return !curve().is_pinned(v); });
   }
 
   /// returns the direction in which the next step goes.
-  const Vector_field& direction() const { return m_direction; }
+  const Vector_field& direction() const { return m_direction.vectors(); }
 
   /// returns the medial spheres of node `v`; there are several circles of them at ends, junctions
   /// and spikes.
   std::vector<Medial_sphere<Point_3>> medial_spheres(size_type v) const
   {
-    std::vector<Medial_sphere<Point_3>> spheres;
-    for(std::size_t c = m_spheres.first_circle(v); c < m_spheres.first_circle(v + 1); ++c)
-      for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l) {
-        const internal::Vector center = internal::to_vector(curve().point(v)) +
-                                        m_spheres.radius(c, l) * m_spheres.direction(c, l);
-        const auto touched = m_spheres.touching_node(c, l);
-        spheres.push_back(
-            {internal::to_point(center, curve().traits()), m_spheres.radius(c, l), touched});
-      }
-    return spheres;
+    return internal::medial_spheres_at(curve(), v, m_direction.spheres());
   }
 
   /// returns what the flow has done so far. Changes are those that the guard has made since the
@@ -337,54 +321,17 @@ private:
     return clearance_over_thickness * least_thickness();
   }
 
-  void update_spheres()
-  {
-    const internal::Stage_timer stage(m_statistics.seconds_medial_spheres);
-    internal::Medial_sphere_search search(
-        ConcurrencyTag(), m_positions, m_thickness, m_parameters.max_radius,
-        internal::boundary_limit(curve(), m_guard.walls(), m_parameters.wall));
-    m_spheres =
-        search(internal::node_circles(curve(), m_positions), m_parameters.number_of_directions);
-  }
-
-  void update_direction()
-  {
-    const internal::Stage_timer stage(m_statistics.seconds_direction);
-    internal::Energy_gradient<Curve_network> gradient(curve(), m_positions, m_weights);
-    const auto tensions = internal::component_tensions(curve(), m_weights, m_thickness);
-    gradient.add_length(tensions);
-    if(m_direction_field) {
-      m_preference.directions = internal::edge_directions(curve(), m_direction_field);
-      gradient.add_direction_preference(m_preference, tensions);
-    }
-    gradient.add_medial_spheres(m_spheres, m_thickness, m_parameters.medial_weight);
-    m_gradient = gradient.result();
-    const double weight = weight_of_free_nodes();
-    m_gradient_norm = weight > 0 ? thickness() * m_gradient.rowwise().norm().sum() / weight : 0;
-    m_direction = m_solver(internal::preconditioner(m_parameters, curve(), m_positions, m_weights,
-                                                    m_thickness, m_spheres,
-                                                    m_direction_field ? &m_preference : nullptr),
-                           -m_gradient);
-  }
-
-  double weight_of_free_nodes() const
-  {
-    double sum = 0;
-    for(size_type v = 0; v < m_weights.size(); ++v)
-      if(!curve().is_pinned(v)) sum += m_weights[v];
-    return sum;
-  }
-
   // Returns whether any node moved.
   bool move()
   {
     const internal::Stage_timer stage(m_statistics.seconds_motion);
-    if(m_direction.isZero(0)) return false;
+    if(direction().isZero(0)) return false;
     const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
-                                                    : m_step_size.next(m_direction, m_thickness);
-    const auto outcome = internal::motion_outcome(
-        m_guard.template advance_nodes<ConcurrencyTag>(m_positions + scale * m_direction),
-        m_direction);
+                                                    : m_step_size.next(direction(), m_thickness);
+    const auto outcome =
+        internal::motion_outcome(m_guard.template advance_nodes<ConcurrencyTag>(
+                                     m_direction.positions() + scale * direction()),
+                                 direction());
     m_step_size.note_fraction(outcome.mean_fraction);
     if(outcome.is_shortened()) ++m_statistics.shortened_steps;
     const bool is_separation_due = outcome.are_nodes_held || m_separation > 0;
@@ -443,17 +390,13 @@ private:
       m_first_refused_change; // of the guard's, where the flow began
   Curve_flow_parameters m_parameters;
   Thickness_field m_thickness_field; // none if the thickness is the same everywhere
-  Direction_field m_direction_field; // none if the curve is to follow no directions
-  internal::Direction_preference m_preference;
   Curve_flow_statistics m_statistics;
   internal::Step_size m_step_size;
   double m_separation = 0; // in units of the least thickness
-  internal::Direction_solver m_solver;
 
   // of the curve as it stands
-  Vector_field m_positions, m_gradient, m_direction;
-  std::vector<double> m_weights, m_thickness; // per node
-  internal::Medial_spheres m_spheres;
+  std::vector<double> m_thickness; // per node
+  internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
   double m_length = 0, m_gradient_norm = 0;
 };
 

@@ -62,15 +62,16 @@ inline double diagonal(const CGAL::Bbox_3& box)
  * before the start.
  *
  * With `Wall::COVER` the curve settles at about r from the boundary, with `Wall::KEEP_CLEAR` at
- * about 2r, and in both cases strands settle at about 2r from one another. On eleven domains 77 to
- * 80 % of the volume ended within r, and 99 % within 1.3 to 1.5 r (2026-11-22). A user who asks
- * that every point is within some distance of the curve gives a thickness smaller by about 1.4.
+ * about 2r, and in both cases strands settle at about 2r from one another. On nine domains 78 to 80
+ * % of the volume ended within r and 99 % within 1.4 r (2026-11-23). A user who asks that every
+ * point is within some distance of the curve gives a thickness smaller by about 1.4.
  *
- * The run ends when the length settles at the thickness asked for, and every empty region has been
- * driven at. A curve that has settled has not always filled its domain: if more than 1 % of the
- * volume is farther than 2 r from it, the status is `Filling_status::PARTIAL`, and
- * `Filling_result::reason` says why. For the length to settle the steps shrink in the end, by 3 %
- * each: otherwise the curve trembles for good.
+ * The run ends when the curve has settled at the thickness asked for, and every empty region has
+ * been driven at. A curve that has settled has not always filled its domain: if more than 1 % of
+ * the volume is farther than 2 r from it, the status is `Filling_status::PARTIAL`, and
+ * `Filling_result::reason` says why. For the curve to settle the steps shrink in the end, by a
+ * fifth each: otherwise it trembles for good. Until the last steps edges are up to half as long
+ * again as asked for, which saves time.
  *
  * The time limit also holds for what comes before the first step; then fewer samples are taken. A
  * step that would end after it is not begun.

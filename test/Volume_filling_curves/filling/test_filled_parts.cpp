@@ -57,7 +57,7 @@ void expect_filled(const Domain& domain, double thickness, std::size_t parts)
 
 TEST(Parts, of_a_mesh_are_filled_by_a_curve_each)
 {
-  expect_filled(Mesh_domain(meshes::to_mesh(two_spheres)), 0.25, 2);
+  expect_filled(Mesh_domain(meshes::to_mesh(two_spheres)), 0.2, 2);
 }
 
 TEST(Parts, touch_in_a_vertex_of_an_hourglass)

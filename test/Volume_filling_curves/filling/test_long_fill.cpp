@@ -70,6 +70,26 @@ TEST(Fill, covers_a_mesh_of_twelve_triangles)
   EXPECT_LT(c.p99, 1.45);
 }
 
+TEST(Fill, takes_as_many_iterations_at_every_size)
+{
+  const Mesh_domain domain(cube());
+  for(const double thickness : {0.2, 0.1, 0.05}) {
+    Curve curve;
+    const auto result = vfc::fill(curve, domain, np::thickness(thickness));
+    EXPECT_LE(result.statistics.iterations, 30u) << "with a thickness of " << thickness;
+  }
+}
+
+TEST(Fill, refines_the_edges_in_the_end)
+{
+  const Ball ball(Point(1, 2, 3), 1);
+  Curve curve;
+  vfc::fill(curve, ball, np::thickness(0.2).spacing(0.1));
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    EXPECT_LE(CGAL::squared_distance(curve.point(curve.source(e)), curve.point(curve.target(e))),
+              CGAL::square(2.2 * 0.1 * 0.2)); // what a last step adds
+}
+
 TEST(Fill, keeps_clear_of_the_wall_on_request)
 {
   const Ball ball(Point(0, 0, 0), 1);

@@ -170,7 +170,7 @@ Filling_parameters<Point> with_thickness(double thickness)
 TEST(Resumed_filling, of_a_ball)
 {
   const Ball_domain_3<> ball(Point(1, 2, 3), 1);
-  expect_resumed(run_fill(ball), Network(), with_thickness(0.25), {0, 1, 8, 30});
+  expect_resumed(run_fill(ball), Network(), with_thickness(0.25), {0, 1, 8, 18});
 }
 
 TEST(Resumed_filling, of_a_box_from_a_circle)
@@ -195,7 +195,7 @@ TEST(Resumed_filling, with_a_thickness_that_varies)
   const Ball_domain_3<> ball(Point(1, 2, 3), 1);
   Filling_parameters<Point> parameters;
   parameters.thickness_field = [](const Point& p) { return 0.2 + 0.05 * p.x(); };
-  expect_resumed(run_fill(ball), Network(), parameters, {2, 9, 33});
+  expect_resumed(run_fill(ball), Network(), parameters, {2, 9, 19});
 }
 
 // The curve is led through the neck along a path on which it is thinner.
@@ -204,7 +204,7 @@ TEST(Resumed_filling, of_two_chambers)
   const Triangle_mesh_domain_3<> domain(meshes::to_mesh(exact_surface::two_chambers()));
   Filling_parameters<Point> parameters = with_thickness(0.2);
   parameters.start = Filling_start::CIRCLE;
-  expect_resumed(run_fill(domain), Network(), parameters, {10, 60, 100});
+  expect_resumed(run_fill(domain), Network(), parameters, {10, 40, 60});
 }
 
 } // namespace test_long_resumed_runs

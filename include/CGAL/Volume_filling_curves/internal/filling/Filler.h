@@ -121,6 +121,7 @@ private:
   {
     run(Filling_stage::settling());
     if(return_to_empty_regions()) run(Filling_stage::settling());
+    run(Filling_stage::refining());
     if(!(m_parameters.length > 0)) return;
     for(int k = 0; k < max_corrections_of_thickness && !m_end; ++k) {
       const double excess = m_decisions([&] { return m_flow.length() / m_parameters.length; });
@@ -129,6 +130,7 @@ private:
       m_thickness *= std::sqrt(excess);
       run(Filling_stage::opening()); // the shrinking steps alone do not follow the thickness
       run(Filling_stage::settling());
+      run(Filling_stage::refining());
     }
   }
 
@@ -258,6 +260,7 @@ private:
   {
     Curve_flow_parameters p = with_thickness(m_parameters, factor * m_thickness);
     p.screening *= stage.screening;
+    p.spacing = (std::max)(p.spacing, stage.spacing);
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
     m_flow.keep_apart(stage.separation);
     p.max_displacement = m_displacement = (std::min)(p.max_displacement, stage.max_displacement);

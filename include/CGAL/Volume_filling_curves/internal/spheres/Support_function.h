@@ -27,9 +27,8 @@ namespace internal {
 //   1 / R >= max over j of x_l . 2 d_j / |d_j|^2,
 // which is the support function of the images. Only their projections to the plane of the
 // directions matter. Everything is in units of the thickness. One array for each coordinate, so
-// that loops take several nodes, or directions, at a time: compilers do so with the greatest value,
-// but not with its place, which is sought afterwards. Linear in the number of nodes, times N for
-// those within reach.
+// that loops take several nodes, or directions, at a time. Linear in the number of nodes, times N
+// for those within reach.
 //
 // The support in a direction is at least what it is bounded by beforehand. The higher these bounds,
 // the fewer images have to be looked at.
@@ -68,14 +67,11 @@ public:
   {
     invert(nodes);
     keep_far_images();
-    m_former_support = m_support;
+    m_supporting_groups.assign(m_support.size(), no_group);
     raise_support();
-    std::size_t k = 0; // neighboring directions often have the same supporting node
-    for(std::size_t l = 0; l < m_support.size(); ++l) {
-      if(!(m_support[l] > m_former_support[l])) continue;
-      if(value(k, l) != m_support[l]) k = supporting_image(l);
-      m_supporting_nodes[l] = nodes.index(m_far_images[k]);
-    }
+    for(std::size_t l = 0; l < m_support.size(); ++l)
+      if(m_supporting_groups[l] != no_group)
+        m_supporting_nodes[l] = nodes.index(m_far_images[supporting_image(l)]);
   }
 
   // 1 / R in direction l, in units of 1 / thickness
@@ -92,6 +88,7 @@ public:
 private:
   static constexpr Index none = Medial_spheres::no_node;
   static constexpr std::size_t group = 4; // images at a time
+  static constexpr double no_group = -1;
 
   void invert(const Node_list& nodes)
   {
@@ -112,48 +109,52 @@ private:
   }
 
   // Only images beyond the circle of the least support matter. The node itself and coincident ones
-  // have no image: it is not a number.
+  // have no image: it is not a number. The others move to the front.
   void keep_far_images()
   {
     constexpr double slack = 1 - 1e-14; // rounding
     const double inner = slack * least() * least();
+    const double *u = m_u.data(), *v = m_v.data();
     std::size_t count = 0;
     for(std::size_t k = 0; k < m_number_of_images; ++k) {
-      const double u = m_u[k], v = m_v[k];
-      m_u[count] = u;
-      m_v[count] = v;
       m_far_images[count] = k;
-      count += u * u + v * v > inner ? 1 : 0;
+      count += u[k] * u[k] + v[k] * v[k] > inner ? 1 : 0;
     }
     m_number_of_images = count;
+    for(std::size_t k = 0; k < count; ++k) {
+      m_u[k] = m_u[m_far_images[k]];
+      m_v[k] = m_v[m_far_images[k]];
+    }
     for(; count % group != 0; ++count) m_u[count] = m_v[count] = 0;
   }
 
   void raise_support()
   {
     const double *cosine = m_directions.cosine.data(), *sine = m_directions.sine.data();
-    double* const support = m_support.data();
+    double *const support = m_support.data(), *const supporting = m_supporting_groups.data();
     for(std::size_t k = 0; k < m_number_of_images; k += group) {
       const double u0 = m_u[k], u1 = m_u[k + 1], u2 = m_u[k + 2], u3 = m_u[k + 3];
       const double v0 = m_v[k], v1 = m_v[k + 1], v2 = m_v[k + 2], v3 = m_v[k + 3];
+      const auto this_group = static_cast<double>(k);
       for(std::size_t l = 0, n = m_directions.size(); l < n; ++l) {
         const double c = cosine[l], s = sine[l];
         const double first = (std::max)(c * u0 + s * v0, c * u1 + s * v1),
                      last = (std::max)(c * u2 + s * v2, c * u3 + s * v3);
-        support[l] = (std::max)(support[l], (std::max)(first, last));
+        const double value = (std::max)(first, last);
+        supporting[l] = value > support[l] ? this_group : supporting[l];
+        support[l] = value > support[l] ? value : support[l];
       }
     }
   }
 
-  // Where compilers fuse a product and a sum (on ARM, without -ffp-contract=off), perhaps not alike
-  // at both places, no value may be the support to the last bit: then it is the greatest.
+  // The first of the group with the greatest value. That may differ from the support in the last
+  // bit where compilers fuse a product and a sum, as on ARM without -ffp-contract=off.
   std::size_t supporting_image(std::size_t l) const
   {
-    std::size_t greatest = 0;
-    for(std::size_t k = 0; k < m_number_of_images; ++k) {
-      if(value(k, l) == m_support[l]) return k;
+    const auto first = static_cast<std::size_t>(m_supporting_groups[l]);
+    std::size_t greatest = first;
+    for(std::size_t k = first + 1; k < (std::min)(first + group, m_number_of_images); ++k)
       if(value(k, l) > value(greatest, l)) greatest = k;
-    }
     return greatest;
   }
 
@@ -167,8 +168,9 @@ private:
   std::vector<double> m_u, m_v;      // of images, then of those that matter
   std::vector<std::size_t> m_far_images;
   std::size_t m_number_of_images = 0;
-  std::vector<double> m_support, m_former_support; // per direction
-  std::vector<Index> m_supporting_nodes;           // per direction
+  std::vector<double> m_support;           // per direction
+  std::vector<double> m_supporting_groups; // likewise, of those added last: the first image, k
+  std::vector<Index> m_supporting_nodes;   // likewise
 };
 
 } // namespace internal

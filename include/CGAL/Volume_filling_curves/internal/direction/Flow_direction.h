@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIRECTION_FLOW_DIRECTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIRECTION_FLOW_DIRECTION_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Direction_preference.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Direction_solver.h>
+#include <CGAL/Volume_filling_curves/internal/direction/energy_gradient.h>
+#include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Boundary_limit.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
+#include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Where a curve as it stands wants to go: its medial spheres, the gradient of its energy, and the
+// direction that the preconditioner makes of that (sections 3 and 4 of the paper).
+template <typename Network, typename ConcurrencyTag>
+class Flow_direction
+{
+  using Point_3 = typename Network::Point_3;
+
+public:
+  using Direction_field = std::function<std::array<double, 3>(const Point_3&)>;
+
+  // Lets the curve follow a field from the next update on; an empty one stands for none.
+  void follow(Direction_field field, double weight)
+  {
+    m_field = std::move(field);
+    m_preference.weight = weight;
+  }
+
+  // Takes the boundary of the domain and the thickness at each node.
+  template <typename Boundary>
+  void update(const Network& curve,
+              const Boundary& boundary,
+              const Curve_flow_parameters& parameters,
+              const std::vector<double>& thickness,
+              Curve_flow_statistics& statistics)
+  {
+    m_positions = coordinates(curve);
+    m_weights = node_weights(curve, m_positions);
+    update_spheres(curve, boundary, parameters, thickness, statistics);
+    const Stage_timer stage(statistics.seconds_direction);
+    update_gradient(curve, parameters, thickness);
+    m_vectors = m_solver(preconditioner(parameters, curve, m_positions, m_weights, thickness,
+                                        m_spheres, m_field ? &m_preference : nullptr),
+                         -m_gradient);
+  }
+
+  const Vector_field& positions() const { return m_positions; }
+  const std::vector<double>& weights() const { return m_weights; } // shares of the length
+  const Medial_spheres& spheres() const { return m_spheres; }
+  const Vector_field& gradient() const { return m_gradient; }
+  const Vector_field& vectors() const { return m_vectors; }
+
+  // Of the nodes' gradients, times the mean thickness and per length; pinned nodes are left out.
+  double gradient_norm(const Network& curve, double thickness) const
+  {
+    double weight = 0;
+    for(std::size_t v = 0; v < m_weights.size(); ++v)
+      if(!curve.is_pinned(v)) weight += m_weights[v];
+    return weight > 0 ? thickness * m_gradient.rowwise().norm().sum() / weight : 0;
+  }
+
+private:
+  template <typename Boundary>
+  void update_spheres(const Network& curve,
+                      const Boundary& boundary,
+                      const Curve_flow_parameters& parameters,
+                      const std::vector<double>& thickness,
+                      Curve_flow_statistics& statistics)
+  {
+    const Stage_timer stage(statistics.seconds_medial_spheres);
+    Medial_sphere_search search(ConcurrencyTag(), m_positions, thickness, parameters.max_radius,
+                                boundary_limit(curve, boundary, parameters.wall));
+    m_spheres = search(node_circles(curve, m_positions), parameters.number_of_directions);
+  }
+
+  void update_gradient(const Network& curve,
+                       const Curve_flow_parameters& parameters,
+                       const std::vector<double>& thickness)
+  {
+    Energy_gradient<Network> gradient(curve, m_positions, m_weights);
+    const auto tensions = component_tensions(curve, m_weights, thickness);
+    gradient.add_length(tensions);
+    if(m_field) {
+      m_preference.directions = edge_directions(curve, m_field);
+      gradient.add_direction_preference(m_preference, tensions);
+    }
+    gradient.add_medial_spheres(m_spheres, thickness, parameters.medial_weight);
+    m_gradient = gradient.result();
+  }
+
+  Direction_field m_field;
+  Direction_preference m_preference;
+  Direction_solver m_solver;
+  Vector_field m_positions, m_gradient, m_vectors;
+  std::vector<double> m_weights; // per node
+  Medial_spheres m_spheres;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIRECTION_FLOW_DIRECTION_H
