@@ -12,6 +12,7 @@
 #include "pictures/Stroke_layers.h"
 #include "pictures/Svg_painter.h"
 #include "pictures/corner_normals.h"
+#include "pictures/crease_paths.h"
 #include "pictures/cuts.h"
 #include "pictures/silhouette_path.h"
 #include "pictures/svg_number.h"
@@ -26,6 +27,7 @@ namespace vfc {
 namespace {
 
 constexpr double outline_width = 2.4; // of a surface that is cut, in picture units
+constexpr double crease_width = 1.6;
 
 // All that a picture shows, before it is drawn in one way or the other.
 class Scene
@@ -87,11 +89,13 @@ private:
   Curve_view m_view;
 };
 
-// A surface as SVG: behind the strands, but for the outline of its section.
+// A surface as SVG: behind the strands, but for its creases on the viewer's side and the outline of
+// its section.
 class Svg_surface
 {
 public:
-  explicit Svg_surface(const Cut_surface& surface) : m_silhouette(silhouette_path(surface.soup))
+  explicit Svg_surface(const Cut_surface& surface)
+      : m_silhouette(silhouette_path(surface.soup)), m_creases(crease_paths(surface.soup))
   {
     Directed_edges rim;
     for(const auto& [v, w] : surface.rim) rim.insert({v, w});
@@ -103,19 +107,29 @@ public:
     if(!m_silhouette.empty())
       out << "<path fill=\"#e9eef4\" stroke=\"#9fb0c4\" stroke-linejoin=\"round\" d=\""
           << m_silhouette << "\"/>\n";
+    write_creases(m_creases.back, "#cbd6e2", out);
     if(!m_rim.empty())
       out << "<path fill=\"#f4f6f9\" fill-rule=\"evenodd\" d=\"" << m_rim << "\"/>\n";
   }
 
   void write_front(std::ostream& out) const
   {
+    write_creases(m_creases.front, "#7d93ad", out);
     if(!m_rim.empty())
       out << "<path fill=\"none\" stroke=\"#465870\" stroke-linejoin=\"round\" stroke-width=\""
           << svg_number(outline_width) << "\" d=\"" << m_rim << "\"/>\n";
   }
 
 private:
+  static void write_creases(const std::string& path, const char* color, std::ostream& out)
+  {
+    if(path.empty()) return;
+    out << "<path fill=\"none\" stroke=\"" << color << "\" stroke-opacity=\"0.6\" stroke-width=\""
+        << svg_number(crease_width) << "\" d=\"" << path << "\"/>\n";
+  }
+
   std::string m_silhouette, m_rim;
+  Crease_paths m_creases;
 };
 
 void add_rim(Scene_raster& raster, const Cut_surface& surface, double line_width)

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "pictures/crease_paths.h"
+
+#include "pictures/svg_number.h"
+
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace vfc {
+namespace {
+
+// 40 degrees: an icosahedron, with 42, has creases, and a round surface meshed with more than nine
+// edges around it none
+constexpr double crease_cosine = 0.766;
+constexpr std::size_t most_creases = 500;
+
+using Edge = std::pair<std::size_t, std::size_t>;
+
+std::map<Edge, Vector> normals_beside_edges(const Triangle_soup& surface)
+{
+  std::map<Edge, Vector> normals;
+  for(std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const Vector normal = surface.area_normal(t);
+    for(const Edge& edge : {Edge{a, b}, Edge{b, c}, Edge{c, a}}) normals[edge] = normal;
+  }
+  return normals;
+}
+
+bool is_crease(const Vector& m, const Vector& n)
+{
+  return m.dot(n) < crease_cosine * m.norm() * n.norm() && (m.z() < 0) == (n.z() < 0);
+}
+
+} // namespace
+
+Crease_paths crease_paths(const Triangle_soup& surface)
+{
+  Crease_paths paths;
+  std::size_t count = 0;
+  const std::map<Edge, Vector> normals = normals_beside_edges(surface);
+  for(const auto& [edge, normal] : normals) {
+    const auto& [v, w] = edge;
+    const auto other = v < w ? normals.find({w, v}) : normals.end();
+    if(other == normals.end() || !is_crease(normal, other->second)) continue;
+    if(++count > most_creases) return {};
+    std::string& path = normal.z() < 0 ? paths.front : paths.back; // y points downwards
+    path += 'M' + svg_coordinates(surface.points[v]) + 'L' + svg_coordinates(surface.points[w]);
+  }
+  return paths;
+}
+
+} // namespace vfc
