@@ -24,8 +24,8 @@ std::string png_picture(const Curve& curve,
                         const Mesh& mesh = Mesh(),
                         const Picture_options& options = Picture_options());
 
-// SVG: strands that pass under others are interrupted, the outline of the surface is drawn behind
-// them. O(n log n + k) for n nodes and k places where strands come close in the picture.
+// SVG: strands that pass under others are interrupted, the surface is drawn by outline and creases.
+// O(n log n + k) for n nodes and k places where strands come close in the picture.
 std::string svg_picture(const Curve& curve,
                         const Mesh& mesh = Mesh(),
                         const Picture_options& options = Picture_options());
