@@ -5,7 +5,9 @@
 // Author(s) : The Volume_filling_curves authors
 
 #include "pictures/crease_paths.h"
+#include "pictures/curve_pictures.h"
 
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/number_type_config.h>
 
 #include <gtest/gtest.h>
@@ -86,6 +88,24 @@ TEST(Crease_paths, are_none_where_a_surface_is_round)
   const Crease_paths paths = crease_paths(cylinder);
   EXPECT_GT(lines(paths.front), 0u);
   EXPECT_LE(lines(paths.front) + lines(paths.back), 2 * sides);
+}
+
+// Three faces of a tetrahedron meet at the viewer's corner, and the fourth is behind.
+TEST(Crease_paths, are_in_svg_pictures)
+{
+  using Point = Curve::Point_3;
+  Mesh mesh;
+  CGAL::make_tetrahedron(Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0), Point(1, 1, 1), mesh);
+  const Curve curve({Point(1, 1, 0.1), Point(1.1, 1, 0.1)}, {{0, 1}});
+  Picture_options options;
+  options.direction = Vector(0, 0, 1);
+  const std::string path = crease_paths(Triangle_soup(mesh)).back; // z points to the viewer there
+  EXPECT_EQ(lines(path), 3u);
+  const std::string text = svg_picture(curve, mesh, options);
+  const std::size_t front = text.find("stroke=\"#7d93ad\"");
+  ASSERT_NE(front, std::string::npos);
+  EXPECT_EQ(lines(text.substr(front, text.find("/>", front) - front)), 3u);
+  EXPECT_EQ(text.find("stroke=\"#cbd6e2\""), std::string::npos);
 }
 
 TEST(Crease_paths, are_left_out_where_they_would_hide_the_curve)
