@@ -45,8 +45,10 @@ struct Finger_growth
  * where it is narrow. Along a random spanning tree of them, which begins at the curves, fingers
  * grow: an edge of the curve is halved, and one half is pulled out to the next point, with a blunt
  * tip that is 1.4 r wide. These are three insertions of nodes that the guard certifies, so that the
- * result is ambient isotopic to what it was: the outline of a tree, in place of a small circle. It
- * gets wherever the points do, through necks as well, in time that is near linear in their number.
+ * result is ambient isotopic to what it was: the outline of a tree, in place of a small circle. To
+ * points that no straight finger gets to, ways with room for a ball of radius r/14 are searched,
+ * and thin fingers are led along them, through necks and around corners. The time is near linear in
+ * the number of points.
  *
  * Of several components the one that has got least of the volume grows first, so that they share
  * it. Pinned nodes stay where they are; networks keep their graph. The curves are numbered again.

@@ -75,6 +75,24 @@ TEST(Grow_fingers, reaches_around_a_wall_of_a_mesh)
   EXPECT_EQ(surface.count_outside(curve), (std::array<std::size_t, 2>{0, 0}));
 }
 
+// The neck is as wide as the thickness. Straight fingers reach 7 of 13 places.
+TEST(Grow_fingers, gets_through_a_neck_by_isotopy)
+{
+  const auto mesh = meshes::to_mesh(exact_surface::two_chambers());
+  const Triangle_mesh_domain_3<> chambers(mesh);
+  for(const std::size_t seed : {0u, 1u, 2u, 3u, 4u}) {
+    const Network start = triangle(Point(2.4, 0.3, 0.6), 0.1);
+    Network curve = start;
+    Isotopy_guard_3 guard(curve, chambers);
+    guard.start_recording();
+    const Finger_growth growth = grow_fingers(guard, np::thickness(0.2).random_seed(seed));
+    EXPECT_GT(growth.number_of_places, 8u);
+    EXPECT_EQ(growth.number_of_fingers, growth.number_of_places) << seed;
+    EXPECT_TRUE(is_embedded(curve));
+    EXPECT_TRUE(verify_certificate(guard.certificate(), start, curve, mesh).is_valid);
+  }
+}
+
 // The lengths of the parts of a box that two components have got.
 TEST(Grow_fingers, shares_the_volume_between_components)
 {

@@ -27,6 +27,8 @@ class Finger
   using Network = typename Guard::Curve_network;
 
 public:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
   Finger(Guard& guard, std::size_t edge) : m_guard(guard), m_edge(edge) {}
 
   // How well an edge is placed for a finger to a point: what can be seen of it from there.
@@ -35,6 +37,13 @@ public:
     const Vector a = to_vector(curve.point(curve.source(e)));
     const Vector b = to_vector(curve.point(curve.target(e)));
     return across(b - a, p - (a + b) / 2).norm();
+  }
+
+  // Halves the edge, and returns the second half, or none if that is refused. \pre it is whole
+  std::size_t halve()
+  {
+    if(halve_edge(m_guard, m_edge)) m_half = edge_after(m_edge);
+    return m_half;
   }
 
   // Pulls the finger to a tip of that half width around p, where both ends must have room; returns
@@ -46,7 +55,7 @@ public:
     const Vector b = position(curve().target(m_half == none ? m_edge : m_half));
     const Vector side = half_width * across(b - a, p - (a + b) / 2).normalized();
     if(!has_room(p - side) || !has_room(p + side)) return false;
-    if(m_half == none && !halve()) return false;
+    if(m_half == none && halve() == none) return false;
     if(!insert(m_half, p - side)) return false;
     const std::size_t first = curve().target(m_half), rest = edge_after(m_half);
     if(!insert(rest, p + side)) {
@@ -67,8 +76,6 @@ public:
   std::size_t tip() const { return m_tip; }
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
   const Network& curve() const { return m_guard.curve(); }
 
   Vector position(std::size_t v) const { return to_vector(curve().point(v)); }
@@ -76,13 +83,6 @@ private:
   static Vector across(const Vector& v, const Vector& direction)
   {
     return v - v.dot(direction) / direction.squaredNorm() * direction;
-  }
-
-  bool halve()
-  {
-    if(!halve_edge(m_guard, m_edge)) return false;
-    m_half = edge_after(m_edge);
-    return true;
   }
 
   bool insert(std::size_t e, const Vector& p)
