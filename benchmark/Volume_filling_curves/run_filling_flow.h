@@ -41,6 +41,8 @@ template <typename Flow>
 vfc::Filling_status run_steps(Flow& flow, const Filling_options& options)
 {
   constexpr int max_steps_without_motion = 5;
+  constexpr std::size_t window = 20;
+  constexpr double change_of_length = 1e-3;
   CGAL::Real_timer timer;
   timer.start();
   vfc::internal::Length_window lengths;
@@ -52,7 +54,7 @@ vfc::Filling_status run_steps(Flow& flow, const Filling_options& options)
     if(steps_without_motion == max_steps_without_motion) return vfc::Filling_status::STALLED;
     lengths.add(flow.length());
     if(options.until_length > 0 ? flow.length() >= options.until_length
-                                : lengths.has_settled(20, 1e-3))
+                                : lengths.has_settled(window, change_of_length))
       return vfc::Filling_status::CONVERGED;
   }
   return vfc::Filling_status::LIMIT;
@@ -67,7 +69,7 @@ Filling run_flow_alone(Curve& curve, const Domain& domain, const Filling_options
   const std::vector<double> distances = vfc::internal::boundary_distances(domain, samples.points());
   const vfc::internal::Widest_place<Domain, Traits> widest(domain, samples.points(), distances,
                                                            traits);
-  curve = Curve(widest.circle(widest.radius(), 24));
+  curve = Curve(widest.circle(widest.radius()));
   vfc::Isotopy_guard_3 guard(curve, domain);
   vfc::Curve_flow_3 flow(guard, options.parameters);
   Filling result;

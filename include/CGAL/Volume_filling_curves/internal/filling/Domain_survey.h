@@ -119,13 +119,15 @@ private:
   // if that is smaller; smaller parts are dust.
   static constexpr double least_radius = 0.125;
 
-  // The root of a tree is as wide as the tips of its fingers.
+  // The root of a tree is as wide as the tips of its fingers, which grow out of edges as long as
+  // half of that: those of a hexagon.
   std::vector<Point_3> circle(const typename Parts::Widest& place) const
   {
-    if(m_parameters.start == Filling_start::CIRCLE) return place.circle(place.radius(), 24);
+    if(m_parameters.start == Filling_start::CIRCLE) return place.circle(place.radius());
     constexpr double radius_of_root = 0.7; // in units of the thickness
+    constexpr std::size_t nodes_of_root = 6;
     const double r = thickness_at(to_point(place.center(), m_samples.traits()));
-    return place.circle(radius_of_root * r, 6);
+    return place.circle(radius_of_root * r, nodes_of_root);
   }
 
   bool is_wide(const Vector& center, double radius) const

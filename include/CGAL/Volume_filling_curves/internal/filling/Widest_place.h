@@ -29,6 +29,9 @@ class Widest_place
   using Point_3 = typename Traits::Point_3;
 
 public:
+  // Of a polygon that passes for a circle: the middles of its edges are 1 % nearer to the center.
+  static constexpr std::size_t nodes_of_round_circle = 24;
+
   // Takes the distances of the samples to the boundary. \pre there is a sample
   Widest_place(const Domain& domain,
                const std::vector<Point_3>& samples,
@@ -47,7 +50,8 @@ public:
 
   // A circle around the center of at most that radius, as a polyline whose last point repeats the
   // first.
-  std::vector<Point_3> circle(double largest_radius, std::size_t nodes) const
+  std::vector<Point_3> circle(double largest_radius,
+                              std::size_t nodes = nodes_of_round_circle) const
   {
     const double radius = (std::min)(largest_radius, radius_of_circle * m_radius);
     std::vector<Point_3> points;
