@@ -163,7 +163,7 @@ public:
   {
     m_parameters = parameters;
     m_thickness_field = std::move(thickness);
-    set_max_displacement(parameters.max_displacement);
+    m_step_size = internal::Step_size(parameters.max_displacement);
     start();
   }
 

@@ -114,18 +114,21 @@ private:
       reach_out(guard);
     Filler<Flow, typename Survey::Samples, Visitor> filler(
         guard, m_survey.samples(), m_survey.distances_to_boundary(), m_parameters,
-        start_thickness(), m_survey.widest_radius(), m_deadline, m_visitor, m_saver);
+        start_thickness(), m_survey.widest_radius(), [&] { return reach_out(guard); }, m_deadline,
+        m_visitor, m_saver);
     const Result result = filler();
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
     return result;
   }
 
-  void reach_out(Isotopy_guard_3<Traits, Domain>& guard) const
+  // Returns how many fingers have grown.
+  std::size_t reach_out(Isotopy_guard_3<Traits, Domain>& guard) const
   {
     const auto thickness = [this](const Point_3& p) { return m_survey.thickness_at(p); };
     auto tree = finger_tree(guard, m_domain, thickness, m_parameters.random_seed, m_deadline);
     tree.follow(m_parameters.direction_field, m_parameters.direction_weight);
     tree.grow();
+    return tree.number_of_fingers();
   }
 
   double start_thickness() const

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Points of paths along which a curve may be thinner, so that it gets through necks that are too
-// narrow for a loop. Linear in their number.
+// Points of paths along which a curve may be thinner, into places that are too thin for the
+// thickness asked for. Linear in their number.
 class Thinned_paths
 {
 public:
