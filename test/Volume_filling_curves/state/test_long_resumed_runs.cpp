@@ -198,7 +198,7 @@ TEST(Resumed_filling, with_a_thickness_that_varies)
   expect_resumed(run_fill(ball), Network(), parameters, {2, 9, 19});
 }
 
-// The curve is led through the neck along a path on which it is thinner.
+// Fingers are led through the neck when the curve has grown in its chamber.
 TEST(Resumed_filling, of_two_chambers)
 {
   const Triangle_mesh_domain_3<> domain(meshes::to_mesh(exact_surface::two_chambers()));
