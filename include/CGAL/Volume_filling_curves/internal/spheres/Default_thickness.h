@@ -46,7 +46,7 @@ public:
     for(int k = 0; k < max_refinements && thickness > 0; ++k) {
       sample(samples_per_thickness * thickness);
       const double least = (std::min)(least_thickness(), thickness);
-      const double refined = std::clamp(percentile(diagonal), least, thickness);
+      const double refined = (std::max)(percentile(thickness), least);
       const bool is_settled = refined > settled * thickness;
       thickness = refined;
       if(is_settled) break;
@@ -85,9 +85,12 @@ private:
       set_row(m_samples, m_x.rows() + static_cast<Eigen::Index>(k), samples[k]);
   }
 
+  // At most `largest`. No cap is tried between half of that and itself: in the end the thickness
+  // hardly falls, so that most radii would reach the smaller cap.
   double percentile(double largest) const
   {
     for(double cap = start_cap();; cap *= 2) {
+      if(2 * cap > largest) cap = largest;
       const std::vector<double> caps(static_cast<std::size_t>(m_samples.rows()), cap);
       const Medial_spheres spheres = Medial_sphere_search(ConcurrencyTag(), m_samples, caps,
                                                           1.)(m_circles, m_number_of_directions);
@@ -97,7 +100,7 @@ private:
           radii.push_back(spheres.radius(c, l));
       const auto rank = static_cast<std::ptrdiff_t>(percentage * static_cast<double>(radii.size()));
       std::nth_element(radii.begin(), radii.begin() + rank, radii.end());
-      if(radii[static_cast<std::size_t>(rank)] < cap || cap > largest)
+      if(radii[static_cast<std::size_t>(rank)] < cap || cap == largest)
         return radii[static_cast<std::size_t>(rank)];
     }
   }
