@@ -18,6 +18,7 @@
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -56,7 +57,7 @@ public:
       return unfilled_fraction(m_samples, distances_to_curve,
                                [&](const Point_3& p) { return multiple / 2 * thickness(p); });
     };
-    return farther_than(2) > tolerated_unfilled_fraction || farther_than(3) > 0;
+    return farther_than(2) > tolerated_unfilled_fraction || farther_than(far) > 0;
   }
 
   template <typename Thickness>
@@ -66,8 +67,32 @@ public:
                               thickness);
   }
 
-  // returns ways from regions to the curve. After the deadline no further ones are looked for.
-  Thinned_paths ways_to(const std::vector<Region>& regions,
+  // returns a point of each region, and points far from the curve, the farthest first: a tip of a
+  // thin ear holds no ball that makes it a region
+  template <typename Thickness>
+  std::vector<Point_3> places(const Network& curve, const Thickness& thickness) const
+  {
+    std::vector<Point_3> places;
+    for(const Region& region : regions(curve, thickness)) places.push_back(region.point);
+    const std::vector<double> distances_to_curve = distances(curve, thickness);
+    std::vector<std::size_t> far_samples;
+    for(std::size_t k = 0; k < distances_to_curve.size(); ++k)
+      if(distances_to_curve[k] > far * thickness(m_samples.points()[k])) far_samples.push_back(k);
+    std::sort(far_samples.begin(), far_samples.end(), [&](std::size_t a, std::size_t b) {
+      return distances_to_curve[a] > distances_to_curve[b];
+    });
+    for(const std::size_t k : far_samples) {
+      const Point_3& p = m_samples.points()[k];
+      const auto is_near = [&](const Point_3& q) {
+        return (to_vector(p) - to_vector(q)).norm() < far * thickness(p);
+      };
+      if(std::none_of(places.begin(), places.end(), is_near)) places.push_back(p);
+    }
+    return places;
+  }
+
+  // returns ways from places to the curve. After the deadline no further ones are looked for.
+  Thinned_paths ways_to(const std::vector<Point_3>& places,
                         const Network& curve,
                         double thickness,
                         const Deadline& deadline) const
@@ -75,12 +100,12 @@ public:
     const Distance_to_curve tree(curve);
     Free_ways ways(m_samples.domain(), m_samples.traits(), most_cells);
     Thinned_paths paths(cell_of_paths * thickness);
-    for(const Region& region : regions)
+    for(const Point_3& place : places)
       for(double cell = cell_of_paths; cell >= least_cell; cell /= 2) {
         const auto is_near = [&](const Vector& p) {
           return tree.distance(p) < 2 * cell_of_paths * thickness || deadline.has_passed();
         };
-        if(!ways.flood(to_vector(region.point), cell * thickness, is_near)) continue;
+        if(!ways.flood(to_vector(place), cell * thickness, is_near)) continue;
         for(const Vector& p : ways.cells()) paths.add(p);
         break;
       }
@@ -88,6 +113,7 @@ public:
   }
 
 private:
+  static constexpr double far = 3; // from the curve, in units of the thickness
   static constexpr double cell_of_paths = 0.5, least_cell = 0.125; // in units of the thickness
   static constexpr std::size_t most_cells = 1000000;
 

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include <CGAL/Volume_filling_curves/Box_domain_3.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
+#include <CGAL/Volume_filling_curves/internal/filling/boundary_distances.h>
+
+#include <CGAL/squared_distance_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+// What a filling has left empty.
+namespace test_unfilled_space {
+
+using namespace CGAL::Volume_filling_curves;
+using Traits = Curve_flow_traits_3<>;
+using Network = Curve_network_3<>;
+using Point = Network::Point_3;
+using Domain = Box_domain_3<>;
+using Samples = Domain_samples_3<Traits, Domain>;
+
+constexpr double r = 0.1;
+double thickness(const Point&)
+{
+  return r;
+}
+
+// A circle about the origin, in a stick along the x-axis that is so thin that no ball fits in which
+// would make a region empty.
+struct Thin_stick
+{
+  Domain domain{Point(-0.2, -0.04, -0.2), Point(3, 0.04, 0.2)};
+  Samples samples{domain, 2000, 1};
+  std::vector<double> boundary_distances = internal::boundary_distances(domain, samples.points());
+  Network circle{std::vector<Point>{Point(0.1, 0, 0), Point(0, 0, 0.1), Point(-0.1, 0, 0),
+                                    Point(0, 0, -0.1), Point(0.1, 0, 0)}};
+
+  internal::Unfilled_space<Network, Samples> unfilled(Wall wall) const
+  {
+    return {samples, boundary_distances, wall};
+  }
+};
+
+TEST(Unfilled_space, is_driven_at_where_it_is_far_though_no_region)
+{
+  const Thin_stick stick;
+  const auto unfilled = stick.unfilled(Wall::COVER);
+  EXPECT_TRUE(unfilled.regions(stick.circle, thickness).empty());
+  const std::vector<Point> places = unfilled.places(stick.circle, thickness);
+  ASSERT_FALSE(places.empty());
+  EXPECT_GT(places.front().x(), 2.9); // the farthest first
+  const std::vector<double> distances = sample_distances(stick.circle, stick.samples);
+  for(std::size_t k = 0; k < distances.size(); ++k) {
+    double nearest = distances[k]; // of the places and the curve
+    for(const Point& p : places)
+      nearest =
+          (std::min)(nearest, std::sqrt(CGAL::squared_distance(p, stick.samples.points()[k])));
+    EXPECT_LE(nearest, 3 * r);
+  }
+}
+
+TEST(Unfilled_space, is_none_near_a_boundary_that_is_to_be_kept_clear_of)
+{
+  const Thin_stick stick;
+  EXPECT_TRUE(stick.unfilled(Wall::KEEP_CLEAR).places(stick.circle, thickness).empty());
+  EXPECT_EQ(stick.unfilled(Wall::KEEP_CLEAR).fraction(stick.circle, thickness), 0);
+  EXPECT_GT(stick.unfilled(Wall::COVER).fraction(stick.circle, thickness), 0.5);
+}
+
+} // namespace test_unfilled_space
