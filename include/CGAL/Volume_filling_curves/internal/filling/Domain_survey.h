@@ -29,7 +29,7 @@ namespace internal {
 
 // What is found out about a domain before a curve grows in it: its connected parts, where to start
 // in each, and whether the domain is wide enough for the thickness.
-template <typename Traits, typename Domain>
+template <typename Traits, typename Domain, typename ConcurrencyTag>
 class Domain_survey
 {
   using Point_3 = typename Traits::Point_3;
@@ -50,7 +50,7 @@ public:
                   parameters.random_seed,
                   traits,
                   [&] { return !deadline.has_passed(); }),
-        m_distances(boundary_distances(domain, m_samples.points(), &deadline)),
+        m_distances(boundary_distances<ConcurrencyTag>(domain, m_samples.points(), &deadline)),
         m_parts(m_samples, m_distances, deadline),
         m_widest_radius(m_parts.largest_radius()),
         m_thickness(parameters.thickness_field

@@ -46,7 +46,7 @@ class Filling_run
 {
   using Network = Curve_network_3<Traits>;
   using Point_3 = typename Traits::Point_3;
-  using Survey = Domain_survey<Traits, Domain>;
+  using Survey = Domain_survey<Traits, Domain, ConcurrencyTag>;
   using Flow = Curve_flow_3<Traits, Domain, ConcurrencyTag>;
   using Parameters = Filling_parameters<Point_3>;
   using Result = Filling_result<Point_3>;

@@ -10,6 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <vector>
@@ -20,16 +23,17 @@ namespace internal {
 
 // How far points inside a domain are from its boundary. After the deadline, if there is one, the
 // distances are left at 0, but for that of the first point.
-template <typename Domain>
+template <typename ConcurrencyTag = Sequential_tag, typename Domain>
 std::vector<double> boundary_distances(const Domain& domain,
                                        const std::vector<typename Domain::Point_3>& points,
                                        const Deadline* deadline = nullptr)
 {
+  constexpr std::size_t block = 256;
   std::vector<double> distances(points.size(), 0);
-  for(std::size_t k = 0; k < points.size(); ++k) {
-    distances[k] = domain.distance(points[k]);
-    if(deadline && deadline->has_passed()) break;
-  }
+  for_each_block<ConcurrencyTag>(points.size(), block, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t k = begin; k < end; ++k)
+      if(k == 0 || !deadline || !deadline->has_passed()) distances[k] = domain.distance(points[k]);
+  });
   return distances;
 }
 
