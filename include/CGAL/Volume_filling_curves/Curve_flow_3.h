@@ -15,7 +15,6 @@
 #include <CGAL/Volume_filling_curves/Medial_sphere.h>
 #include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/direction/Flow_direction.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/remeshing/Remesher.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
@@ -199,8 +198,6 @@ public:
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     update_thickness();
     m_direction.update(curve(), m_guard.walls(), m_parameters, m_thickness, m_statistics);
-    m_length = std::accumulate(m_direction.weights().begin(), m_direction.weights().end(), 0.);
-    m_gradient_norm = m_direction.gradient_norm(curve(), thickness());
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -245,14 +242,14 @@ public:
   double thickness(size_type v) const { return m_thickness[v]; }
 
   /// returns the length of all edges.
-  double length() const { return m_length; }
+  double length() const { return m_direction.length(); }
 
   /// returns the gradient of the energy at each node; zero at pinned nodes.
   const Vector_field& gradient() const { return m_direction.gradient(); }
 
   /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes'
   /// shares of the length, pinned nodes left out: dimensionless, and independent of the spacing.
-  double gradient_norm() const { return m_gradient_norm; }
+  double gradient_norm() const { return thickness() * m_direction.gradient_per_length(); }
 
   /// returns the mean of the medial radii along the curve, each of them capped at `largest`, in the
   /// input's unit; pinned nodes are left out.
@@ -306,19 +303,14 @@ private:
     const auto n = static_cast<double>(m_thickness.size());
     if(m_thickness_field && n > 0)
       m_parameters.thickness = std::accumulate(m_thickness.begin(), m_thickness.end(), 0.) / n;
-    m_guard.set_clearance(n > 0 ? clearance() : 0);
+    // A step leaves strands a tenth of the thickness apart, so that they can move on.
+    constexpr double clearance_over_thickness = 0.1;
+    m_guard.set_clearance(n > 0 ? clearance_over_thickness * least_thickness() : 0);
   }
 
   double least_thickness() const
   {
     return *std::min_element(m_thickness.begin(), m_thickness.end());
-  }
-
-  // A step leaves strands a tenth of the thickness apart, so that they can move on.
-  double clearance() const
-  {
-    constexpr double clearance_over_thickness = 0.1;
-    return clearance_over_thickness * least_thickness();
   }
 
   // Returns whether any node moved.
@@ -397,7 +389,6 @@ private:
   // of the curve as it stands
   std::vector<double> m_thickness; // per node
   internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
-  double m_length = 0, m_gradient_norm = 0;
 };
 
 #ifndef DOXYGEN_RUNNING

@@ -87,30 +87,20 @@ public:
   /// the type of the indices of nodes, edges and components
   using size_type = std::size_t;
 
-#ifdef DOXYGEN_RUNNING
   /// the type of ranges of nodes' indices, a model of `ConstRange` with the value type `size_type`
-  using Node_range = unspecified_type;
+  using Node_range = internal::Present_range<internal::Is_present_node>;
 
   /// the type of ranges of edges' indices, likewise
-  using Edge_range = unspecified_type;
+  using Edge_range = internal::Present_range<internal::Is_present_edge>;
 
   /// the type of ranges of indices that follow one another, likewise
-  using Index_range = unspecified_type;
+  using Index_range = internal::Index_range;
 
   /// the type of ranges of positions, a model of `ConstRange` with the value type `Point_3`
-  using Point_range = unspecified_type;
-#else
-  using Node_range = internal::Present_range<internal::Is_present_node>;
-  using Edge_range = internal::Present_range<internal::Is_present_edge>;
-  using Index_range = internal::Index_range;
   using Point_range = internal::Point_range<Point_3>;
-#endif
 
   /// stands for "no node", for example as the origin of a node that was inserted.
-  static constexpr size_type null_node()
-  {
-    return Topology::null;
-  }
+  static constexpr size_type null_node() { return Topology::null; }
 
   /// @}
 
@@ -189,12 +179,8 @@ public:
    * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
    */
   template <typename PolylineRange,
-            typename NamedParameters = CGAL::parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-            ,
-            typename = std::enable_if_t<internal::is_range_of_items<PolylineRange>>
-#endif
-            >
+            typename NamedParameters = CGAL::parameters::Default_named_parameters,
+            typename = std::enable_if_t<internal::is_range_of_items<PolylineRange>>>
   explicit Curve_network_3(const PolylineRange& polylines,
                            const NamedParameters& np = parameters::default_values(),
                            const Traits& traits = Traits())
@@ -250,16 +236,10 @@ public:
   }
 
   /// returns the range of the components' indices.
-  Index_range components() const
-  {
-    return internal::index_range(0, number_of_components());
-  }
+  Index_range components() const { return internal::index_range(0, number_of_components()); }
 
   /// returns the range of the nodes' positions.
-  Point_range points() const
-  {
-    return internal::point_range<Point_3>(nodes(), m_points);
-  }
+  Point_range points() const { return internal::point_range<Point_3>(nodes(), m_points); }
 
   /// returns the box around all nodes; an empty one if there are none.
   Bbox_3 bbox() const
@@ -279,41 +259,23 @@ public:
 
   /// returns the number of nodes, without removed ones. If the network has no garbage, the nodes
   /// are those from 0 on, up to but without this number; otherwise `nodes()` tells them.
-  size_type number_of_nodes() const
-  {
-    return m_topology.number_of_nodes();
-  }
+  size_type number_of_nodes() const { return m_topology.number_of_nodes(); }
 
   /// returns the number of nodes that were removed and still have an index, so that indices are
   /// less than `number_of_nodes() + number_of_removed_nodes()`.
-  size_type number_of_removed_nodes() const
-  {
-    return m_topology.number_of_removed_nodes();
-  }
+  size_type number_of_removed_nodes() const { return m_topology.number_of_removed_nodes(); }
 
   /// returns whether node `v` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
-  bool is_removed_node(size_type v) const
-  {
-    return m_topology.is_removed_node(v);
-  }
+  bool is_removed_node(size_type v) const { return m_topology.is_removed_node(v); }
 
   /// returns the position of node `v`.
-  const Point_3& point(size_type v) const
-  {
-    return m_points[v];
-  }
+  const Point_3& point(size_type v) const { return m_points[v]; }
 
   /// returns the number of edges at node `v`: 2 inside a curve, 1 at an end, more at a junction.
-  size_type degree(size_type v) const
-  {
-    return m_topology.degree(v);
-  }
+  size_type degree(size_type v) const { return m_topology.degree(v); }
 
   /// returns the `k`-th edge at node `v`, with `k < degree(v)`.
-  size_type incident_edge(size_type v, size_type k) const
-  {
-    return m_topology.incident_edge(v, k);
-  }
+  size_type incident_edge(size_type v, size_type k) const { return m_topology.incident_edge(v, k); }
 
   /// returns the `k`-th neighbor of node `v`, with `k < degree(v)`.
   size_type neighbor(size_type v, size_type k) const
@@ -323,22 +285,13 @@ public:
 
   /// returns the index that node `v` had in the input, or `null_node()` if it was inserted later.
   /// `curve_origins()` gives every node a place in the input.
-  size_type origin(size_type v) const
-  {
-    return m_topology.origin(v);
-  }
+  size_type origin(size_type v) const { return m_topology.origin(v); }
 
   /// returns whether node `v` is pinned, that is, whether the flow leaves it where it is.
-  bool is_pinned(size_type v) const
-  {
-    return m_topology.is_pinned(v);
-  }
+  bool is_pinned(size_type v) const { return m_topology.is_pinned(v); }
 
   /// pins node `v`, or frees it.
-  void set_pinned(size_type v, bool is_pinned = true)
-  {
-    m_topology.set_pinned(v, is_pinned);
-  }
+  void set_pinned(size_type v, bool is_pinned = true) { m_topology.set_pinned(v, is_pinned); }
 
   /// pins all nodes with one edge.
   void pin_ends()
@@ -353,34 +306,19 @@ public:
   /// @{
 
   /// returns the number of edges, without removed ones; likewise.
-  size_type number_of_edges() const
-  {
-    return m_topology.number_of_edges();
-  }
+  size_type number_of_edges() const { return m_topology.number_of_edges(); }
 
   /// returns the number of edges that were removed and still have an index.
-  size_type number_of_removed_edges() const
-  {
-    return m_topology.number_of_removed_edges();
-  }
+  size_type number_of_removed_edges() const { return m_topology.number_of_removed_edges(); }
 
   /// returns whether edge `e` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
-  bool is_removed_edge(size_type e) const
-  {
-    return m_topology.is_removed_edge(e);
-  }
+  bool is_removed_edge(size_type e) const { return m_topology.is_removed_edge(e); }
 
   /// returns the first node of edge `e`.
-  size_type source(size_type e) const
-  {
-    return m_topology.source(e);
-  }
+  size_type source(size_type e) const { return m_topology.source(e); }
 
   /// returns the second node of edge `e`.
-  size_type target(size_type e) const
-  {
-    return m_topology.target(e);
-  }
+  size_type target(size_type e) const { return m_topology.target(e); }
 
   /// @}
 
@@ -388,35 +326,20 @@ public:
   /// @{
 
   /// returns the number of connected components. It never changes.
-  size_type number_of_components() const
-  {
-    return m_topology.number_of_components();
-  }
+  size_type number_of_components() const { return m_topology.number_of_components(); }
 
   /// returns the component of node `v`. Components are numbered in the order of the input.
-  size_type component(size_type v) const
-  {
-    return m_topology.component(v);
-  }
+  size_type component(size_type v) const { return m_topology.component(v); }
 
   /// returns the first node of component `c`; the nodes of `c` are those from `first_node(c)` on,
   /// up to but without `first_node(c + 1)`.
-  size_type first_node(size_type c) const
-  {
-    return m_topology.first_node(c);
-  }
+  size_type first_node(size_type c) const { return m_topology.first_node(c); }
 
   /// returns whether component `c` is a closed curve without ends and junctions.
-  bool is_closed(size_type c) const
-  {
-    return m_topology.is_closed(c);
-  }
+  bool is_closed(size_type c) const { return m_topology.is_closed(c); }
 
   /// returns whether some node has more than two edges.
-  bool has_junction() const
-  {
-    return m_topology.has_junction();
-  }
+  bool has_junction() const { return m_topology.has_junction(); }
 
   /// @}
 
@@ -424,16 +347,10 @@ public:
   /// @{
 
   /// returns whether nodes were inserted or removed since the nodes were numbered.
-  bool has_garbage() const
-  {
-    return m_topology.has_garbage();
-  }
+  bool has_garbage() const { return m_topology.has_garbage(); }
 
   /// returns the traits object.
-  const Traits& traits() const
-  {
-    return m_traits;
-  }
+  const Traits& traits() const { return m_traits; }
 
   /// @}
 

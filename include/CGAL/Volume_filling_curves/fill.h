@@ -62,7 +62,7 @@ inline double diagonal(const CGAL::Bbox_3& box)
  * before the start.
  *
  * With `Wall::COVER` the curve settles at about r from the boundary, with `Wall::KEEP_CLEAR` at
- * about 2r, and in both cases strands settle at about 2r from one another. On nine domains 78 to 80
+ * about 2r, and in both cases strands settle at about 2r from one another. On nine domains 79 to 80
  * % of the volume ended within r and 99 % within 1.4 r (2026-11-23). A user who asks that every
  * point is within some distance of the curve gives a thickness smaller by about 1.4.
  *

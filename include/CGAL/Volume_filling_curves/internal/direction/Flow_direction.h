@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,7 @@ public:
   {
     m_positions = coordinates(curve);
     m_weights = node_weights(curve, m_positions);
+    m_length = std::accumulate(m_weights.begin(), m_weights.end(), 0.);
     update_spheres(curve, boundary, parameters, thickness, statistics);
     const Stage_timer stage(statistics.seconds_direction);
     update_gradient(curve, parameters, thickness);
@@ -71,14 +73,10 @@ public:
   const Vector_field& gradient() const { return m_gradient; }
   const Vector_field& vectors() const { return m_vectors; }
 
-  // Of the nodes' gradients, times the mean thickness and per length; pinned nodes are left out.
-  double gradient_norm(const Network& curve, double thickness) const
-  {
-    double weight = 0;
-    for(std::size_t v = 0; v < m_weights.size(); ++v)
-      if(!curve.is_pinned(v)) weight += m_weights[v];
-    return weight > 0 ? thickness * m_gradient.rowwise().norm().sum() / weight : 0;
-  }
+  double length() const { return m_length; }
+
+  // the sum of the norms of the nodes' gradients over that of their weights, pinned ones left out
+  double gradient_per_length() const { return m_gradient_per_length; }
 
 private:
   template <typename Boundary>
@@ -107,6 +105,10 @@ private:
     }
     gradient.add_medial_spheres(m_spheres, thickness, parameters.medial_weight);
     m_gradient = gradient.result();
+    double weight = 0;
+    for(std::size_t v = 0; v < m_weights.size(); ++v)
+      if(!curve.is_pinned(v)) weight += m_weights[v];
+    m_gradient_per_length = weight > 0 ? m_gradient.rowwise().norm().sum() / weight : 0;
   }
 
   Direction_field m_field;
@@ -115,6 +117,7 @@ private:
   Vector_field m_positions, m_gradient, m_vectors;
   std::vector<double> m_weights; // per node
   Medial_spheres m_spheres;
+  double m_length = 0, m_gradient_per_length = 0;
 };
 
 } // namespace internal

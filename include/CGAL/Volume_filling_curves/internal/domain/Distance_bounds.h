@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/domain/depth.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
@@ -83,7 +84,7 @@ private:
     double d = m_distance[k].load(std::memory_order_relaxed);
     if(d == unknown) {
       const Point_3 p(center.x(), center.y(), center.z());
-      d = m_domain.is_inside(p) ? m_domain.distance(p) : 0;
+      d = depth(m_domain, p);
       m_distance[k].store(d, std::memory_order_relaxed);
     }
     return d - (x - center).norm();

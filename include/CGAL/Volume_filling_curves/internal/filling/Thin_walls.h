@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/depth.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
@@ -131,7 +132,7 @@ private:
   Ball ball_at(const Vector& center) const
   {
     const Point_3 p = to_point(center, m_samples.traits());
-    return {center, m_samples.domain().is_inside(p) ? m_samples.domain().distance(p) : 0};
+    return {center, depth(m_samples.domain(), p)};
   }
 
   const Samples& m_samples;

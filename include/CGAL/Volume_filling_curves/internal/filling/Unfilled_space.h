@@ -57,14 +57,13 @@ public:
       return unfilled_fraction(m_samples, distances_to_curve,
                                [&](const Point_3& p) { return multiple / 2 * thickness(p); });
     };
-    return farther_than(2) > tolerated_unfilled_fraction || farther_than(far) > 0;
+    return farther_than(2) > tolerated_unfilled_fraction || farther_than(far_away) > 0;
   }
 
   template <typename Thickness>
   std::vector<Region> regions(const Network& curve, const Thickness& thickness) const
   {
-    return find_empty_regions(curve, m_samples, distances(curve, thickness), &m_boundary_distances,
-                              thickness);
+    return regions(curve, thickness, distances(curve, thickness));
   }
 
   // returns a point of each region, and points far from the curve, the farthest first: a tip of a
@@ -72,19 +71,22 @@ public:
   template <typename Thickness>
   std::vector<Point_3> places(const Network& curve, const Thickness& thickness) const
   {
-    std::vector<Point_3> places;
-    for(const Region& region : regions(curve, thickness)) places.push_back(region.point);
     const std::vector<double> distances_to_curve = distances(curve, thickness);
+    std::vector<Point_3> places;
+    for(const Region& region : regions(curve, thickness, distances_to_curve))
+      places.push_back(region.point);
     std::vector<std::size_t> far_samples;
     for(std::size_t k = 0; k < distances_to_curve.size(); ++k)
-      if(distances_to_curve[k] > far * thickness(m_samples.points()[k])) far_samples.push_back(k);
-    std::sort(far_samples.begin(), far_samples.end(), [&](std::size_t a, std::size_t b) {
+      if(distances_to_curve[k] > far_away * thickness(m_samples.points()[k]))
+        far_samples.push_back(k);
+    const auto is_farther = [&](std::size_t a, std::size_t b) {
       return distances_to_curve[a] > distances_to_curve[b];
-    });
+    };
+    std::stable_sort(far_samples.begin(), far_samples.end(), is_farther);
     for(const std::size_t k : far_samples) {
       const Point_3& p = m_samples.points()[k];
       const auto is_near = [&](const Point_3& q) {
-        return (to_vector(p) - to_vector(q)).norm() < far * thickness(p);
+        return (to_vector(p) - to_vector(q)).norm() < far_away * thickness(p);
       };
       if(std::none_of(places.begin(), places.end(), is_near)) places.push_back(p);
     }
@@ -113,9 +115,18 @@ public:
   }
 
 private:
-  static constexpr double far = 3; // from the curve, in units of the thickness
+  static constexpr double far_away = 3; // from the curve, in units of the thickness
   static constexpr double cell_of_paths = 0.5, least_cell = 0.125; // in units of the thickness
   static constexpr std::size_t most_cells = 1000000;
+
+  template <typename Thickness>
+  std::vector<Region> regions(const Network& curve,
+                              const Thickness& thickness,
+                              const std::vector<double>& distances_to_curve) const
+  {
+    return find_empty_regions(curve, m_samples, distances_to_curve, &m_boundary_distances,
+                              thickness);
+  }
 
   // Of the samples from the curve; 0 where it is to keep clear of the boundary. Driven there, it
   // would be compressed, and stay so.

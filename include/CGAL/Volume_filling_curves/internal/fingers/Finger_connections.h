@@ -68,7 +68,7 @@ public:
     if(m_connections.size() <= station.component) m_connections.resize(station.component + 1);
     const double distance = m_stations.spacing(s);
     const Vector direction = direction_at(station.position);
-    for(const std::size_t t : m_stations.near(station.position, reach * distance)) {
+    for(const std::size_t t : m_stations.within(reach * distance, station.position)) {
       if(m_stations[t].is_reached()) continue;
       const double length = effort(m_stations[t].position - station.position, direction);
       const double weight = length + randomness * distance * m_random.real();

@@ -9,6 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/domain/depth.h>
 #include <CGAL/Volume_filling_curves/internal/fingers/Finger.h>
 #include <CGAL/Volume_filling_curves/internal/fingers/Finger_stations.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
@@ -61,9 +63,7 @@ private:
 
   bool is_long(std::size_t e, double thickness) const
   {
-    const Vector a = to_vector(m_guard.curve().point(m_guard.curve().source(e)));
-    const Vector b = to_vector(m_guard.curve().point(m_guard.curve().target(e)));
-    return (b - a).norm() > root_of_thin * thickness;
+    return edge_vector(m_guard.curve(), e).norm() > root_of_thin * thickness;
   }
 
   bool grow_out_of_best(const std::vector<std::size_t>& edges,
@@ -81,9 +81,9 @@ private:
 
   bool grow_out_of(std::size_t e, const Half_widths& half_widths, Finger_station& to)
   {
-    const double free = distance_to_boundary(to.position);
+    const double free = room(to.position);
     const auto has_room = [&](const Vector& x) {
-      return distance_to_boundary(x) >= (std::min)(room_of_tip * to.thickness, free / 4);
+      return room(x) >= (std::min)(room_of_tip * to.thickness, free / 4);
     };
     Finger<Guard> finger(m_guard, e);
     for(const double half_width : half_widths)
@@ -95,11 +95,10 @@ private:
     return false;
   }
 
-  // 0 outside
-  double distance_to_boundary(const Vector& x) const
+  // the distance to the boundary, 0 outside
+  double room(const Vector& x) const
   {
-    const auto p = to_point(x, m_guard.curve().traits());
-    return m_domain.is_inside(p) ? m_domain.distance(p) : 0;
+    return depth(m_domain, to_point(x, m_guard.curve().traits()));
   }
 
   Guard& m_guard;

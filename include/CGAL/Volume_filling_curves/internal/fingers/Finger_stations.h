@@ -69,7 +69,7 @@ public:
     m_neighborhoods = std::make_unique<Node_neighborhoods>(positions());
   }
 
-  // Adds a place on the way, which near() does not find.
+  // Adds a place on the way, which within() does not find.
   std::size_t add_waypoint(const Vector& p)
   {
     m_stations.push_back({p, thickness(p), {}});
@@ -92,14 +92,14 @@ public:
   double spacing(std::size_t s) const { return m_spacing * m_stations[s].thickness; }
 
   // in the order of their indices
-  std::vector<std::size_t> near(const Vector& p, double distance)
+  std::vector<std::size_t> within(double distance, const Vector& p)
   {
     m_neighborhoods->find(p, distance, m_near);
     m_near.keep_within(p, distance);
-    std::vector<std::size_t> near;
-    for(std::size_t k = 0; k < m_near.size(); ++k) near.push_back(m_near.index(k));
-    std::sort(near.begin(), near.end());
-    return near;
+    std::vector<std::size_t> stations;
+    for(std::size_t k = 0; k < m_near.size(); ++k) stations.push_back(m_near.index(k));
+    std::sort(stations.begin(), stations.end());
+    return stations;
   }
 
 private:

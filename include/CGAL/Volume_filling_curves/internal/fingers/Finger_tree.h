@@ -74,24 +74,22 @@ public:
   {
     const double clearance = m_guard.clearance();
     m_guard.set_clearance(0);
-    Stations stations(m_guard, m_domain, m_thickness, m_spacing);
-    Connections connections(stations, m_random, m_guard.curve().traits());
-    connections.follow(m_direction_field, m_detour);
-    m_stations = &stations;
-    m_connections = &connections;
+    Stations& stations = m_stations.emplace(m_guard, m_domain, m_thickness, m_spacing);
+    m_connections.emplace(stations, m_random, m_guard.curve().traits());
+    m_connections->follow(m_direction_field, m_detour);
     m_volumes.resize(m_guard.curve().number_of_components(), 0);
     stations.add_places(m_random.bits(), m_deadline);
     for(std::size_t s = 0; s < stations.number_of_roots(); ++s) reach(s, stations[s].component);
     for(std::size_t c = 0; c < m_volumes.size(); ++c) m_hungry.push({m_volumes[c], c});
     feed_all();
     lead_to_rest();
-    m_number_of_places = stations.number_of_places();
     m_guard.collect_garbage();
     m_guard.set_clearance(clearance);
   }
 
+  // \pre grow() has been called
   // of the places in the domain, those that the curves have been through from the start left out
-  std::size_t number_of_places() const { return m_number_of_places; }
+  std::size_t number_of_places() const { return m_stations->number_of_places(); }
   std::size_t number_of_fingers() const { return m_number_of_fingers; }
 
 private:
@@ -166,7 +164,7 @@ private:
   {
     const double distance = Connections::reach * m_spacing * thickness_at(p);
     std::vector<std::pair<double, std::size_t>> nearest;
-    for(const std::size_t t : m_stations->near(p, distance))
+    for(const std::size_t t : m_stations->within(distance, p))
       if((*m_stations)[t].is_reached())
         nearest.push_back({((*m_stations)[t].position - p).squaredNorm(), t});
     std::sort(nearest.begin(), nearest.end());
@@ -206,11 +204,11 @@ private:
       m_direction_field; // none if the tree is to follow no directions
   double m_detour = 0;   // by how much more length across the field counts
   double m_spacing = spacing;
-  std::size_t m_number_of_places = 0, m_number_of_fingers = 0;
+  std::size_t m_number_of_fingers = 0;
 
-  // while fingers grow
-  Stations* m_stations = nullptr;
-  Connections* m_connections = nullptr;
+  // of grow()
+  std::optional<Stations> m_stations;
+  std::optional<Connections> m_connections;
   std::vector<double> m_volumes; // that each component has got
 
   using Hunger = std::pair<double, std::size_t>; // a component's volume, and the component

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/domain/depth.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <boost/functional/hash.hpp>
@@ -153,11 +154,7 @@ private:
   bool has_room(const Cell& c) const { return room(center(c)) >= room_of_cell * m_size; }
 
   // the distance to the boundary, 0 outside
-  double room(const Vector& x) const
-  {
-    const Point_3 p = to_point(x, m_traits);
-    return m_domain.is_inside(p) ? m_domain.distance(p) : 0;
-  }
+  double room(const Vector& x) const { return depth(m_domain, to_point(x, m_traits)); }
 
   const Domain& m_domain;
   const Traits m_traits;
