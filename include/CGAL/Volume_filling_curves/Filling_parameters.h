@@ -36,8 +36,8 @@ enum class Filling_start
  * `screening` is 30 times larger, 3 times when it settles; `max_radius`, whose default is 6 here,
  * is at most 3 while fingers open, the speed of the growth from a circle, and at most 2 in the end;
  * `max_displacement`, whose default is 1 here, is at most 0.5 while a curve grows, and shrinks from
- * at most 0.6 in the end. With a `medial_weight` of 3.15^2, the default here, the curve settles
- * with a mean medial radius of r.
+ * at most 0.6 in the end; `number_of_directions` is at most 8 but for the last steps. With a
+ * `medial_weight` of 3.15^2, the default here, the curve settles with a mean medial radius of r.
  *
  * The default of the `thickness` is a quarter of the radius of the widest ball inside. With a
  * `length` the thickness is the one that leads to it.

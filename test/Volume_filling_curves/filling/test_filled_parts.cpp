@@ -154,13 +154,13 @@ vfc::Filling_result<Point> filled_plate(double thickness, Warned& visitor)
 TEST(Thin_domain, is_told_before_and_after)
 {
   Warned visitor;
-  const auto result = filled_plate(0.5, visitor);
-  EXPECT_EQ(visitor.fit.thickness, 0.5);
+  const auto result = filled_plate(0.4, visitor);
+  EXPECT_EQ(visitor.fit.thickness, 0.4);
   EXPECT_GT(visitor.fit.thin_fraction, 0.99);
   EXPECT_NEAR(visitor.fit.fitting_thickness, 0.1, 0.03); // half of the plate's own
   EXPECT_EQ(result.status, Filling_status::PARTIAL);
   EXPECT_GT(result.unfilled_fraction, 0.05);
-  EXPECT_EQ(result.reason.substr(0, 46), "walls are too thin for r = 0.5 in 100 % of the");
+  EXPECT_EQ(result.reason.substr(0, 46), "walls are too thin for r = 0.4 in 100 % of the");
 }
 
 TEST(Thin_domain, is_filled_by_the_thickness_that_fits)

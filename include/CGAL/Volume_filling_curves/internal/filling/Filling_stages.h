@@ -116,6 +116,7 @@ private:
   {
     Curve_flow_parameters p = with_thickness(m_parameters, thickness);
     p.screening *= stage.screening;
+    p.number_of_directions = (std::min)(p.number_of_directions, stage.directions);
     p.spacing = (std::max)(p.spacing, stage.spacing);
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
     m_flow.keep_apart(stage.separation);
