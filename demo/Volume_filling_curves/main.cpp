@@ -70,6 +70,23 @@ std::string complaint_about_command(const std::vector<std::string>& arguments)
   return "there is no command '" + arguments.front() + "'; vfc --help lists them";
 }
 
+// In the order in which they were given; the error itself has them reversed (CLI11 2.1).
+std::string complaint_about_rest(const CLI::App& program)
+{
+  std::string complaint = "not expected:";
+  for(const std::string& argument : program.remaining(true)) complaint += ' ' + argument;
+  return complaint;
+}
+
+std::string complaint(const CLI::ParseError& error,
+                      const CLI::App& program,
+                      const std::vector<std::string>& arguments)
+{
+  if(program.get_subcommands().empty()) return complaint_about_command(arguments);
+  const bool is_about_rest = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  return is_about_rest ? complaint_about_rest(program) : error.what();
+}
+
 int run_program(int argc, char** argv)
 {
   handle_signals();
@@ -87,9 +104,8 @@ int run_program(int argc, char** argv)
     command_line.program.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
     if(error.get_exit_code() == 0) return command_line.program.exit(error); // --help, --version
-    const bool has_command = !command_line.program.get_subcommands().empty();
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    return refuse(arguments, has_command ? error.what() : complaint_about_command(arguments));
+    return refuse(arguments, complaint(error, command_line.program, arguments));
   }
   return run(command_line);
 }

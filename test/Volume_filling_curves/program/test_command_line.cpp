@@ -92,6 +92,7 @@ TEST_F(Command_line, wrong_options_fail_and_are_named)
       {"untangle trefoil.obj -o result.stl", "--output"},
       {"untangle trefoil.obj -o x.obj --map x.obj", "--map"},
       {"untangle", "CURVE"},
+      {"untangle trefoil.obj --thicknes 9 8", "not expected: --thicknes 9 8"},
       {"draw trefoil.obj -o picture.gif", "--output"},
       {"draw trefoil.obj", "--output"},
       {"generate torus-knot --q 0 -o x.obj", "torus-knot"},

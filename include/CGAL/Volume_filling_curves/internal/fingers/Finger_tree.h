@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/fingers/Free_ways.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
 #include <algorithm>
@@ -72,8 +73,7 @@ public:
   // fingers: the flow makes room between their strands.
   void grow()
   {
-    const double clearance = m_guard.clearance();
-    m_guard.set_clearance(0);
+    const Clearance_scope<Guard> scope(m_guard, 0);
     Stations& stations = m_stations.emplace(m_guard, m_domain, m_thickness, m_spacing);
     m_connections.emplace(stations, m_random, m_guard.curve().traits());
     m_connections->follow(m_direction_field, m_detour);
@@ -84,7 +84,6 @@ public:
     feed_all();
     lead_to_rest();
     m_guard.collect_garbage();
-    m_guard.set_clearance(clearance);
   }
 
   // \pre grow() has been called
