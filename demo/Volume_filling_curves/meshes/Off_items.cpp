@@ -13,7 +13,8 @@ namespace vfc {
 Off_items::Off_items(std::string_view text) : m_text(text)
 {
   m_has_header = read_header();
-  if(m_has_header) m_are_vertices_free = must_free_vertices();
+  m_is_plain = m_has_header && text.substr(0, text.find_first_of(" \t\r\n#")) == "OFF";
+  if(m_is_plain) m_are_vertices_free = must_free_vertices();
 }
 
 bool Off_items::next_vertex()
@@ -51,10 +52,8 @@ bool Off_items::read_header()
          parse_off_word(m_words[first + 1], m_number_of_faces);
 }
 
-// Other keywords than OFF announce more than three words for a vertex.
 bool Off_items::must_free_vertices() const
 {
-  if(m_text.substr(0, m_text.find_first_of(" \t\r\n#")) != "OFF") return false;
   if(m_number_of_vertices > m_text.size() || m_number_of_faces > m_text.size()) return false;
   Off_items rest = *this;
   std::size_t lines = 0, words = 0, first = 0;
@@ -72,21 +71,27 @@ bool Off_items::must_free_vertices() const
 // Goes to the next line that has words, without comments.
 bool Off_items::next_line()
 {
-  const char* const blanks = " \t\r\v\f";
   m_words.clear();
   m_taken = 0;
   while(m_words.empty() && m_place < m_text.size()) {
     const std::size_t line_end = (std::min)(m_text.find('\n', m_place), m_text.size());
-    std::string_view line = m_text.substr(m_place, line_end - m_place);
-    line = line.substr(0, line.find('#'));
-    for(std::size_t end = 0, first; (first = line.find_first_not_of(blanks, end)) < line.size();) {
-      end = (std::min)(line.find_first_of(blanks, first), line.size());
-      m_words.push_back(line.substr(first, end - first));
-    }
+    const std::string_view line = m_text.substr(m_place, line_end - m_place);
+    add_words(line.substr(0, line.find('#')));
     m_place = line_end + 1;
     ++m_number;
   }
   return !m_words.empty();
+}
+
+void Off_items::add_words(std::string_view line)
+{
+  const auto is_blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
+  for(std::size_t i = 0; i < line.size();) {
+    const std::size_t first = i;
+    while(i < line.size() && !is_blank(line[i])) ++i;
+    if(i > first) m_words.push_back(line.substr(first, i - first));
+    while(i < line.size() && is_blank(line[i])) ++i;
+  }
 }
 
 bool Off_items::take_line()

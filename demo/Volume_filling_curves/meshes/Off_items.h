@@ -31,6 +31,9 @@ public:
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
+  // returns whether the keyword is OFF; others announce more than three words for a vertex
+  bool is_plain() const { return m_is_plain; }
+
   // returns whether vertices do not have a line each
   bool are_vertices_free() const { return m_are_vertices_free; }
 
@@ -53,6 +56,7 @@ private:
   bool read_header();
   bool must_free_vertices() const;
   bool next_line();
+  void add_words(std::string_view line);
   bool take_line();
   bool take_words(std::size_t number);
 
@@ -62,7 +66,7 @@ private:
   std::size_t m_taken = 0;               // of them
   Words m_item;
   std::size_t m_line = 0;
-  bool m_has_header = false, m_are_vertices_free = false;
+  bool m_has_header = false, m_is_plain = false, m_are_vertices_free = false;
   std::size_t m_number_of_vertices = 0, m_number_of_faces = 0;
 };
 

@@ -22,14 +22,8 @@ struct Text_problem
   bool is_about_amounts = false; // more is announced than the file can hold
 };
 
-// Does an OFF file hold what it announces? CGAL's reader refuses files without a reason, and
-// allocates whatever a file announces.
-std::vector<Text_problem> problems_of_off(std::string_view text);
-
-// returns the text of an OFF file with a line for each vertex and face, as CGAL's reader wants it
-std::string off_with_lines(const std::string& text);
-
-// As above, for the amounts in a PLY file, ASCII or binary.
+// Does a PLY file, ASCII or binary, hold what it announces? CGAL's reader refuses files without a
+// reason, and allocates whatever a file announces.
 std::vector<Text_problem> problems_of_ply(std::string_view text);
 
 // returns a part of a text as it may stand in a message: short, and without bytes that are not

@@ -4,24 +4,28 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/mesh_text.h"
+#include "meshes/off_text.h"
 
 #include "meshes/Off_items.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace vfc {
 namespace {
 
-class Off_text
+class Off_reader
 {
 public:
-  explicit Off_text(std::string_view text) : m_size(text.size()), m_items(text) {}
+  Off_reader(std::string_view text, Off_text& result)
+      : m_size(text.size()), m_items(text), m_result(result)
+  {}
 
-  std::vector<Text_problem> problems()
+  void read()
   {
-    if(!m_items.has_header()) return {};
+    m_result.is_plain = m_items.is_plain();
+    if(!m_items.has_header()) return;
     const std::size_t vertices = m_items.number_of_vertices(), faces = m_items.number_of_faces();
     if(vertices > m_size || faces > m_size)
       complain("truncated file", "more vertices or faces are announced than the file can hold",
@@ -30,7 +34,6 @@ public:
       if(is_there(m_items.next_vertex(), "vertices", i, vertices)) read_vertex();
     for(std::size_t i = 0; i < faces && !m_has_ended; ++i)
       if(is_there(m_items.next_face(), "faces", i, faces)) read_face();
-    return std::move(m_problems);
   }
 
 private:
@@ -45,12 +48,14 @@ private:
 
   void read_vertex()
   {
+    std::array<double, 3> x;
     for(std::size_t axis = 0; axis < 3; ++axis) {
-      double x = 0;
-      if(!parse_off_word(m_items.word(axis), x))
+      if(!parse_off_word(m_items.word(axis), x[axis]))
         return complain("unparsable number", in_quotes(m_items.word(axis)) + " is no coordinate");
-      if(!std::isfinite(x)) return complain("non-finite coordinate", "a coordinate is not finite");
+      if(!std::isfinite(x[axis]))
+        return complain("non-finite coordinate", "a coordinate is not finite");
     }
+    m_result.points.emplace_back(x[0], x[1], x[2]);
   }
 
   void read_face()
@@ -60,6 +65,7 @@ private:
       return complain("unparsable number", in_quotes(m_items.word(0)) + " is no number of corners");
     if(corners > m_size)
       return complain("bad index", "a face has " + std::to_string(corners) + " corners", true);
+    m_corners.clear();
     for(std::size_t i = 1; i <= corners; ++i) {
       const std::string_view word = m_items.word(i);
       long long index = 0;
@@ -69,26 +75,29 @@ private:
       if(index < 0 || static_cast<std::size_t>(index) >= m_items.number_of_vertices())
         complain("bad index",
                  "there is no vertex " + std::to_string(index) + " (they count from 0)");
+      m_corners.push_back(static_cast<std::size_t>(index));
     }
+    m_result.polygons.push_back(m_corners);
   }
 
   void complain(const std::string& kind, const std::string& message, bool is_about_amounts = false)
   {
-    m_problems.push_back({kind, message, m_items.line(), is_about_amounts});
+    m_result.problems.push_back({kind, message, m_items.line(), is_about_amounts});
     m_has_ended = m_has_ended || is_about_amounts;
   }
 
   std::size_t m_size;
   Off_items m_items;
+  Off_text& m_result;
+  std::vector<std::size_t> m_corners; // of a face
   bool m_has_ended = false;
-  std::vector<Text_problem> m_problems;
 };
 
 } // namespace
 
-std::vector<Text_problem> problems_of_off(std::string_view text)
+Off_text::Off_text(std::string_view text)
 {
-  return Off_text(text).problems();
+  Off_reader(text, *this).read();
 }
 
 std::string off_with_lines(const std::string& text)

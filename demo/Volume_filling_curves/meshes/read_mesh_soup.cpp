@@ -8,20 +8,21 @@
 
 #include "meshes/binary_off.h"
 #include "meshes/mesh_text.h"
+#include "meshes/off_text.h"
+
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace vfc {
@@ -81,14 +82,12 @@ void read_obj(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh
 // \pre the file is not an OBJ file
 void read_with_cgal(const std::string& file,
                     const std::string& text,
+                    const std::vector<Text_problem>& problems,
                     Mesh_soup& soup,
                     Polygons& polygons,
                     Mesh_findings& findings)
 {
   const std::string extension = lower_case_extension(file);
-  std::vector<Text_problem> problems;
-  if(extension == ".off") problems = problems_of_off(text);
-  if(extension == ".ply") problems = problems_of_ply(text);
   const auto are_amounts = [](const Text_problem& problem) { return problem.is_about_amounts; };
   if(std::any_of(problems.begin(), problems.end(), are_amounts))
     return add_problems(problems, findings);
@@ -104,6 +103,19 @@ void read_with_cgal(const std::string& file,
   } catch(const std::exception&) { // such as no memory for what a header announces
   }
   if(!is_read) add_reasons(extension, problems, findings);
+}
+
+void read_off(const std::string& file,
+              const std::string& text,
+              Mesh_soup& soup,
+              Polygons& polygons,
+              Mesh_findings& findings)
+{
+  if(is_binary_off(text)) return read_binary_off(text, soup.points, polygons, findings);
+  Off_text off(text);
+  if(!off.is_complete()) return read_with_cgal(file, text, off.problems, soup, polygons, findings);
+  soup.points = std::move(off.points);
+  polygons = std::move(off.polygons);
 }
 
 void cut_into_triangles(const Polygons& polygons, Mesh_soup& soup, Mesh_findings& findings)
@@ -129,10 +141,10 @@ void cut_into_triangles(const Polygons& polygons, Mesh_soup& soup, Mesh_findings
 // \throws std::system_error
 std::string read_text(const std::string& file)
 {
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if(!in) throw std::system_error(errno, std::generic_category());
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string text;
+  if(const auto error = CGAL::Volume_filling_curves::internal::read_whole_file(file, text))
+    throw std::system_error(error);
+  return text;
 }
 
 } // namespace
@@ -166,10 +178,12 @@ Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings)
       findings.add_error("no geometry", "the file is empty");
     else if(extension == ".obj")
       read_obj(text, soup, polygons, findings);
-    else if(extension == ".off" && is_binary_off(text))
-      read_binary_off(text, soup.points, polygons, findings);
+    else if(extension == ".off")
+      read_off(file, text, soup, polygons, findings);
+    else if(extension == ".ply")
+      read_with_cgal(file, text, problems_of_ply(text), soup, polygons, findings);
     else
-      read_with_cgal(file, text, soup, polygons, findings);
+      read_with_cgal(file, text, {}, soup, polygons, findings);
   } catch(const std::system_error& error) {
     findings.add_error("unreadable file", error.code().message());
   }
