@@ -7,6 +7,7 @@
 #include "meshes/closed_surface.h"
 
 #include "meshes/holes.h"
+#include "meshes/is_closed_and_oriented.h"
 #include "meshes/self_intersections.h"
 #include "meshes/shells.h"
 #include "options/numbers.h"
@@ -104,8 +105,9 @@ void report_holes(const Orientation& found,
 Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings)
 {
   Orientation found{{}, {}, std::vector<bool>(soup.faces.size(), false)};
-  PMP::orient_polygon_soup(soup.points, soup.faces,
-                           CGAL::parameters::visitor(Orientation_visitor(&found)));
+  if(!is_closed_and_oriented(soup))
+    PMP::orient_polygon_soup(soup.points, soup.faces,
+                             CGAL::parameters::visitor(Orientation_visitor(&found)));
   report_bad_edges(found, soup, findings);
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
