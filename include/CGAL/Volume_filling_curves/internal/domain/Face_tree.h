@@ -99,6 +99,7 @@ public:
   // that enclose the same volume. \pre there is one
   std::size_t innermost_shell(const Point_3& p) const
   {
+    if(m_shells.number() == 1) return 0;
     std::map<std::size_t, Vertical_ray<Kernel>> rays; // the same for each shell
     for_each_face_above(p, [&](std::size_t i) {
       rays.try_emplace(m_shells.shell(m_faces[i]), p).first->second.add(m_triangles[i]);

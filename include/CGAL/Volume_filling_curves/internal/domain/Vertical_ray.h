@@ -14,6 +14,7 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -50,6 +51,8 @@ private:
 
   bool holds_source(const Triangle& face) const
   {
+    const auto is_above = [&](const Point_3& p) { return p.z() > m_source.z(); };
+    if(std::all_of(face.begin(), face.end(), is_above)) return false; // as most faces are
     return m_predicates.does_segment_meet_triangle(m_source, m_source, face[0], face[1], face[2]);
   }
 
