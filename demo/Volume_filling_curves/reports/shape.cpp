@@ -22,7 +22,8 @@ namespace curves = CGAL::Volume_filling_curves;
 
 void report_shape(Report& report, const Curve& curve, double thickness)
 {
-  const curves::Curve_measures measures = curves::measure(curve, thickness);
+  using Tag = CGAL::Parallel_if_available_tag;
+  const curves::Curve_measures measures = curves::measure<Tag>(curve, thickness);
   report["components"] = curve.number_of_components();
   report["nodes_end"] = curve.number_of_nodes();
   report["length_end"] = measures.length;
@@ -40,8 +41,7 @@ void report_shape(Report& report, const Curve& curve, double thickness)
   if(thickness > 0) {
     report["thickness"] = thickness;
     constexpr double cap = 2; // in units of the thickness: many spheres touch nothing at all
-    report["medial_radius"] =
-        curves::mean_medial_radius<CGAL::Parallel_if_available_tag>(curve, cap * thickness);
+    report["medial_radius"] = curves::mean_medial_radius<Tag>(curve, cap * thickness);
   }
 }
 

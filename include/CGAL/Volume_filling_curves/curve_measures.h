@@ -200,11 +200,13 @@ template <typename Traits>
  *
  * Takes \f$O(n \log n + k)\f$ time per direction for \f$n\f$ nodes and \f$k\f$ pairs of segments
  * whose projections come close.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  */
-template <typename Traits>
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
 [[nodiscard]] double average_crossing_number(const Curve_network_3<Traits>& curve)
 {
-  return internal::average_crossing_number(curve);
+  return internal::average_crossing_number<ConcurrencyTag>(curve);
 }
 
 /*!
@@ -231,10 +233,13 @@ template <typename Traits>
 /*!
  * computes all measures of a curve.
  *
+ * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`, as for `average_crossing_number()`,
+ * which takes most of the time
+ *
  * \param curve the curve
  * \param r as for `min_clearance()`
  */
-template <typename Traits>
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
 [[nodiscard]] Curve_measures measure(const Curve_network_3<Traits>& curve, double r = 0)
 {
   Curve_measures result;
@@ -246,7 +251,7 @@ template <typename Traits>
   result.polygonal_thickness = polygonal_thickness(curve);
   result.ropelength = result.length / result.polygonal_thickness;
   result.min_clearance = min_clearance(curve, r);
-  result.average_crossing_number = average_crossing_number(curve);
+  result.average_crossing_number = average_crossing_number<ConcurrencyTag>(curve);
   result.linking_matrix = linking_matrix(curve);
   return result;
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Volume_filling_curves/generators.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
@@ -315,6 +316,13 @@ TEST(Average_crossing_number, of_a_knot_is_not_below_its_crossing_number)
 {
   EXPECT_GE(vfc::average_crossing_number(closed(generators::torus_knot(2, 3, 100))), 3);
   EXPECT_GE(vfc::average_crossing_number(braid("1 -2 1 -2", 200)), 4);
+}
+
+TEST(Average_crossing_number, is_the_same_in_parallel)
+{
+  for(const Curve& curve : {closed(generators::random_polygon(500, 1)), Curve()})
+    EXPECT_EQ(vfc::average_crossing_number<CGAL::Parallel_if_available_tag>(curve),
+              vfc::average_crossing_number(curve));
 }
 
 TEST(Linking_matrix, of_the_hopf_link_is_one_and_changes_sign_with_the_mirror)

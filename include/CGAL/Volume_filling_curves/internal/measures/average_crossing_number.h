@@ -13,9 +13,13 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Crossing_counter.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+
+#include <CGAL/tags.h>
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -43,22 +47,26 @@ inline Frame viewing_frame(std::size_t k)
 }
 
 // With a stride k of every k-th direction only.
-template <typename Network>
+template <typename ConcurrencyTag = Sequential_tag, typename Network>
 double average_crossing_number(const Network& curve, std::size_t stride = 1)
 {
+  constexpr std::size_t block = 10; // directions that share the memory of a counter
   const Vector_field points = coordinates(curve);
-  std::vector<Vector> projection(curve.number_of_nodes());
-  Crossing_counter count(curve);
-  std::size_t crossings = 0, directions = 0;
-  for(std::size_t k = 0; k < number_of_viewing_directions; k += stride, ++directions) {
-    const Frame frame = viewing_frame(k);
-    for(std::size_t v = 0; v < projection.size(); ++v) {
-      const Vector x = row(points, v);
-      projection[v] = {frame.first.dot(x), frame.second.dot(x), 0};
+  std::vector<std::size_t> crossings((number_of_viewing_directions + stride - 1) / stride);
+  for_each_block<ConcurrencyTag>(crossings.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector> projection(curve.number_of_nodes());
+    Crossing_counter count(curve);
+    for(std::size_t k = begin; k < end; ++k) {
+      const Frame frame = viewing_frame(k * stride);
+      for(std::size_t v = 0; v < projection.size(); ++v) {
+        const Vector x = row(points, v);
+        projection[v] = {frame.first.dot(x), frame.second.dot(x), 0};
+      }
+      crossings[k] = count(projection);
     }
-    crossings += count(projection);
-  }
-  return static_cast<double>(crossings) / static_cast<double>(directions);
+  });
+  return static_cast<double>(std::accumulate(crossings.begin(), crossings.end(), std::size_t(0))) /
+         static_cast<double>(crossings.size());
 }
 
 } // namespace internal
