@@ -12,9 +12,9 @@
 #include <CGAL/Volume_filling_curves/Filling_result.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/fill.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
-#include <CGAL/Volume_filling_curves/internal/filling/boundary_distances.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -66,9 +66,9 @@ Filling run_flow_alone(Curve& curve, const Domain& domain, const Filling_options
   const Traits traits;
   const vfc::Domain_samples_3<Traits, Domain> samples(domain, 20000,
                                                       options.parameters.random_seed);
-  const std::vector<double> distances = vfc::internal::boundary_distances(domain, samples.points());
-  const vfc::internal::Widest_place<Domain, Traits> widest(domain, samples.points(), distances,
-                                                           traits);
+  const vfc::internal::Boundary_distances<Domain> distances(domain, samples.points());
+  const vfc::internal::Widest_place<Domain, Traits> widest(
+      domain, samples.points(), distances.up_to_limit(), distances.limit(), traits);
   curve = Curve(widest.circle(widest.radius()));
   vfc::Isotopy_guard_3 guard(curve, domain);
   vfc::Curve_flow_3 flow(guard, options.parameters);

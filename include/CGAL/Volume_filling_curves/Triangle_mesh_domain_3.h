@@ -127,6 +127,13 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
+  // The distance, or `limit` if that is less.
+  double distance_up_to(const Point_3& p, double limit) const
+  {
+    const auto nearest = m_faces->nearest(internal::to_vector(p), limit * limit);
+    return nearest.face == Mesh::null_face() ? limit : std::sqrt(nearest.squared_distance);
+  }
+
   // What `distance_along()` does, for all directions of a plane at once.
   void shorten(internal::Planar_rays& rays) const { m_faces->shorten(rays); }
 

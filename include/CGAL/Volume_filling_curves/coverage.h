@@ -113,20 +113,21 @@ inline double quantile(const std::vector<double>& sorted, double share)
   return sorted[(std::max)(static_cast<std::size_t>(rank), std::size_t(1)) - 1];
 }
 
-// As empty_regions(), for those who know the distances of the samples to the boundary.
-template <typename Traits, typename Domain, typename Thickness>
+// As empty_regions(), for those who know how far the k-th sample is from the boundary.
+template <typename Traits, typename Domain, typename BoundaryDistance, typename Thickness>
 std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
     const Curve_network_3<Traits>& curve,
     const Domain_samples_3<Traits, Domain>& samples,
     const std::vector<double>& distances,
-    const std::vector<double>* boundary_distances,
+    const BoundaryDistance& boundary_distance,
     const Thickness& thickness)
 {
+  if(unfilled_fraction(samples, distances, thickness) == 0) return {};
   const auto thickness_at = thickness_function(thickness);
   const double sample_volume = samples.volume() / static_cast<double>(samples.points().size());
   const Distance_to_curve tree(curve);
-  Empty_region_search<Traits, Domain, decltype(thickness_at)> search(
-      tree, samples.domain(), thickness_at, samples.points(), distances, boundary_distances,
+  Empty_region_search<Traits, Domain, BoundaryDistance, decltype(thickness_at)> search(
+      tree, samples.domain(), thickness_at, samples.points(), distances, boundary_distance,
       std::cbrt(sample_volume), samples.traits());
   std::vector<Empty_region_3<typename Traits::Point_3>> regions;
   for(const auto& region : search.run())
@@ -246,7 +247,10 @@ template <typename Traits, typename Domain, typename Thickness>
     const std::vector<double>& distances,
     const Thickness& thickness)
 {
-  return internal::find_empty_regions(curve, samples, distances, nullptr, thickness);
+  const auto boundary_distance = [&](std::size_t k) {
+    return samples.domain().distance(samples.points()[k]);
+  };
+  return internal::find_empty_regions(curve, samples, distances, boundary_distance, thickness);
 }
 
 /*!

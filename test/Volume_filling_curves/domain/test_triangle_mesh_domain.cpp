@@ -284,6 +284,18 @@ TEST(Triangle_mesh_domain, measures_distances_like_all_faces_together)
   }
 }
 
+TEST(Triangle_mesh_domain, ends_the_search_for_a_distance_at_a_limit)
+{
+  const Mesh_domain domain(meshes::to_mesh(lattice_solid()));
+  Random random(8);
+  for(int k = 0; k < 300; ++k) {
+    const Point p = random_point(random, domain.bbox());
+    const double distance = domain.distance(p);
+    for(const double limit : {0., 0.5 * distance, distance, 2 * distance, 100.})
+      EXPECT_EQ(domain.distance_up_to(p, limit), (std::min)(distance, limit));
+  }
+}
+
 TEST(Triangle_mesh_domain, sees_through_no_edge_and_no_vertex)
 {
   // rays along the axes through the middle of a cube whose faces have a vertex there

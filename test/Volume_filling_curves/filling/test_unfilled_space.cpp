@@ -8,8 +8,8 @@
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
-#include <CGAL/Volume_filling_curves/internal/filling/boundary_distances.h>
 
 #include <CGAL/squared_distance_3.h>
 
@@ -42,7 +42,7 @@ struct Thin_stick
 {
   Domain domain{Point(-0.2, -0.04, -0.2), Point(3, 0.04, 0.2)};
   Samples samples{domain, 2000, 1};
-  std::vector<double> boundary_distances = internal::boundary_distances(domain, samples.points());
+  internal::Boundary_distances<Domain> boundary_distances{domain, samples.points()};
   Network circle{std::vector<Point>{Point(0.1, 0, 0), Point(0, 0, 0.1), Point(-0.1, 0, 0),
                                     Point(0, 0, -0.1), Point(0.1, 0, 0)}};
 
@@ -56,11 +56,11 @@ TEST(Unfilled_space, is_driven_at_where_it_is_far_though_no_region)
 {
   const Thin_stick stick;
   const auto unfilled = stick.unfilled(Wall::COVER);
-  EXPECT_TRUE(unfilled.regions(stick.circle, thickness).empty());
+  const std::vector<double> distances = unfilled.distances(stick.circle);
+  EXPECT_TRUE(unfilled.regions(stick.circle, distances, thickness).empty());
   const std::vector<Point> places = unfilled.places(stick.circle, thickness);
   ASSERT_FALSE(places.empty());
   EXPECT_GT(places.front().x(), 2.9); // the farthest first
-  const std::vector<double> distances = sample_distances(stick.circle, stick.samples);
   for(std::size_t k = 0; k < distances.size(); ++k) {
     double nearest = distances[k]; // of the places and the curve
     for(const Point& p : places)
@@ -74,8 +74,9 @@ TEST(Unfilled_space, is_none_near_a_boundary_that_is_to_be_kept_clear_of)
 {
   const Thin_stick stick;
   EXPECT_TRUE(stick.unfilled(Wall::KEEP_CLEAR).places(stick.circle, thickness).empty());
-  EXPECT_EQ(stick.unfilled(Wall::KEEP_CLEAR).fraction(stick.circle, thickness), 0);
-  EXPECT_GT(stick.unfilled(Wall::COVER).fraction(stick.circle, thickness), 0.5);
+  const std::vector<double> distances = sample_distances(stick.circle, stick.samples);
+  EXPECT_EQ(stick.unfilled(Wall::KEEP_CLEAR).fraction(distances, thickness), 0);
+  EXPECT_GT(stick.unfilled(Wall::COVER).fraction(distances, thickness), 0.5);
 }
 
 } // namespace test_unfilled_space

@@ -11,8 +11,8 @@
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
-#include <CGAL/Volume_filling_curves/internal/filling/boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
 
 #include <gtest/gtest.h>
@@ -37,7 +37,8 @@ internal::Widest_place<Domain, Traits> widest_place(const Domain& domain, std::s
 {
   static const Traits traits;
   const Domain_samples_3<Traits, Domain> samples(domain, n, 1);
-  return {domain, samples.points(), internal::boundary_distances(domain, samples.points()), traits};
+  const internal::Boundary_distances<Domain> distances(domain, samples.points());
+  return {domain, samples.points(), distances.up_to_limit(), distances.limit(), traits};
 }
 
 TEST(Widest_place, of_a_ball_is_its_center)

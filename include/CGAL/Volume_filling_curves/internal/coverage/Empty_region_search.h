@@ -30,7 +30,7 @@ namespace internal {
 // most room, its ball climbs to where it is largest, never leaving the last ball; samples in the
 // ball belong to the region, too. A region counts if its ball has at least the radius r / 2. Linear
 // in the number of samples, and near linear in that of empty ones.
-template <typename Traits, typename Domain, typename Thickness>
+template <typename Traits, typename Domain, typename BoundaryDistance, typename Thickness>
 class Empty_region_search
 {
 public:
@@ -41,27 +41,26 @@ public:
     std::size_t number_of_samples;
   };
 
-  // `boundary_distances`, of the samples, are asked for if they are null; `spacing` is the edge of
-  // the cube that holds one sample on average, `thickness` a function of the point
+  // `boundary_distance` is a function of the sample's number, `thickness` one of the point;
+  // `spacing` is the edge of the cube that holds one sample on average
   Empty_region_search(const Distance_to_curve& curve,
                       const Domain& domain,
                       const Thickness& thickness,
                       const std::vector<typename Traits::Point_3>& samples,
                       const std::vector<double>& distances,
-                      const std::vector<double>* boundary_distances,
+                      const BoundaryDistance& boundary_distance,
                       double spacing,
                       const Traits& traits)
       : m_curve(curve),
         m_domain(domain),
         m_thickness(thickness),
+        m_boundary_distance(boundary_distance),
         m_spacing(spacing),
         m_traits(traits)
   {
     for(std::size_t i = 0; i < samples.size(); ++i) {
       const double gap = distances[i] - 2 * m_thickness(samples[i]);
-      if(gap > 0)
-        m_empty.push_back({samples[i], to_vector(samples[i]), gap,
-                           boundary_distances ? (*boundary_distances)[i] : unknown});
+      if(gap > 0) m_empty.push_back({samples[i], to_vector(samples[i]), gap, i});
     }
     std::stable_sort(m_empty.begin(), m_empty.end(),
                      [](const Sample& a, const Sample& b) { return a.gap > b.gap; });
@@ -72,7 +71,7 @@ public:
   {
     link();
     std::vector<std::pair<std::size_t, Region>> balls; // with a sample of the region
-    for(const std::size_t start : samples_with_most_room()) {
+    for(const auto& [start, room] : samples_with_most_room()) {
       const Region ball = climb(m_empty[start].position);
       if(ball.radius < m_thickness(to_point(ball.center, m_traits)) / 2) continue;
       unite_samples_in(ball, start);
@@ -87,10 +86,16 @@ private:
     typename Traits::Point_3 point;
     Vector position;
     double gap; // how much farther than 2 r the curve is
-    double boundary_distance;
+    std::size_t number;
   };
 
-  static constexpr double unknown = -1; // distance to the boundary
+  // An empty sample to climb from.
+  struct Start
+  {
+    std::size_t sample;
+    double room;
+  };
+
   static constexpr std::size_t most_climbs = 256;
   static constexpr double climb_end = 1. / 16; // of r
 
@@ -120,39 +125,27 @@ private:
   }
 
   // One of each set. Of very many sets, as of single samples in a thin plate, those with most room.
-  std::vector<std::size_t> samples_with_most_room()
+  std::vector<Start> samples_with_most_room()
   {
-    std::vector<std::size_t> samples;
-    for(const auto& members : sets()) samples.push_back(sample_with_most_room(members));
-    if(samples.size() <= most_climbs) return samples;
-    const auto room = [&](std::size_t k) {
-      return (std::min)(m_empty[k].gap, boundary_distance(m_empty[k]));
-    };
-    std::stable_sort(samples.begin(), samples.end(),
-                     [&](std::size_t j, std::size_t k) { return room(j) > room(k); });
-    samples.resize(most_climbs);
-    return samples;
+    std::vector<Start> starts;
+    for(const auto& members : sets()) starts.push_back(sample_with_most_room(members));
+    if(starts.size() <= most_climbs) return starts;
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Start& a, const Start& b) { return a.room > b.room; });
+    starts.resize(most_climbs);
+    return starts;
   }
 
   // The gaps are sorted, so that most samples are never asked for their distance to the boundary.
-  std::size_t sample_with_most_room(const std::vector<std::size_t>& members) const
+  Start sample_with_most_room(const std::vector<std::size_t>& members) const
   {
-    std::size_t best = members.front();
-    double most = -1;
+    Start best{members.front(), -1};
     for(const std::size_t k : members) {
-      if(m_empty[k].gap <= most) break;
-      const double room = (std::min)(m_empty[k].gap, boundary_distance(m_empty[k]));
-      if(room <= most) continue;
-      most = room;
-      best = k;
+      if(m_empty[k].gap <= best.room) break;
+      const double room = (std::min)(m_empty[k].gap, m_boundary_distance(m_empty[k].number));
+      if(room > best.room) best = {k, room};
     }
     return best;
-  }
-
-  double boundary_distance(const Sample& sample) const
-  {
-    return sample.boundary_distance == unknown ? m_domain.distance(sample.point)
-                                               : sample.boundary_distance;
   }
 
   // how large a ball around the center is inside and farther than 2 r from the curve
@@ -215,6 +208,7 @@ private:
   const Distance_to_curve& m_curve;
   const Domain& m_domain;
   const Thickness& m_thickness;
+  const BoundaryDistance& m_boundary_distance;
   double m_spacing;
   const Traits& m_traits;
   std::vector<Sample> m_empty; // by gap, the largest first

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/depth.h>
+#include <CGAL/Volume_filling_curves/internal/domain/distance_up_to.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
@@ -59,11 +60,15 @@ public:
   double operator()(const Point_3& p, const Vector& x, double needed) const
   {
     const double bound = conservative(bound_of_cell(x));
-    return bound > needed ? bound : conservative(m_domain.distance(p));
+    if(bound > needed) return bound;
+    return conservative(distance_up_to(m_domain, p, enough(needed)));
   }
 
 private:
   double conservative(double distance) const { return distance * (1 - slack) - slack * m_diagonal; }
+
+  // a distance that is still more than `needed` when it is taken conservatively
+  double enough(double needed) const { return (needed + 2 * slack * m_diagonal) * (1 + 2 * slack); }
 
   static constexpr double cells_along_diagonal = 64;
   static constexpr double slack = 1e-9; // for the rounding of distances

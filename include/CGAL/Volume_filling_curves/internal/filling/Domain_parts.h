@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/coverage/Linked_samples.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Has_parts.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
@@ -49,17 +50,17 @@ public:
   // Takes the distances of the samples to the boundary. After the deadline no further parts are
   // looked for.
   Domain_parts(const Samples& samples,
-               const std::vector<double>& distances,
+               const Boundary_distances<Domain>& distances,
                const Deadline& deadline)
       : m_samples(samples), m_deadline(deadline)
   {
     if constexpr(Has_parts<Domain>::value) {
-      ask_domain(distances);
+      ask_domain(distances.up_to_limit());
       look_for_small_parts();
-      find_widest();
+      find_widest(distances.limit());
     } else {
-      link_samples(distances);
-      find_widest();
+      link_samples(distances.up_to_limit());
+      find_widest(distances.limit());
       unite_within_balls();
     }
   }
@@ -86,7 +87,7 @@ public:
   }
 
 private:
-  // The samples of a part, and their distances to the boundary.
+  // The samples of a part, and their distances to the boundary, up to a limit.
   struct Part_samples
   {
     std::vector<Point_3> points;
@@ -138,10 +139,11 @@ private:
       add(linked.sets().find(k), points[k], distances[k]);
   }
 
-  void find_widest()
+  void find_widest(double limit)
   {
     for(const Part_samples& part : m_parts)
-      m_widest.emplace_back(m_samples.domain(), part.points, part.distances, m_samples.traits());
+      m_widest.emplace_back(m_samples.domain(), part.points, part.distances, limit,
+                            m_samples.traits());
   }
 
   // A ball inside is connected. The ball of the set with most samples is not looked into: others

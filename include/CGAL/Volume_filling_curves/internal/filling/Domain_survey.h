@@ -13,9 +13,10 @@
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/Thickness_fit.h>
+#include <CGAL/Volume_filling_curves/internal/domain/distance_up_to.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_parts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
-#include <CGAL/Volume_filling_curves/internal/filling/boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
@@ -50,7 +51,11 @@ public:
                   parameters.random_seed,
                   traits,
                   [&] { return !deadline.has_passed(); }),
-        m_distances(boundary_distances<ConcurrencyTag>(domain, m_samples.points(), &deadline)),
+        m_distances(domain,
+                    m_samples.points(),
+                    sufficient_distance(parameters, m_samples.volume()),
+                    &deadline,
+                    ConcurrencyTag()),
         m_parts(m_samples, m_distances, deadline),
         m_widest_radius(m_parts.largest_radius()),
         m_thickness(parameters.thickness_field
@@ -64,7 +69,7 @@ public:
   const Samples& samples() const { return m_samples; }
 
   // of the samples
-  const std::vector<double>& distances_to_boundary() const { return m_distances; }
+  const Boundary_distances<Domain>& distances_to_boundary() const { return m_distances; }
 
   // the radius of the widest ball inside
   double widest_radius() const { return m_widest_radius; }
@@ -104,8 +109,8 @@ public:
   Thickness_fit thickness_fit() const
   {
     const auto thickness = [this](const Point_3& p) { return thickness_at(p); };
-    const Thin_walls<Samples, decltype(thickness)> walls(m_samples, m_distances, thickness,
-                                                         m_deadline);
+    const Thin_walls<Samples, decltype(thickness)> walls(m_samples, m_distances.up_to_limit(),
+                                                         thickness, m_deadline);
     Thickness_fit fit;
     fit.thickness = m_thickness;
     fit.thin_fraction = walls.fraction(1);
@@ -115,6 +120,17 @@ public:
   }
 
 private:
+  // returns up to where the distances of samples to the boundary have to be known: a sample with
+  // that much room does not lie in thin walls
+  static double sufficient_distance(const Parameters& parameters, double volume)
+  {
+    const bool is_thickness_known =
+        !parameters.thickness_field && (parameters.thickness > 0 || parameters.length > 0);
+    if(!Has_distance_up_to<Domain>::value || !is_thickness_known || parameters.wall != Wall::COVER)
+      return Boundary_distances<Domain>::no_limit;
+    return needed_width * filling_thickness(parameters, 0, volume);
+  }
+
   // A ball that a curve is worth being started in, in units of the thickness, or of the widest ball
   // if that is smaller; smaller parts are dust.
   static constexpr double least_radius = 0.125;
@@ -139,7 +155,7 @@ private:
   const Parameters& m_parameters;
   const Deadline& m_deadline;
   Samples m_samples;
-  std::vector<double> m_distances; // of the samples to the boundary
+  Boundary_distances<Domain> m_distances; // of the samples
   Parts m_parts;
   double m_widest_radius;
   double m_thickness;

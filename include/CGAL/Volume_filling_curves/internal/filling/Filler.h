@@ -50,6 +50,7 @@ class Filler
   using Thickness_field = typename Flow::Thickness_field;
   using Parameters = Filling_parameters<Point_3>;
   using Result = Filling_result<Point_3>;
+  using Unfilled = Unfilled_space<Network, Samples, typename Flow::Concurrency_tag>;
 
 public:
   // lets fingers grow from the curve, and returns how many
@@ -59,7 +60,7 @@ public:
   // state to read, the curve is the one of that state.
   Filler(Guard& guard,
          const Samples& samples,
-         const std::vector<double>& boundary_distances,
+         const typename Unfilled::Distances& boundary_distances,
          const Parameters& parameters,
          double thickness,
          double widest_radius,
@@ -204,10 +205,11 @@ private:
 
   void measure_coverage(Result& result) const
   {
-    result.coverage = coverage(m_samples, sample_distances(curve(), m_samples), thickness());
-    result.unfilled_fraction = m_unfilled.fraction(curve(), thickness());
+    const std::vector<double> distances = m_unfilled.distances(curve());
+    result.coverage = coverage(m_samples, distances, thickness());
+    result.unfilled_fraction = m_unfilled.fraction(distances, thickness());
     if(!m_stages.is_time_left()) return; // the search for them can take seconds
-    result.empty_regions = m_unfilled.regions(curve(), thickness());
+    result.empty_regions = m_unfilled.regions(curve(), distances, thickness());
   }
 
   Result result() const
@@ -228,7 +230,7 @@ private:
   const Reach_out m_reach_out;
   const Deadline& m_deadline;
   const Samples& m_samples;
-  const Unfilled_space<Network, Samples> m_unfilled;
+  const Unfilled m_unfilled;
   Filling_stages<Flow, Visitor> m_stages;
   double m_thickness; // the one that is asked for, or that is to lead to the length asked for
   Thickness_field m_thinning; // for good, where the domain is too thin

@@ -25,6 +25,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+// The radius of a ball that a curve needs, in units of its thickness: plates fill up to a thickness
+// of 1.5 times half their own, rods up to 1.2 times (2026-11-22).
+constexpr double needed_width = 0.8;
+
 // How much of a domain is too thin for a thickness? Around each of some samples, of all samples
 // that are not far the one with most room is taken, and its ball climbs to more room; if that does
 // not get to the width that a curve needs, the sample lies in walls that are too thin. Takes hardly
@@ -36,8 +40,9 @@ class Thin_walls
   using Point_3 = typename Samples::Point_3;
 
 public:
-  // Takes the distances of the samples to the boundary, and the thickness as a function of the
-  // point. After the deadline no further samples are looked at.
+  // Takes the distances of the samples to the boundary, those up to `needed_width` times the
+  // largest thickness at least, and the thickness as a function of the point. After the deadline no
+  // further samples are looked at.
   Thin_walls(const Samples& samples,
              const std::vector<double>& distances,
              const Thickness& thickness,
@@ -77,8 +82,6 @@ public:
   }
 
 private:
-  // Plates fill up to a thickness of 1.5 times half their own, rods up to 1.2 times (2026-11-22).
-  static constexpr double needed_width = 0.8; // of the ball, in units of r
   // The center of a ball of that width that touches the walls of a corner is 1.39 r from it.
   static constexpr double reach = 1.5; // in units of r
   // If of that many balls around samples none has that part of the needed width, none will get it.

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/fingers/Free_ways.h>
@@ -18,8 +19,12 @@
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,24 +32,34 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Where a curve has not got to in a domain, found by samples of it. Near linear in their number.
-template <typename Network, typename Samples>
+template <typename Network, typename Samples, typename ConcurrencyTag = Sequential_tag>
 class Unfilled_space
 {
   using Point_3 = typename Network::Point_3;
   using Region = Empty_region_3<Point_3>;
+  using Domain = std::decay_t<decltype(std::declval<const Samples&>().domain())>;
 
 public:
+  using Distances = Boundary_distances<Domain>;
+
   // Takes the distances of the samples to the boundary, and whether the curve is to keep clear of
   // that.
-  Unfilled_space(const Samples& samples, const std::vector<double>& boundary_distances, Wall wall)
+  Unfilled_space(const Samples& samples, const Distances& boundary_distances, Wall wall)
       : m_samples(samples), m_boundary_distances(boundary_distances), m_wall(wall)
   {}
 
-  // returns the share of the volume that is farther than twice the thickness from the curve
-  template <typename Thickness>
-  double fraction(const Network& curve, const Thickness& thickness) const
+  // returns the distances of the samples to a curve
+  std::vector<double> distances(const Network& curve) const
   {
-    return unfilled_fraction(m_samples, distances(curve, thickness), thickness);
+    return sample_distances<ConcurrencyTag>(curve, m_samples);
+  }
+
+  // returns the share of the volume that is farther than twice the thickness from a curve, by the
+  // distances to it
+  template <typename Thickness>
+  double fraction(const std::vector<double>& distances, const Thickness& thickness) const
+  {
+    return unfilled_fraction(m_samples, to_be_covered(distances, thickness), thickness);
   }
 
   // returns whether it is more than is tolerated, or somewhere much farther: a thin ear of a bunny
@@ -52,7 +67,7 @@ public:
   template <typename Thickness>
   bool is_much(const Network& curve, const Thickness& thickness) const
   {
-    const std::vector<double> distances_to_curve = distances(curve, thickness);
+    const std::vector<double> distances_to_curve = to_be_covered(distances(curve), thickness);
     const auto farther_than = [&](double multiple) {
       return unfilled_fraction(m_samples, distances_to_curve,
                                [&](const Point_3& p) { return multiple / 2 * thickness(p); });
@@ -60,10 +75,15 @@ public:
     return farther_than(2) > tolerated_unfilled_fraction || farther_than(far_away) > 0;
   }
 
+  // returns the regions that a curve has not got to, by the distances to it
   template <typename Thickness>
-  std::vector<Region> regions(const Network& curve, const Thickness& thickness) const
+  std::vector<Region> regions(const Network& curve,
+                              const std::vector<double>& distances,
+                              const Thickness& thickness) const
   {
-    return regions(curve, thickness, distances(curve, thickness));
+    const auto boundary_distance = [this](std::size_t k) { return m_boundary_distances[k]; };
+    return find_empty_regions(curve, m_samples, to_be_covered(distances, thickness),
+                              boundary_distance, thickness);
   }
 
   // returns a point of each region, and points far from the curve, the farthest first: a tip of a
@@ -71,9 +91,9 @@ public:
   template <typename Thickness>
   std::vector<Point_3> places(const Network& curve, const Thickness& thickness) const
   {
-    const std::vector<double> distances_to_curve = distances(curve, thickness);
+    const std::vector<double> distances_to_curve = to_be_covered(distances(curve), thickness);
     std::vector<Point_3> places;
-    for(const Region& region : regions(curve, thickness, distances_to_curve))
+    for(const Region& region : regions(curve, distances_to_curve, thickness))
       places.push_back(region.point);
     std::vector<std::size_t> far_samples;
     for(std::size_t k = 0; k < distances_to_curve.size(); ++k)
@@ -99,9 +119,10 @@ public:
                         double thickness,
                         const Deadline& deadline) const
   {
+    Thinned_paths paths(cell_of_paths * thickness);
+    if(places.empty()) return paths;
     const Distance_to_curve tree(curve);
     Free_ways ways(m_samples.domain(), m_samples.traits(), most_cells);
-    Thinned_paths paths(cell_of_paths * thickness);
     for(const Point_3& place : places)
       for(double cell = cell_of_paths; cell >= least_cell; cell /= 2) {
         const auto is_near = [&](const Vector& p) {
@@ -119,21 +140,11 @@ private:
   static constexpr double cell_of_paths = 0.5, least_cell = 0.125; // in units of the thickness
   static constexpr std::size_t most_cells = 1000000;
 
+  // The distances of samples to the curve, 0 where it is to keep clear of the boundary. Driven
+  // there, it would be compressed, and stay so.
   template <typename Thickness>
-  std::vector<Region> regions(const Network& curve,
-                              const Thickness& thickness,
-                              const std::vector<double>& distances_to_curve) const
+  std::vector<double> to_be_covered(std::vector<double> distances, const Thickness& thickness) const
   {
-    return find_empty_regions(curve, m_samples, distances_to_curve, &m_boundary_distances,
-                              thickness);
-  }
-
-  // Of the samples from the curve; 0 where it is to keep clear of the boundary. Driven there, it
-  // would be compressed, and stay so.
-  template <typename Thickness>
-  std::vector<double> distances(const Network& curve, const Thickness& thickness) const
-  {
-    std::vector<double> distances = sample_distances(curve, m_samples);
     if(m_wall == Wall::KEEP_CLEAR)
       for(std::size_t k = 0; k < distances.size(); ++k)
         if(m_boundary_distances[k] < 2 * thickness(m_samples.points()[k])) distances[k] = 0;
@@ -141,7 +152,7 @@ private:
   }
 
   const Samples& m_samples;
-  const std::vector<double>& m_boundary_distances;
+  const Distances& m_boundary_distances;
   const Wall m_wall;
 };
 

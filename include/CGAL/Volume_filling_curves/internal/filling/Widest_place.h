@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/filling/Deepest_point.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
 
@@ -32,16 +33,17 @@ public:
   // Of a polygon that passes for a circle: the middles of its edges are 1 % nearer to the center.
   static constexpr std::size_t nodes_of_round_circle = 24;
 
-  // Takes the distances of the samples to the boundary. \pre there is a sample
+  // Takes the distances of the samples to the boundary, up to a limit. \pre there is a sample
   Widest_place(const Domain& domain,
                const std::vector<Point_3>& samples,
                const std::vector<double>& distances,
+               double limit,
                const Traits& traits)
       : m_domain(&domain), m_traits(traits)
   {
-    const auto most = std::max_element(distances.begin(), distances.end());
-    m_center = to_vector(samples[static_cast<std::size_t>(most - distances.begin())]);
-    m_radius = *most;
+    const Deepest_point<Domain> deepest(domain, samples, distances, limit);
+    m_center = to_vector(samples[deepest.number()]);
+    m_radius = deepest.distance();
     climb();
   }
 
