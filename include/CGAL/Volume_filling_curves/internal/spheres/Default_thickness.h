@@ -58,6 +58,9 @@ private:
   static constexpr double percentage = 0.25;
   static constexpr double first_guess = 0.1;           // of the box diagonal
   static constexpr double samples_per_thickness = 0.2; // spacing over thickness
+  // Every third sample is measured: its neighbors have almost its radii. Over 31 curves that takes
+  // half of the time and changes the thickness by 1.4 % at most, 0.5 % in the mean (2026-11-23).
+  static constexpr std::size_t measured_sample = 3;
   static constexpr double settled = 0.98;
   static constexpr int max_refinements = 8;
   static constexpr double growth = 4, coarse = 500;  // of a network's number of nodes
@@ -83,6 +86,15 @@ private:
     m_samples.topRows(m_x.rows()) = m_x;
     for(std::size_t k = 0; k < samples.size(); ++k)
       set_row(m_samples, m_x.rows() + static_cast<Eigen::Index>(k), samples[k]);
+    thin_out_circles();
+  }
+
+  void thin_out_circles()
+  {
+    std::size_t count = 0;
+    for(std::size_t c = 0; c < m_circles.size(); c += measured_sample)
+      m_circles[count++] = m_circles[c];
+    m_circles.erase(m_circles.begin() + static_cast<std::ptrdiff_t>(count), m_circles.end());
   }
 
   // At most `largest`. No cap is tried between half of that and itself: in the end the thickness
