@@ -35,9 +35,9 @@ public:
   }
 
 private:
-  // Cholesky loses from 64 nodes on for tight knots, by little up to here (kernel_solver,
-  // 2026-11-21).
-  static constexpr Eigen::Index largest_factorized = 200;
+  // Cholesky loses from 64 nodes on for tight knots (kernel_solver, 2026-11-21): with 200, tangled
+  // knots, which flow on 50 to 200 nodes most of the time, take a fifth longer (2026-11-23).
+  static constexpr Eigen::Index largest_factorized = 64;
 
   Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> m_factorization;
   Tridiagonal_conjugate_gradients m_conjugate_gradients;
