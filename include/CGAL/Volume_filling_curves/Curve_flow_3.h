@@ -145,6 +145,16 @@ public:
     m_step_size.set_largest_displacement(max_displacement);
   }
 
+  /// changes the least length of an edge, in units of the thickness, and brings the edges to that.
+  ///
+  /// \pre `spacing` is positive, and the network has no garbage
+  void set_spacing(double spacing)
+  {
+    m_parameters.spacing = spacing;
+    remesh_until_even();
+    update();
+  }
+
   /// lets strands that are closer than `distance`, in units of the least thickness, go apart after
   /// every step. By default they do so where they hold one another, up to half of the thickness.
   void keep_apart(double distance) { m_separation = distance; }

@@ -20,6 +20,7 @@
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
@@ -57,7 +58,10 @@ public:
         m_start(start)
   {
     State_reader* const reader = run.saver.reader();
-    if(!reader) return;
+    if(!reader) {
+      begin_coarsely();
+      return;
+    }
     m_flow.resume(*reader);
     (*reader)(*this);
   }
@@ -73,8 +77,10 @@ public:
       const double length = m_flow.length() - m_run.tails.length();
       m_has_stalled =
           m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.tails.hold();
+      update_coarse_phase(did_move);
       status = status_between_steps();
     }
+    if(m_coarse_phase.is_on()) flow_coarsely(false);
     if constexpr(!Guard::Domain_boundary::is_bounded)
       if(can_lower_ropelength(*status)) status = lower_ropelength(*status);
     if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve())) finish();
@@ -86,7 +92,7 @@ public:
   void serialize(Archive& archive)
   {
     archive(m_unknottedness, m_stall_monitor, m_has_stalled, m_iterations_to_proof,
-            m_looks_unknotted, m_lingering, m_number_of_turns, m_are_tails_turning);
+            m_looks_unknotted, m_lingering, m_number_of_turns, m_are_tails_turning, m_coarse_phase);
   }
 
 private:
@@ -188,9 +194,38 @@ private:
   // While tails turn, the curve goes on flowing.
   bool is_converged()
   {
-    if(m_flow.gradient_norm() >= m_run.parameters.tolerance) return false;
+    if(m_coarse_phase.is_on() || m_flow.gradient_norm() >= m_run.parameters.tolerance) return false;
     if(!m_are_tails_turning) m_are_tails_turning = !m_run.tails.can_turn_outwards();
     return !m_are_tails_turning || m_number_of_turns == most_turns;
+  }
+
+  void begin_coarsely()
+  {
+    m_unknottedness.update(m_flow.curve());
+    if(!can_flow_coarsely() || is_at_limit()) return;
+    m_coarse_phase.begin(m_flow.gradient_norm());
+    if(m_coarse_phase.is_on()) flow_coarsely(true);
+  }
+
+  void update_coarse_phase(bool did_move)
+  {
+    const bool was_on = m_coarse_phase.is_on();
+    m_coarse_phase.note(m_flow.length());
+    if(!did_move || !can_flow_coarsely()) m_coarse_phase.end();
+    if(m_coarse_phase.is_on() != was_on) flow_coarsely(!was_on);
+  }
+
+  // An unknot that is proved is about to end.
+  bool can_flow_coarsely() const
+  {
+    return m_run.parameters.spacing < coarse_spacing && !m_unknottedness.is_proved();
+  }
+
+  void flow_coarsely(bool is_coarse)
+  {
+    const Untangling_parameters& asked = m_run.parameters;
+    m_flow.set_max_displacement((is_coarse ? coarse_step : 1) * asked.max_displacement);
+    m_flow.set_spacing(is_coarse ? coarse_spacing : asked.spacing);
   }
 
   // Where the ends are close together, a knot settles around a tail.
@@ -304,12 +339,15 @@ private:
   static constexpr std::size_t most_iterations_to_settle = 50;
   static constexpr std::size_t most_turns = 300;
   static constexpr double clearance_of_tails = 0.1; // in units of the thickness
+  static constexpr double coarse_spacing = 0.5;     // likewise
+  static constexpr double coarse_step = 2.5;        // of the largest displacement asked for
 
   Untangling_run<Guard, Visitor> m_run;
   Flow m_flow;
   Flow_start m_start;
   Unknottedness<Network> m_unknottedness;
   Stall_monitor m_stall_monitor;
+  Coarse_phase m_coarse_phase;
   bool m_has_stalled = false;
   std::optional<std::size_t> m_iterations_to_proof;
   std::optional<bool> m_looks_unknotted;
