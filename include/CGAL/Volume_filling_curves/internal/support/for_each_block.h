@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -33,17 +35,43 @@ void for_each_block(std::size_t n, std::size_t block, const Function& f)
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel) {
-    const auto run = [&](const tbb::blocked_range<std::size_t>& blocks) {
+    using Range = tbb::blocked_range<std::size_t>;
+    const auto run = [&](const Range& blocks) {
       for(std::size_t b = blocks.begin(); b != blocks.end(); ++b)
         f(b * block, (std::min)(n, (b + 1) * block));
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, (n + block - 1) / block), run);
-    return;
+    if(n > block) return tbb::parallel_for(Range(0, (n + block - 1) / block), run);
   }
 #else
   static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
 #endif
   for(std::size_t begin = 0; begin < n; begin += block) f(begin, (std::min)(n, begin + block));
+}
+
+// Calls f(i) for each i < n, in parallel if asked to; for loops over nodes or edges that take some
+// nanoseconds each.
+template <typename ConcurrencyTag, typename Function>
+void for_each_index(std::size_t n, const Function& f)
+{
+  constexpr std::size_t block = 1024;
+  for_each_block<ConcurrencyTag>(n, block, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i) f(i);
+  });
+}
+
+// Returns the sum of f(i) over all i < n, added up block by block, and then the blocks: the same
+// bits for every number of threads.
+template <typename ConcurrencyTag, typename Function>
+double sum_over_indices(std::size_t n, const Function& f)
+{
+  constexpr std::size_t block = 1024;
+  std::vector<double> sums((n + block - 1) / block);
+  for_each_block<ConcurrencyTag>(n, block, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for(std::size_t i = begin; i < end; ++i) sum += f(i);
+    sums[begin / block] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
 } // namespace internal
