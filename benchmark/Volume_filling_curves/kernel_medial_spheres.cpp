@@ -9,7 +9,7 @@
 
 #include "Flow_sample.h"
 
-#include <CGAL/Volume_filling_curves/internal/direction/touching_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Touching_nodes.h>
 
 namespace {
 
@@ -38,15 +38,17 @@ BENCHMARK(medial_spheres)
     ->Args({10000, 8})
     ->Args({10000, 32});
 
-void touching_pairs(benchmark::State& state)
+void touching_nodes(benchmark::State& state)
 {
   const Flow_sample& sample = tangled_unknot(state.range(0));
-  for(auto _ : state)
-    benchmark::DoNotOptimize(
-        vfc::internal::touching_pairs(sample.spheres, sample.curve.number_of_nodes()).size());
+  for(auto _ : state) {
+    const vfc::internal::Touching_nodes touching(CGAL::Sequential_tag(), sample.spheres,
+                                                 sample.curve.number_of_nodes());
+    benchmark::DoNotOptimize(touching.most_nodes(0));
+  }
   count_nodes(state, sample);
 }
-BENCHMARK(touching_pairs)->Arg(1000)->Arg(10000);
+BENCHMARK(touching_nodes)->Arg(1000)->Arg(10000);
 
 void energy_gradient(benchmark::State& state)
 {

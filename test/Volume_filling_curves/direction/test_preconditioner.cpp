@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -27,6 +28,7 @@ using CGAL::Volume_filling_curves::Preconditioner;
 using internal::Medial_sphere_search;
 using internal::Medial_spheres;
 using internal::Sparse_matrix;
+using internal::Touching_nodes;
 using Pairs = std::map<std::pair<std::size_t, std::size_t>, double>;
 
 constexpr double thickness = 0.4, lambda = 0.3 / (thickness * thickness), beta = 0.01;
@@ -45,9 +47,9 @@ Sparse_matrix matrix_of(Preconditioner kind, const Network& curve, double scale 
                                   spheres_of(curve, 16, 0.9, r));
 }
 
-Eigen::MatrixXd dense(const Sparse_matrix& lower)
+Eigen::MatrixXd dense(const Sparse_matrix& matrix)
 {
-  return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+  return Eigen::MatrixXd(matrix);
 }
 
 Pairs brute_force_pairs(const Medial_spheres& spheres)
@@ -127,23 +129,36 @@ TEST(Preconditioner, is_positive_definite)
     }
 }
 
-TEST(Touching_pairs, occur_once_with_the_least_radius)
+// The pairs of nodes, each of which must be there from both sides.
+Pairs pairs_of(const Touching_nodes& touching, std::size_t number_of_nodes)
+{
+  Pairs low_first, high_first;
+  for(std::size_t v = 0; v < number_of_nodes; ++v) {
+    std::vector<std::size_t> nodes;
+    touching.for_each(v, [&](std::size_t w, double radius) {
+      nodes.push_back(w);
+      Pairs& pairs = v < w ? low_first : high_first;
+      pairs.emplace(std::minmax(v, w), radius);
+    });
+    EXPECT_EQ(std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>()), nodes.end());
+    EXPECT_LE(nodes.size(), touching.most_nodes(v));
+  }
+  EXPECT_EQ(low_first, high_first);
+  return low_first;
+}
+
+TEST(Touching_nodes, occur_once_with_the_least_radius)
 {
   for(const Network& curve : some_curves()) {
     const Medial_spheres spheres = spheres_of(curve, 16, 0.9, thickness);
-    const Pairs expected = brute_force_pairs(spheres);
-    const auto pairs = internal::touching_pairs(spheres, curve.number_of_nodes());
-    ASSERT_EQ(pairs.size(), expected.size());
-    for(const auto& pair : pairs) {
-      const auto found = expected.find(std::make_pair(pair.low, pair.high));
-      ASSERT_NE(found, expected.end());
-      EXPECT_EQ(pair.radius, found->second);
-    }
+    const std::size_t n = curve.number_of_nodes();
+    EXPECT_EQ(pairs_of(Touching_nodes(CGAL::Sequential_tag(), spheres, n), n),
+              brute_force_pairs(spheres));
   }
 }
 
 // Whatever the order of the nodes, the pairs are the same, and so are the radii.
-TEST(Touching_pairs, do_not_depend_on_the_order_of_the_nodes)
+TEST(Touching_nodes, do_not_depend_on_the_order_of_the_nodes)
 {
   Random random(2);
   const Vector_field x = random_field(80, random);
@@ -162,14 +177,14 @@ TEST(Touching_pairs, do_not_depend_on_the_order_of_the_nodes)
             [](const auto& a, const auto& b) { return a.node < b.node; });
   const CGAL::Sequential_tag tag;
   const std::vector<double> ones(80, 1.);
-  const auto pairs =
-      internal::touching_pairs(Medial_sphere_search(tag, x, ones, 0.5)(circles, 16), 80);
+  const Touching_nodes touching(tag, Medial_sphere_search(tag, x, ones, 0.5)(circles, 16), 80);
+  const Pairs pairs = pairs_of(touching, 80);
   const Pairs others = brute_force_pairs(Medial_sphere_search(tag, y, ones, 0.5)(shuffled, 16));
   ASSERT_EQ(pairs.size(), others.size());
-  for(const auto& pair : pairs) {
-    const auto found = others.find(std::minmax(place[pair.low], place[pair.high]));
+  for(const auto& [pair, radius] : pairs) {
+    const auto found = others.find(std::minmax(place[pair.first], place[pair.second]));
     ASSERT_NE(found, others.end());
-    EXPECT_EQ(pair.radius, found->second);
+    EXPECT_EQ(radius, found->second);
   }
 }
 
@@ -213,6 +228,25 @@ TEST(Direction_solver, takes_a_zero_right_hand_side)
     EXPECT_EQ(solver(matrix_of(Preconditioner::MEDIAL, ring), zero), zero);
   }
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Direction_solver, and_preconditioner_are_the_same_for_all_tags)
+{
+  Random random(6);
+  const Network curve = junctions_and_ends(5000, random);
+  const Vector_field x = internal::coordinates(curve);
+  const Vector_field b = random_field(curve.number_of_nodes(), random);
+  const std::vector<double> thicknesses(curve.number_of_nodes(), thickness);
+  const auto direction = [&](auto tag) {
+    using Tag = decltype(tag);
+    return internal::Direction_solver<Tag>()(
+        internal::preconditioner<Tag>({}, curve, x, internal::node_weights(curve, x), thicknesses,
+                                      spheres_of(curve, 16, 0.9, thickness)),
+        b);
+  };
+  EXPECT_EQ(direction(CGAL::Parallel_tag()), direction(CGAL::Sequential_tag()));
+}
+#endif
 
 // P has the unit 1 / length, directions that of a length.
 TEST(Direction_solver, scales_with_the_curve_by_powers_of_two)

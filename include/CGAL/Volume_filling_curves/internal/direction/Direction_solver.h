@@ -13,6 +13,8 @@
 #include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
+#include <CGAL/tags.h>
+
 #include <Eigen/SparseCholesky>
 
 namespace CGAL {
@@ -20,7 +22,8 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Solves P d = b for three right-hand sides: by sparse Cholesky factorization as long as that is
-// faster, by conjugate gradients for large P.
+// faster, by conjugate gradients for large P, in parallel if asked to.
+template <typename ConcurrencyTag = Sequential_tag>
 class Direction_solver
 {
 public:
@@ -40,7 +43,7 @@ private:
   static constexpr Eigen::Index largest_factorized = 64;
 
   Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> m_factorization;
-  Tridiagonal_conjugate_gradients m_conjugate_gradients;
+  Tridiagonal_conjugate_gradients<ConcurrencyTag> m_conjugate_gradients;
 };
 
 } // namespace internal

@@ -62,8 +62,9 @@ public:
     update_spheres(curve, boundary, parameters, thickness, statistics);
     const Stage_timer stage(statistics.seconds_direction);
     update_gradient(curve, parameters, thickness);
-    m_vectors = m_solver(preconditioner(parameters, curve, m_positions, m_weights, thickness,
-                                        m_spheres, m_field ? &m_preference : nullptr),
+    m_vectors = m_solver(preconditioner<ConcurrencyTag>(parameters, curve, m_positions, m_weights,
+                                                        thickness, m_spheres,
+                                                        m_field ? &m_preference : nullptr),
                          -m_gradient);
   }
 
@@ -96,7 +97,7 @@ private:
                        const Curve_flow_parameters& parameters,
                        const std::vector<double>& thickness)
   {
-    Energy_gradient<Network> gradient(curve, m_positions, m_weights);
+    Energy_gradient<Network, ConcurrencyTag> gradient(curve, m_positions, m_weights);
     const auto tensions = component_tensions(curve, m_weights, thickness);
     gradient.add_length(tensions);
     if(m_field) {
@@ -113,7 +114,7 @@ private:
 
   Direction_field m_field;
   Direction_preference m_preference;
-  Direction_solver m_solver;
+  Direction_solver<ConcurrencyTag> m_solver;
   Vector_field m_positions, m_gradient, m_vectors;
   std::vector<double> m_weights; // per node
   Medial_spheres m_spheres;

@@ -11,6 +11,11 @@
 
 #include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -20,28 +25,29 @@ namespace internal {
 // conjugate gradients, preconditioned with the tridiagonal part of P. As nodes are numbered along
 // the curve this holds all but a few edges of the curve and leaves out the weak coupling along
 // medial spheres only: it takes some ten iterations, linear time each. P is an M-matrix, so that
-// its tridiagonal part is positive definite, too.
+// its tridiagonal part is positive definite, too. All but the elimination along the curve runs in
+// parallel if asked to.
+template <typename ConcurrencyTag = Sequential_tag>
 class Tridiagonal_conjugate_gradients
 {
 public:
-  // Returns the solution up to a relative residual: `tolerance` suffices for a direction.
+  // Returns the solution up to a relative residual: `tolerance` suffices for a direction. P is
+  // symmetric, both halves are stored.
   Vector_field operator()(const Sparse_matrix& p, const Vector_field& b)
   {
     factorize(p);
     Vector_field x = Vector_field::Zero(b.rows(), 3);
     m_residual = b;
     m_direction.setZero(b.rows(), 3);
-    double rho = 1;
-    const double goal = tolerance * tolerance * b.squaredNorm();
-    for(int k = 0; k < max_iterations && m_residual.squaredNorm() > goal; ++k) {
+    m_image.resize(b.rows(), 3);
+    double rho = 1, left = dot(b, b);
+    const double goal = tolerance * tolerance * left;
+    for(int k = 0; k < max_iterations && left > goal; ++k) {
       apply_inverse();
-      const double next_rho = m_residual.cwiseProduct(m_image).sum();
-      m_direction = m_image + next_rho / rho * m_direction;
-      rho = next_rho;
-      multiply(p);
-      const double length = rho / m_direction.cwiseProduct(m_image).sum();
-      x += length * m_direction;
-      m_residual -= length * m_image;
+      const double last_rho = rho;
+      rho = dot(m_residual, m_image);
+      turn(rho / last_rho);
+      left = advance(rho / multiply(p), x);
     }
     return x;
   }
@@ -53,57 +59,90 @@ private:
   // T = (I + l) D (I + l)^T with l below the diagonal, and one more entry of l, 0
   void factorize(const Sparse_matrix& p)
   {
-    const Eigen::Index n = p.rows();
-    m_inverse_diagonal.resize(n);
-    m_lower.setZero(n + 1);
+    read_tridiagonal_part(p);
     double carried = 0;
-    for(Eigen::Index v = 0; v < n; ++v) {
-      m_inverse_diagonal[v] = 1 / (p.coeff(v, v) - carried);
-      if(v + 1 == n) break;
-      const double entry = p.coeff(v + 1, v);
+    for(Eigen::Index v = 0; v < p.rows(); ++v) {
+      m_inverse_diagonal[v] = 1 / (m_inverse_diagonal[v] - carried);
+      const double entry = m_lower[v + 1];
       m_lower[v + 1] = entry * m_inverse_diagonal[v];
       carried = entry * m_lower[v + 1];
     }
   }
 
+  // Looks up the diagonal of P, and the entries below it.
+  void read_tridiagonal_part(const Sparse_matrix& p)
+  {
+    m_inverse_diagonal.resize(p.rows());
+    m_lower.setZero(p.rows() + 1);
+    for_each_index<ConcurrencyTag>(size(p), [&](std::size_t v) {
+      for(Sparse_matrix::InnerIterator entry(p, index(v)); entry; ++entry)
+        if(entry.row() == index(v))
+          m_inverse_diagonal[index(v)] = entry.value();
+        else if(entry.row() == index(v + 1))
+          m_lower[index(v + 1)] = entry.value();
+    });
+  }
+
   // image = T^-1 residual
   void apply_inverse()
   {
-    m_image.resize(m_residual.rows(), 3);
     Vector last;
-    for(std::size_t v = 0; v < size(); ++v) {
+    for(std::size_t v = 0; v < size(m_residual); ++v) {
       last = row(m_residual, v) - m_lower[index(v)] * last;
       set_row(m_image, v, last);
     }
     last = Vector();
-    for(std::size_t v = size(); v-- > 0;) {
+    for(std::size_t v = size(m_residual); v-- > 0;) {
       last = m_inverse_diagonal[index(v)] * row(m_image, v) - m_lower[index(v + 1)] * last;
       set_row(m_image, v, last);
     }
   }
 
-  // image = P direction, in one pass over P for all three columns: Eigen takes one for each.
-  void multiply(const Sparse_matrix& p)
+  // direction = image + factor direction
+  void turn(double factor)
   {
-    m_image.setZero();
-    for(std::size_t v = 0; v < size(); ++v) {
-      const Vector x = row(m_direction, v);
-      Vector sum = row(m_image, v);
-      for(Sparse_matrix::InnerIterator entry(p, index(v)); entry; ++entry) {
-        const auto w = static_cast<std::size_t>(entry.row());
-        if(w == v)
-          sum += entry.value() * x;
-        else {
-          sum += entry.value() * row(m_direction, w);
-          set_row(m_image, w, row(m_image, w) + entry.value() * x);
-        }
-      }
+    for_each_index<ConcurrencyTag>(size(m_residual), [&](std::size_t v) {
+      set_row(m_direction, v, row(m_image, v) + factor * row(m_direction, v));
+    });
+  }
+
+  // image = P direction, in one pass over P for all three columns: Eigen takes one for each.
+  // Returns direction . image.
+  double multiply(const Sparse_matrix& p)
+  {
+    return sum_over_indices<ConcurrencyTag>(size(p), [&](std::size_t v) {
+      Vector sum;
+      for(Sparse_matrix::InnerIterator entry(p, index(v)); entry; ++entry)
+        sum += entry.value() * row(m_direction, entry.row());
       set_row(m_image, v, sum);
-    }
+      return row(m_direction, v).dot(sum);
+    });
+  }
+
+  // x += length direction. Returns the squared norm of the residual.
+  double advance(double length, Vector_field& x)
+  {
+    return sum_over_indices<ConcurrencyTag>(size(x), [&](std::size_t v) {
+      set_row(x, v, row(x, v) + length * row(m_direction, v));
+      const Vector left = row(m_residual, v) - length * row(m_image, v);
+      set_row(m_residual, v, left);
+      return left.squaredNorm();
+    });
+  }
+
+  static double dot(const Vector_field& a, const Vector_field& b)
+  {
+    return sum_over_indices<ConcurrencyTag>(
+        size(a), [&](std::size_t v) { return row(a, v).dot(row(b, v)); });
   }
 
   static Eigen::Index index(std::size_t v) { return static_cast<Eigen::Index>(v); }
-  std::size_t size() const { return static_cast<std::size_t>(m_residual.rows()); }
+
+  template <typename Matrix>
+  static std::size_t size(const Matrix& matrix)
+  {
+    return static_cast<std::size_t>(matrix.rows());
+  }
 
   // kept from one system to the next: with a million nodes the kernel takes longer to hand them out
   // than it takes to fill them

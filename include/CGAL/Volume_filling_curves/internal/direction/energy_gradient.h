@@ -13,6 +13,9 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/near_junctions.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -50,8 +53,9 @@ std::vector<double> component_tensions(const Network& curve,
 // The gradient of the two-term energy
 //   E = length + alpha / 2 * sum_i w_i (1 / N) sum_l |x_i - m_il|^2
 // with the sphere centers m_il = x_i + R_il x_l and the weights w_i, half of the edges at a node,
-// held fixed (sections 3.1 and 3.3 of the paper). Zero at pinned nodes. Linear.
-template <typename Network>
+// held fixed (sections 3.1 and 3.3 of the paper). Zero at pinned nodes. Each node collects what its
+// edges and spheres pull, so that nodes are independent, and done in parallel if asked to. Linear.
+template <typename Network, typename ConcurrencyTag = Sequential_tag>
 class Energy_gradient
 {
 public:
@@ -62,26 +66,24 @@ public:
   // length, times a factor per component
   void add_length(const std::vector<double>& tensions)
   {
-    for(std::size_t e = 0; e < m_curve.number_of_edges(); ++e) {
-      const std::size_t a = m_curve.source(e), b = m_curve.target(e);
-      const double tension = tensions[m_curve.component(a)];
-      const Vector pull = tension * (row(m_x, b) - row(m_x, a)).normalized();
-      add(a, -pull);
-      add(b, pull);
-    }
+    for_each_index<ConcurrencyTag>(size(), [&](std::size_t v) {
+      const double tension = tensions[m_curve.component(v)];
+      for(std::size_t k = 0; k < m_curve.degree(v); ++k)
+        add(v, tension * (row(m_x, v) - row(m_x, m_curve.neighbor(v, k))).normalized());
+    });
   }
 
   // Beyond the paper: what edges across a direction field cost more, times a factor per component.
   void add_direction_preference(const Direction_preference& preference,
                                 const std::vector<double>& tensions)
   {
-    for(std::size_t e = 0; e < m_curve.number_of_edges(); ++e) {
-      const std::size_t a = m_curve.source(e), b = m_curve.target(e);
-      const Vector pull = tensions[m_curve.component(a)] *
-                          preference.pull(e, (row(m_x, b) - row(m_x, a)).normalized());
-      add(a, -pull);
-      add(b, pull);
-    }
+    for_each_index<ConcurrencyTag>(size(), [&](std::size_t v) {
+      const double tension = tensions[m_curve.component(v)];
+      for(std::size_t k = 0; k < m_curve.degree(v); ++k) {
+        const Vector edge = row(m_x, v) - row(m_x, m_curve.neighbor(v, k));
+        add(v, tension * preference.pull(m_curve.incident_edge(v, k), edge.normalized()));
+      }
+    });
   }
 
   // Beyond the paper: small spheres push harder. Two arcs that hook each other touch in one place
@@ -97,29 +99,36 @@ public:
     constexpr double contact_radius = 0.5;
     const auto n = static_cast<double>(spheres.number_of_directions());
     const std::vector<bool> is_left_out = near_junctions(m_curve, m_x, thickness);
-    for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
-      const Node_circle& circle = spheres.circles()[c];
-      if(is_left_out[circle.node]) continue;
-      const double r = thickness[circle.node];
-      Vector sum; // of m_il - x_i over the directions
-      for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
-        const double radius = spheres.radius(c, l),
-                     push = (std::max)(0., contact_radius * r - radius);
-        sum += (radius - push) * spheres.direction(c, l);
+    for_each_block<ConcurrencyTag>(size(), block, [&](std::size_t begin, std::size_t end) {
+      const std::size_t last_circle = spheres.first_circle(end);
+      for(std::size_t c = spheres.first_circle(begin); c < last_circle; ++c) {
+        const Node_circle& circle = spheres.circles()[c];
+        if(is_left_out[circle.node]) continue;
+        const double r = thickness[circle.node];
+        Vector sum; // of m_il - x_i over the directions
+        for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
+          const double radius = spheres.radius(c, l),
+                       push = (std::max)(0., contact_radius * r - radius);
+          sum += (radius - push) * spheres.direction(c, l);
+        }
+        const double weight = medial_weight / (r * r) * m_weights[circle.node] * circle.share / n;
+        add(circle.node, -weight * sum);
       }
-      const double weight = medial_weight / (r * r) * m_weights[circle.node] * circle.share / n;
-      add(circle.node, -weight * sum);
-    }
+    });
   }
 
   Vector_field result()
   {
-    for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
+    for(std::size_t v = 0; v < size(); ++v)
       if(m_curve.is_pinned(v)) set_row(m_gradient, v, Vector());
     return std::move(m_gradient);
   }
 
 private:
+  static constexpr std::size_t block = 256; // nodes per task
+
+  std::size_t size() const { return m_curve.number_of_nodes(); }
+
   void add(std::size_t v, const Vector& x) { set_row(m_gradient, v, row(m_gradient, v) + x); }
 
   const Network& m_curve;
