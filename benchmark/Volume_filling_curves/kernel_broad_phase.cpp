@@ -26,7 +26,8 @@ void find_pairs(benchmark::State& state, const Flow_sample& sample)
   };
   std::size_t pairs = 0;
   for(auto _ : state) {
-    const vfc::internal::Broad_phase phase(sample.curve, sample.positions, target, margin);
+    const vfc::internal::Broad_phase phase(CGAL::Sequential_tag(), sample.curve, sample.positions,
+                                           target, margin);
     pairs = phase.pairs<CGAL::Sequential_tag>(have_no_common_node).size();
   }
   state.counters["pairs"] = static_cast<double>(pairs);

@@ -27,7 +27,8 @@ struct All_pairs
 {
   std::size_t number_of_edges;
 
-  All_pairs(const Network& curve, const Vector_field&, const Vector_field&, double)
+  template <typename ConcurrencyTag>
+  All_pairs(ConcurrencyTag, const Network& curve, const Vector_field&, const Vector_field&, double)
       : number_of_edges(curve.number_of_edges())
   {}
 
@@ -212,7 +213,8 @@ TEST(Certified_motion, searches_all_that_an_edge_can_sweep)
       for(std::uint32_t e = 0; e < boxes.size(); ++e)
         for(std::uint32_t f = 0; f < e; ++f)
           if(boxes[e].intersects(boxes[f])) expected.push_back({e, f});
-      auto actual = Broad_phase(network, before, after, margin).pairs<Sequential_tag>(no_filter);
+      auto actual = Broad_phase(Sequential_tag(), network, before, after, margin)
+                        .pairs<Sequential_tag>(no_filter);
       std::sort(actual.begin(), actual.end());
       ASSERT_EQ(actual, expected);
     }

@@ -41,7 +41,7 @@ public:
   bool keeps_clearance(double fraction) const
   {
     if(!m_limits.keep_clearance()) return true;
-    const std::vector<Point_3> end = m_limits.positions(fraction);
+    const std::vector<Point_3> end = positions(fraction);
     return holds_for_all(m_limits.number_of_pairs(),
                          [&](std::size_t k) { return m_limits.is_pair_clear(k, end); }) &&
            holds_for_all(m_limits.curve().number_of_nodes(),
@@ -53,13 +53,13 @@ public:
   // whole). Returns what was certified, no rounds if all fail.
   Rounds certify(double fraction) const
   {
-    const std::vector<Point_3> start = m_limits.positions(0);
+    const std::vector<Point_3> start = positions(0);
     for(int rounds : {1, 2, 4, 8})
       for(bool is_reversed : {false, true}) {
         Rounds done = {{}, is_reversed};
         bool is_safe = true;
         for(int k = 1; k <= rounds && is_safe; ++k) {
-          std::vector<Point_3> after = m_limits.positions(fraction * k / rounds);
+          std::vector<Point_3> after = positions(fraction * k / rounds);
           is_safe = is_round_safe(
               {m_limits.curve(), k == 1 ? start : done.positions.back(), after, is_reversed});
           done.positions.push_back(std::move(after));
@@ -71,6 +71,11 @@ public:
 
 private:
   static constexpr std::size_t block = 512; // nodes or pairs per task
+
+  std::vector<Point_3> positions(double fraction) const
+  {
+    return m_limits.template positions<ConcurrencyTag>(fraction);
+  }
 
   template <typename Predicate>
   bool holds_for_all(std::size_t n, const Predicate& predicate) const

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_rule.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Swept_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 
 #include <array>
 #include <cstddef>
@@ -48,7 +49,7 @@ public:
         m_walls(walls),
         m_start(coordinates(curve)),
         m_target(target),
-        m_pairs(BroadPhase(curve, m_start, target, clearance.distance())
+        m_pairs(BroadPhase(ConcurrencyTag(), curve, m_start, target, clearance.distance())
                     .template pairs<ConcurrencyTag>(
                         [&](std::size_t e, std::size_t f) { return !share_a_node(curve, e, f); }))
   {}
@@ -69,12 +70,13 @@ public:
     return to_point(x.cwiseMax(a.cwiseMin(b)).cwiseMin(a.cwiseMax(b)), m_curve.traits());
   }
 
+  template <typename ConcurrencyTag>
   std::vector<Point_3> positions(double fraction) const
   {
-    std::vector<Point_3> points;
-    points.reserve(m_curve.number_of_nodes());
-    for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
-      points.push_back(position(v, fraction));
+    std::vector<Point_3> points(m_curve.points().begin(), m_curve.points().end());
+    if(fraction != 0)
+      for_each_index<ConcurrencyTag>(points.size(),
+                                     [&](std::size_t v) { points[v] = position(v, fraction); });
     return points;
   }
 

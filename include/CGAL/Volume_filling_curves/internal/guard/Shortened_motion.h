@@ -31,8 +31,7 @@ namespace internal {
 // A test of a pair of edges or of a node reads where its nodes end, hence all that passed since
 // the nodes were shortened last certify the motion as a whole. After the first round only those
 // near nodes that were shortened are tested again, and a node is shortened seven times at most:
-// near linear in the number of edges and candidate pairs. The first round runs in parallel if asked
-// to.
+// near linear in the number of edges and candidate pairs. Tests run in parallel if asked to.
 template <typename Limits, typename ConcurrencyTag>
 class Shortened_motion
 {
@@ -46,8 +45,8 @@ public:
 
   explicit Shortened_motion(const Limits& limits)
       : m_limits(limits),
-        m_start(limits.positions(0)),
-        m_end(limits.positions(1)),
+        m_start(limits.template positions<ConcurrencyTag>(0)),
+        m_end(limits.template positions<ConcurrencyTag>(1)),
         m_swept(limits.curve(), m_start, m_end, false),
         m_fractions(m_end.size(), 1)
   {}
@@ -76,7 +75,7 @@ public:
 
 private:
   static constexpr double least_fraction = 1. / 64; // a node that cannot go that far stands still
-  static constexpr std::size_t block = 512;         // nodes or pairs per task
+  static constexpr std::size_t block = 128;         // nodes or pairs per task
 
   Rounds one_round() { return {{std::move(m_end)}, false}; }
 
@@ -96,24 +95,33 @@ private:
         failing(m_limits.number_of_pairs(), [this](std::size_t k) { return is_pair_free(k); });
     const Indices nodes =
         failing(m_start.size(), [this](std::size_t v) { return is_node_free(v); });
-    for(const Index k : pairs) block_pair(k);
-    for(const Index v : nodes) block_node(v);
-    return take_blocked();
+    return nodes_of(pairs, nodes);
   }
 
   // Near nodes that were shortened.
   Indices blocked_nodes_near(const Indices& shortened)
   {
     const auto& curve = m_limits.curve();
+    Indices pairs, nodes; // each once
     for(const Index v : shortened) {
-      test_node(v);
+      add_node(v, nodes);
       for(std::size_t i = 0; i < curve.degree(v); ++i) {
-        test_node(curve.neighbor(v, i));
-        test_pairs(curve.incident_edge(v, i));
+        add_node(curve.neighbor(v, i), nodes);
+        add_pairs(curve.incident_edge(v, i), pairs);
       }
     }
     ++m_round;
-    return take_blocked();
+    return nodes_of(failing_of(pairs, [this](Index k) { return is_pair_free(k); }),
+                    failing_of(nodes, [this](Index v) { return is_node_free(v); }));
+  }
+
+  template <typename Test>
+  Indices failing_of(const Indices& candidates, const Test& passes) const
+  {
+    Indices found =
+        failing(candidates.size(), [&](std::size_t i) { return passes(candidates[i]); });
+    for(Index& i : found) i = candidates[i];
+    return found;
   }
 
   // Returns the indices below n for which a test fails.
@@ -130,44 +138,40 @@ private:
     return all;
   }
 
-  void test_node(std::size_t v)
+  void add_node(std::size_t v, Indices& nodes)
   {
-    if(std::exchange(m_round_of_node[v], m_round) != m_round && !is_node_free(v)) block_node(v);
+    if(std::exchange(m_round_of_node[v], m_round) != m_round)
+      nodes.push_back(static_cast<Index>(v));
   }
 
-  void test_pairs(std::size_t e)
+  void add_pairs(std::size_t e, Indices& pairs)
   {
     for(std::size_t i = m_first_pair[e]; i < m_first_pair[e + 1]; ++i) {
       const Index k = m_pairs_of_edges[i];
-      if(std::exchange(m_round_of_pair[k], m_round) != m_round && !is_pair_free(k)) block_pair(k);
+      if(std::exchange(m_round_of_pair[k], m_round) != m_round) pairs.push_back(k);
     }
   }
 
-  void block_pair(std::size_t k)
+  // Returns the ends of pairs of edges, and nodes with their neighbors, each once, but for those
+  // that stand still.
+  Indices nodes_of(const Indices& pairs, const Indices& corners) const
   {
-    for(const std::size_t e : m_limits.pair(k)) {
-      m_blocked.push_back(static_cast<Index>(m_limits.curve().source(e)));
-      m_blocked.push_back(static_cast<Index>(m_limits.curve().target(e)));
+    const auto& curve = m_limits.curve();
+    Indices nodes;
+    const auto add = [&](std::size_t v) {
+      if(to_vector(m_start[v]) != to_vector(m_end[v])) nodes.push_back(static_cast<Index>(v));
+    };
+    for(const Index k : pairs)
+      for(const std::size_t e : m_limits.pair(k)) {
+        add(curve.source(e));
+        add(curve.target(e));
+      }
+    for(const Index v : corners) {
+      add(v);
+      for(std::size_t i = 0; i < curve.degree(v); ++i) add(curve.neighbor(v, i));
     }
-  }
-
-  void block_node(std::size_t v)
-  {
-    m_blocked.push_back(static_cast<Index>(v));
-    for(std::size_t i = 0; i < m_limits.curve().degree(v); ++i)
-      m_blocked.push_back(static_cast<Index>(m_limits.curve().neighbor(v, i)));
-  }
-
-  // those blocked since the last call that do not stand still, each once
-  Indices take_blocked()
-  {
-    Indices nodes = std::exchange(m_blocked, {});
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const auto stands_still = [this](Index v) {
-      return to_vector(m_start[v]) == to_vector(m_end[v]);
-    };
-    nodes.erase(std::remove_if(nodes.begin(), nodes.end(), stands_still), nodes.end());
     return nodes;
   }
 
@@ -197,7 +201,6 @@ private:
   std::vector<Point_3> m_end;
   const Swept m_swept;
   std::vector<double> m_fractions;
-  Indices m_blocked;
 
   std::vector<std::size_t> m_first_pair; // in the next, of each edge
   Indices m_pairs_of_edges;

@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -35,12 +36,13 @@ class Broad_phase
 public:
   using Edge_pair = std::array<std::uint32_t, 2>;
 
-  template <typename Network>
-  Broad_phase(const Network& curve,
+  template <typename ConcurrencyTag, typename Network>
+  Broad_phase(ConcurrencyTag,
+              const Network& curve,
               const Vector_field& before,
               const Vector_field& after,
               double margin)
-      : m_tree(swept_boxes(curve, before, after, margin / 2))
+      : m_tree(swept_boxes<ConcurrencyTag>(curve, before, after, margin / 2))
   {}
 
   // Returns the pairs (e, f), e > f, for which is_wanted(e, f), in an order that depends on neither
@@ -62,6 +64,9 @@ public:
         Nearest_pair_descent(m_tree, query).run(close.parts[k][0], close.parts[k][1]);
     });
     std::vector<Edge_pair> all;
+    all.reserve(
+        std::accumulate(found.begin(), found.end(), std::size_t(0),
+                        [](std::size_t sum, const auto& pairs) { return sum + pairs.size(); }));
     for(const auto& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
     return all;
   }
@@ -81,20 +86,19 @@ private:
 
   // The ends of an edge move one after the other (section 4.3 of the paper), in either order; the
   // box holds the triangles that it sweeps in both.
-  template <typename Network>
+  template <typename ConcurrencyTag, typename Network>
   static std::vector<Bbox_3> swept_boxes(const Network& curve,
                                          const Vector_field& before,
                                          const Vector_field& after,
                                          double margin)
   {
-    std::vector<Bbox_3> boxes;
-    boxes.reserve(curve.number_of_edges());
-    for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
+    std::vector<Bbox_3> boxes(curve.number_of_edges());
+    for_each_index<ConcurrencyTag>(boxes.size(), [&](std::size_t e) {
       Box box;
       for(const std::size_t v : {curve.source(e), curve.target(e)})
         box.extend(row(before, v)).extend(row(after, v));
-      boxes.push_back(to_bbox(inflated(box, margin)));
-    }
+      boxes[e] = to_bbox(inflated(box, margin));
+    });
     return boxes;
   }
 

@@ -32,8 +32,9 @@ namespace internal {
 // The energy does not do that: the medial spheres of strands that cross touch nodes of each
 // other, which lie beside the crossing. Each node moves once at most, for the closest pair of
 // edges: where a whole bundle is tangled there are many times as many pairs as nodes. Near linear
-// in the number of edges and of pairs of them that are close.
-template <typename Guard>
+// in the number of edges and of pairs of them that are close, which are sought in parallel if asked
+// to.
+template <typename Guard, typename ConcurrencyTag = Sequential_tag>
 class Strand_separator
 {
   using Network = typename Guard::Curve_network;
@@ -56,7 +57,8 @@ public:
     const auto are_close = [&](std::size_t e, std::size_t f) {
       return distance(e, f) < m_distance && !m_clearance.are_neighbors(e, f);
     };
-    const auto pairs = Broad_phase(m_curve, x, x, m_distance).pairs<Sequential_tag>(are_close);
+    const auto pairs = Broad_phase(ConcurrencyTag(), m_curve, x, x, m_distance)
+                           .template pairs<ConcurrencyTag>(are_close);
     std::vector<std::tuple<double, std::size_t, std::size_t>> closest_first;
     for(const auto& [e, f] : pairs) closest_first.push_back({distance(e, f), e, f});
     std::sort(closest_first.begin(), closest_first.end());
