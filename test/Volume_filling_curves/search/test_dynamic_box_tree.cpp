@@ -80,6 +80,24 @@ TEST(Dynamic_box_tree, finds_all_boxes_that_overlap)
     }
 }
 
+TEST(Dynamic_box_tree, finds_the_same_boxes_if_it_is_given_all_at_once)
+{
+  Random random(4);
+  for(const std::size_t n : {0u, 1u, 32u, 33u, 1024u, 1025u, 3000u}) {
+    const Box frame{Vector::constant(-1), Vector::constant(1)};
+    std::vector<Box> boxes(n);
+    for(Box& box : boxes) box = random_box(1, 0.1, random);
+    const auto box_of = [&](std::size_t k) { return boxes[k]; };
+    Dynamic_box_tree at_once(frame, n, box_of), one_by_one(frame);
+    for(std::size_t k = 0; k < n; ++k) one_by_one.set(k, boxes[k]);
+    for(std::size_t k : {n, 2 * n + 7}) { // more of them
+      at_once.set(k, random_box(1, 0.1, random));
+      one_by_one.set(k, Box());
+    }
+    expect_complete(at_once, boxes, 1);
+  }
+}
+
 TEST(Dynamic_box_tree, follows_boxes_that_move_and_vanish)
 {
   Random random(3);

@@ -83,8 +83,9 @@ private:
   {
     Box frame;
     for(const std::size_t e : m_curve.edges()) frame.extend(box_of(e));
-    m_boxes = Dynamic_box_tree(frame);
-    for(const std::size_t e : m_curve.edges()) m_boxes.set(e, box_of(e));
+    const std::size_t n = m_curve.number_of_edges() + m_curve.number_of_removed_edges();
+    m_boxes = Dynamic_box_tree(
+        frame, n, [&](std::size_t e) { return m_curve.is_removed_edge(e) ? Box() : box_of(e); });
     m_number_of_updates = 0;
     m_is_built = true;
   }

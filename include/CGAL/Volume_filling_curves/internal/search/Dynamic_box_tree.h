@@ -41,6 +41,20 @@ public:
     m_scale = side > least_side ? number_of_steps / side : 0;
   }
 
+  // for the boxes box_of(k), k < n, within `frame`
+  template <typename Function>
+  Dynamic_box_tree(const Box& frame, std::size_t n, const Function& box_of)
+      : Dynamic_box_tree(frame)
+  {
+    m_size = n;
+    store_level(0, n, [&](std::size_t k) { return rounded(box_of(k)); });
+    for(std::size_t level = 0; m_levels[level].size() > 1; ++level) {
+      m_levels.emplace_back();
+      store_level(level + 1, m_levels[level].size(),
+                  [&](std::size_t b) { return m_levels[level][b].hull(); });
+    }
+  }
+
   // Sets or changes box k. Those below it that were never set are empty.
   void set(std::size_t k, const Box& box) { store(k, rounded(box)); }
 
@@ -144,6 +158,13 @@ private:
       box = blocks[b].hull();
       k = b;
     }
+  }
+
+  template <typename Function>
+  void store_level(std::size_t level, std::size_t n, const Function& box_of)
+  {
+    m_levels[level].resize((n + width - 1) / width);
+    for(std::size_t k = 0; k < n; ++k) m_levels[level][k / width].set(k % width, box_of(k));
   }
 
   template <typename Predicate>
