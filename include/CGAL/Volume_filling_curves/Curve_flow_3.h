@@ -292,7 +292,7 @@ public:
   /// @}
 
 private:
-  using Remesher = internal::Remesher<Guard>;
+  using Remesher = internal::Remesher<Guard, ConcurrencyTag>;
 
   void start()
   {
@@ -347,7 +347,8 @@ private:
     constexpr double separation_of_held_strands = 0.5;
     const double distance = (std::max)(separation_of_held_strands, m_separation);
     const double unit = least_thickness(), longest_way = m_parameters.max_displacement * unit;
-    return internal::Strand_separator<Guard>(m_guard, distance * unit, longest_way)();
+    return internal::Strand_separator<Guard, ConcurrencyTag>(m_guard, distance * unit,
+                                                             longest_way)();
   }
 
   void remesh()
@@ -368,8 +369,8 @@ private:
 
   Remesher make_remesher()
   {
-    std::vector<double> spacing;
-    for(double thickness : m_thickness) spacing.push_back(m_parameters.spacing * thickness);
+    std::vector<double> spacing = m_thickness;
+    for(double& h : spacing) h *= m_parameters.spacing;
     return {m_guard, std::move(spacing)};
   }
 

@@ -11,6 +11,9 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <utility>
@@ -24,8 +27,8 @@ namespace internal {
 // (section 4.4 of the paper). An edge shorter than h loses one of its ends; where that would leave
 // an edge longer than 2h, which would be split again, the end moves to the middle of its neighbors
 // instead. Edges longer than 2h are split in the middle. What the guard refuses stays as it is.
-// Linear.
-template <typename Guard>
+// Linear; edges are measured in parallel if asked to.
+template <typename Guard, typename ConcurrencyTag = Sequential_tag>
 class Remesher
 {
   using Network = typename Guard::Curve_network;
@@ -40,19 +43,32 @@ public:
   // Leaves garbage in the network if it changes anything but positions.
   void collapse_short_edges()
   {
-    for(const std::size_t e : m_curve.edges())
-      if(length(e) < spacing(e)) collapse(e);
+    const auto is_short = [this](std::size_t e) { return length(e) < spacing(e); };
+    find_due_edges(is_short);
+    for(std::size_t e = 0; e < m_is_due.size(); ++e)
+      if(m_is_due[e] && !m_curve.is_removed_edge(e) && is_short(e)) collapse(e);
   }
 
   void split_long_edges()
   {
-    for(const std::size_t e : m_curve.edges()) // those that were there at first
-      if(length(e) > 2 * spacing(e)) split(e);
+    find_due_edges([this](std::size_t e) { return length(e) > 2 * spacing(e); });
+    for(std::size_t e = 0; e < m_is_due.size(); ++e)
+      if(m_is_due[e]) split(e);
   }
 
   std::size_t number_of_refusals() const { return m_number_of_refusals; }
 
 private:
+  // Looks for the edges for which a predicate holds.
+  template <typename Predicate>
+  void find_due_edges(const Predicate& is_due)
+  {
+    m_is_due.assign(m_curve.number_of_edges() + m_curve.number_of_removed_edges(), false);
+    for_each_index<ConcurrencyTag>(m_is_due.size(), [&](std::size_t e) {
+      m_is_due[e] = !m_curve.is_removed_edge(e) && is_due(e);
+    });
+  }
+
   Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
 
   double length(std::size_t e) const { return edge_vector(m_curve, e).norm(); }
@@ -73,6 +89,9 @@ private:
   void collapse(std::size_t e)
   {
     std::size_t first = m_curve.source(e), second = m_curve.target(e);
+    for(const std::size_t v : {first, second}) // these edges change, or are joined
+      for(std::size_t k = 0; k < m_curve.degree(v); ++k)
+        m_is_due[m_curve.incident_edge(v, k)] = true;
     if(!can_remove(first)) std::swap(first, second);
     if(!can_remove(first)) return;
     if(can_remove(second) && length_without(second) < length_without(first))
@@ -104,6 +123,7 @@ private:
   Guard& m_guard;
   const Network& m_curve;
   std::vector<double> m_spacing; // per node
+  std::vector<char> m_is_due;    // per edge: whether it may have to be changed
   std::size_t m_number_of_refusals = 0;
 };
 
