@@ -71,11 +71,11 @@ public:
   {
     link();
     std::vector<std::pair<std::size_t, Region>> balls; // with a sample of the region
-    for(const auto& [start, room] : samples_with_most_room()) {
-      const Region ball = climb(m_empty[start].position);
+    for(const Start& start : samples_with_most_room()) {
+      const Region ball = climb(m_empty[start.sample].position);
       if(ball.radius < m_thickness(to_point(ball.center, m_traits)) / 2) continue;
-      unite_samples_in(ball, start);
-      balls.push_back({start, ball});
+      unite_samples_in(ball, start.sample);
+      balls.push_back({start.sample, ball});
     }
     return regions_with(balls);
   }
