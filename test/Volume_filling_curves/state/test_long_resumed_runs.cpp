@@ -83,7 +83,7 @@ Untangling_parameters by(Untangling_strategy strategy)
 TEST(Resumed_untangling, of_an_unknot)
 {
   expect_resumed(run_untangle, make_hard_unknot(200, 300), by(Untangling_strategy::FLOW),
-                 {0, 1, 7, 50, 70});
+                 {0, 1, 7, 20, 28});
 }
 
 TEST(Resumed_untangling, of_a_link_to_its_length)
