@@ -28,7 +28,9 @@ namespace internal {
 
 // Shortens rays of a plane to where they meet triangles, in a single descent of the triangles'
 // tree: near the source few triangles meet the plane, and most that one ray would ask for are asked
-// for by the others, too. Lengths come out as ray by ray, to the last bit.
+// for by the others, too. The rays' own box keeps those away that lie beyond rays shortened before,
+// though other rays are longer: on the bunny a third (2026-11-23). Lengths come out as ray by ray,
+// to the last bit.
 class Planar_rays_query
 {
 public:
@@ -47,6 +49,7 @@ public:
 
   double entry(const Bbox_3& box) const
   {
+    if(!is_near_rays(box)) return std::numeric_limits<double>::infinity();
     const Vector center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
                         (box.zmin() + box.zmax()) / 2);
     const Vector half(box.xmax() - center.x(), box.ymax() - center.y(), box.zmax() - center.z());
@@ -110,8 +113,24 @@ private:
     return is_shortened;
   }
 
+  // Tells whether a box meets that around the rays.
+  bool is_near_rays(const Bbox_3& box) const
+  {
+    return (box.xmin() <= m_high.x()) & (box.xmax() >= m_low.x()) & (box.ymin() <= m_high.y()) &
+           (box.ymax() >= m_low.y()) & (box.zmin() <= m_high.z()) & (box.zmax() >= m_low.z());
+  }
+
   void update_bound()
   {
+    const Vector margin = Vector::constant(m_margin);
+    Vector low, high;
+    for(std::size_t l = 0; l < m_rays.size(); ++l) {
+      const Vector tip = m_rays.lengths[l] * m_rays.direction(l);
+      low = low.cwiseMin(tip);
+      high = high.cwiseMax(tip);
+    }
+    m_low = m_rays.source + low - margin;
+    m_high = m_rays.source + high + margin;
     const double reach = m_rays.longest() + m_margin;
     m_bound = reach * reach;
   }
@@ -121,6 +140,7 @@ private:
   Vector m_absolute_normal;
   double m_margin; // for the rounding of heights above the plane and of distances
   double m_bound;
+  Vector m_low, m_high; // corners of a box around the rays
 };
 
 } // namespace internal
