@@ -42,7 +42,7 @@ public:
     const auto& p = m_curve.point(spheres.circles()[c].node);
     rays.source = to_vector(p);
     if(m_boundary.is_farther(rays.source, rays.longest())) return;
-    rays.normal = spheres.circles()[c].u.cross(spheres.circles()[c].v);
+    rays.normal = spheres.circles()[c].normal();
     for(std::size_t l = 0; l < rays.size(); ++l) rays.set_direction(l, spheres.direction(c, l));
     m_boundary.shorten(p, rays);
   }

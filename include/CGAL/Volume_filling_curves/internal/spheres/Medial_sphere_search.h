@@ -33,7 +33,7 @@ namespace internal {
 // Finds the medial spheres of a curve: neighbors of the nodes -> support function of their images
 // under inversion -> radii. (The paper bisects each radius, with a query for the nearest node at
 // every step.) One look at the nodes within reach of the largest sphere of a node serves all of its
-// directions. How far that is, is known beforehand but for little: the nodes that the spheres of
+// directions. How large that is, is known beforehand but for little: the nodes that the spheres of
 // the last node on the curve touch are obstacles to this one's, too, and what the boundary leaves
 // of them is found before the nodes. None of this changes the result: the spheres of a node are the
 // same bits if it is asked for alone.
@@ -148,8 +148,9 @@ private:
     start(c, cap, work);
     if(work.touched.size() > 0) work.support.add(work.touched);
     limit_ways(c, cap, work);
-    const double reach = slack * 2 * unit / work.support.least();
-    work.support.add(work.neighborhood(position(c), reach));
+    const double diameter = slack * 2 * unit / work.support.least();
+    const Vector normal = m_spheres.circles()[c].normal();
+    work.support.add(work.neighborhood(position(c), normal, diameter));
     for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l)
       if(is_open(c, l)) set_radius(c, l, cap, work);
     note_touched(cap, work);

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,33 +26,36 @@ class Node_list
 public:
   using Index = std::uint32_t;
 
-  std::size_t size() const { return m_indices.size(); }
+  std::size_t size() const { return m_size; }
   Index index(std::size_t k) const { return m_indices[k]; }
   const double* x() const { return m_x.data(); }
   const double* y() const { return m_y.data(); }
   const double* z() const { return m_z.data(); }
 
-  void clear()
-  {
-    m_indices.clear();
-    for(auto* values : {&m_x, &m_y, &m_z}) values->clear();
-  }
+  void clear() { m_size = 0; }
 
   void push_back(Index index, const Vector& position)
   {
-    m_indices.push_back(index);
-    m_x.push_back(position.x());
-    m_y.push_back(position.y());
-    m_z.push_back(position.z());
+    grow(m_size + 1);
+    m_indices[m_size] = index;
+    m_x[m_size] = position.x();
+    m_y[m_size] = position.y();
+    m_z[m_size] = position.z();
+    ++m_size;
   }
 
   // Adds the places first, ..., beyond - 1 of another list.
   void append(const Node_list& other, std::size_t first, std::size_t beyond)
   {
-    append(other.m_indices, m_indices, first, beyond);
-    append(other.m_x, m_x, first, beyond);
-    append(other.m_y, m_y, first, beyond);
-    append(other.m_z, m_z, first, beyond);
+    grow(m_size + beyond - first);
+    for(std::size_t k = first; k < beyond; ++k) copy(other, k, m_size++);
+  }
+
+  // Adds some places of another list.
+  void append(const Node_list& other, const std::vector<std::uint32_t>& places, std::size_t number)
+  {
+    grow(m_size + number);
+    for(std::size_t k = 0; k < number; ++k) copy(other, places[k], m_size++);
   }
 
   // Removes all that are farther from a place.
@@ -59,26 +63,34 @@ public:
   {
     const double squared_distance = distance * distance;
     std::size_t count = 0;
-    for(std::size_t k = 0; k < size(); ++k) {
-      m_indices[count] = m_indices[k];
-      const double x = m_x[count] = m_x[k], y = m_y[count] = m_y[k], z = m_z[count] = m_z[k];
-      count += (Vector(x, y, z) - p).squaredNorm() <= squared_distance ? 1 : 0;
+    for(std::size_t k = 0; k < m_size; ++k) {
+      copy(*this, k, count);
+      const Vector d = Vector(m_x[k], m_y[k], m_z[k]) - p;
+      count += d.squaredNorm() <= squared_distance ? 1 : 0;
     }
-    m_indices.resize(count);
-    for(auto* values : {&m_x, &m_y, &m_z}) values->resize(count);
+    m_size = count;
   }
 
 private:
-  template <typename T>
-  static void append(const std::vector<T>& from,
-                     std::vector<T>& to,
-                     std::size_t first,
-                     std::size_t beyond)
+  void copy(const Node_list& from, std::size_t k, std::size_t to)
   {
-    to.insert(to.end(), from.data() + first, from.data() + beyond);
+    m_indices[to] = from.m_indices[k];
+    m_x[to] = from.m_x[k];
+    m_y[to] = from.m_y[k];
+    m_z[to] = from.m_z[k];
   }
 
-  std::vector<Index> m_indices;
+  // Makes room for n nodes.
+  void grow(std::size_t n)
+  {
+    if(n <= m_indices.size()) return;
+    n = (std::max)(n, 2 * m_indices.size());
+    m_indices.resize(n);
+    for(auto* values : {&m_x, &m_y, &m_z}) values->resize(n);
+  }
+
+  std::size_t m_size = 0;
+  std::vector<Index> m_indices; // of which the first m_size count, as of the coordinates
   std::vector<double> m_x, m_y, m_z;
 };
 

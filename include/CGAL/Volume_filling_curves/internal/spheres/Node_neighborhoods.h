@@ -53,13 +53,24 @@ public:
     for(const Index v : *m_tree) m_nodes.push_back(v, row(x, v));
   }
 
+  // in the order of the tree's leaves
+  const Node_list& nodes() const { return m_nodes; }
+
+  // Calls f(first, beyond) for places of `nodes()` that hold all nodes within `radius` of `center`,
+  // and some more.
+  template <typename Function>
+  void for_each_run_near(const Vector& center, double radius, const Function& f) const
+  {
+    if(!m_points.empty()) descend(*m_tree->root(), center, radius * radius, Vector(), f);
+  }
+
   // Replaces the contents of `found` by the nodes within `radius` of `center`, and some more.
   void find(const Vector& center, double radius, Node_list& found) const
   {
     found.clear();
-    if(m_points.empty()) return;
-    Descent descent{center, radius * radius, found};
-    descend(*m_tree->root(), descent, Vector());
+    for_each_run_near(center, radius, [&](std::size_t first, std::size_t beyond) {
+      found.append(m_nodes, first, beyond);
+    });
   }
 
 private:
@@ -71,34 +82,32 @@ private:
   using Splitter = CGAL::Sliding_midpoint<Traits>;
   using Tree = CGAL::Kd_tree<Traits, Splitter>;
 
-  struct Descent
-  {
-    Vector center;
-    double squared_radius;
-    Node_list& found;
-  };
-
   static constexpr unsigned bucket_size = 20;
 
   // Takes how far the center is from the node's cell along each axis.
-  void descend(const Tree::Node& node, Descent& descent, const Vector& gap) const
+  template <typename Function>
+  void descend(const Tree::Node& node,
+               const Vector& center,
+               double squared_radius,
+               const Vector& gap,
+               const Function& f) const
   {
     if(node.is_leaf()) {
       const auto& leaf = static_cast<const Tree::Leaf_node&>(node);
       const auto first = static_cast<std::size_t>(leaf.begin() - m_tree->begin());
-      descent.found.append(m_nodes, first, first + leaf.size());
+      f(first, first + leaf.size());
       return;
     }
     const auto& inner = static_cast<const Tree::Internal_node&>(node);
     const int axis = inner.cutting_dimension();
-    const double place = descent.center[axis];
     const auto descend_if_near = [&](const Tree::Node& child, double distance) {
       Vector farther = gap;
       farther[axis] = (std::max)(gap[axis], distance);
-      if(farther.squaredNorm() <= descent.squared_radius) descend(child, descent, farther);
+      if(farther.squaredNorm() <= squared_radius)
+        descend(child, center, squared_radius, farther, f);
     };
-    descend_if_near(*inner.lower(), place - inner.lower_high_value());
-    descend_if_near(*inner.upper(), inner.upper_low_value() - place);
+    descend_if_near(*inner.lower(), center[axis] - inner.lower_high_value());
+    descend_if_near(*inner.upper(), inner.upper_low_value() - center[axis]);
   }
 
   static Point to_kernel_point(const Vector& p) { return {p.x(), p.y(), p.z()}; }

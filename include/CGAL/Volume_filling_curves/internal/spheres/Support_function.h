@@ -27,11 +27,10 @@ namespace internal {
 //   1 / R >= max over j of x_l . 2 d_j / |d_j|^2,
 // which is the support function of the images. Only their projections to the plane of the
 // directions matter. Everything is in units of the thickness. One array for each coordinate, so
-// that loops take several nodes, or directions, at a time. Linear in the number of nodes, times N
-// for those within reach.
+// that loops take several nodes, or directions, at a time. Linear in the number of nodes times N.
 //
 // The support in a direction is at least what it is bounded by beforehand. The higher these bounds,
-// the fewer images have to be looked at.
+// the fewer nodes have to be added: none matters whose image is within the circle of the least.
 class Support_function
 {
 public:
@@ -66,12 +65,11 @@ public:
   void add(const Node_list& nodes)
   {
     invert(nodes);
-    keep_far_images();
     m_supporting_groups.assign(m_support.size(), no_group);
     raise_support();
     for(std::size_t l = 0; l < m_support.size(); ++l)
       if(m_supporting_groups[l] != no_group)
-        m_supporting_nodes[l] = nodes.index(m_far_images[supporting_image(l)]);
+        m_supporting_nodes[l] = nodes.index(supporting_image(l));
   }
 
   // 1 / R in direction l, in units of 1 / thickness
@@ -90,42 +88,27 @@ private:
   static constexpr std::size_t group = 4; // images at a time
   static constexpr double no_group = -1;
 
+  // The node itself and coincident ones have no image: it is not a number. They are left in the
+  // center, where they support nothing.
   void invert(const Node_list& nodes)
   {
     const std::size_t n = nodes.size();
     for(auto* values : {&m_u, &m_v})
       if(values->size() < n + group) values->resize(n + group);
-    m_far_images.resize(m_u.size());
     const double *x = nodes.x(), *y = nodes.y(), *z = nodes.z();
     double *u = m_u.data(), *v = m_v.data();
     const Vector p = m_node, a = m_axis_u, b = m_axis_v;
     for(std::size_t k = 0; k < n; ++k) {
       const double dx = x[k] - p.x(), dy = y[k] - p.y(), dz = z[k] - p.z();
       const double scale = 1 / (dx * dx + dy * dy + dz * dz);
-      u[k] = scale * (dx * a.x() + dy * a.y() + dz * a.z());
-      v[k] = scale * (dx * b.x() + dy * b.y() + dz * b.z());
+      const double along_u = scale * (dx * a.x() + dy * a.y() + dz * a.z()),
+                   along_v = scale * (dx * b.x() + dy * b.y() + dz * b.z());
+      const bool is_image = along_u * along_u + along_v * along_v > 0;
+      u[k] = is_image ? along_u : 0;
+      v[k] = is_image ? along_v : 0;
     }
-    m_number_of_images = n;
-  }
-
-  // Only images beyond the circle of the least support matter. The node itself and coincident ones
-  // have no image: it is not a number. The others move to the front.
-  void keep_far_images()
-  {
-    constexpr double slack = 1 - 1e-14; // rounding
-    const double inner = slack * least() * least();
-    const double *u = m_u.data(), *v = m_v.data();
-    std::size_t count = 0;
-    for(std::size_t k = 0; k < m_number_of_images; ++k) {
-      m_far_images[count] = k;
-      count += u[k] * u[k] + v[k] * v[k] > inner ? 1 : 0;
-    }
-    m_number_of_images = count;
-    for(std::size_t k = 0; k < count; ++k) {
-      m_u[k] = m_u[m_far_images[k]];
-      m_v[k] = m_v[m_far_images[k]];
-    }
-    for(; count % group != 0; ++count) m_u[count] = m_v[count] = 0;
+    for(m_number_of_images = n; m_number_of_images % group != 0; ++m_number_of_images)
+      m_u[m_number_of_images] = m_v[m_number_of_images] = 0;
   }
 
   void raise_support()
@@ -147,15 +130,17 @@ private:
     }
   }
 
-  // The first of the group with the greatest value. That may differ from the support in the last
-  // bit where compilers fuse a product and a sum, as on ARM without -ffp-contract=off.
+  // The first of the group with the greatest value; no branches, which could not be predicted. That
+  // value may differ from the support in the last bit where compilers fuse a product and a sum, as
+  // on ARM without -ffp-contract=off.
   std::size_t supporting_image(std::size_t l) const
   {
-    const auto first = static_cast<std::size_t>(m_supporting_groups[l]);
-    std::size_t greatest = first;
-    for(std::size_t k = first + 1; k < (std::min)(first + group, m_number_of_images); ++k)
-      if(value(k, l) > value(greatest, l)) greatest = k;
-    return greatest;
+    const auto k = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(m_supporting_groups[l]));
+    const double v0 = value(k, l), v1 = value(k + 1, l), v2 = value(k + 2, l), v3 = value(k + 3, l);
+    const std::size_t in_first_half = v1 > v0, in_last_half = v3 > v2;
+    const std::size_t is_in_last_half = (std::max)(v2, v3) > (std::max)(v0, v1);
+    return k + 2 * is_in_last_half + (is_in_last_half & in_last_half) +
+           ((1 - is_in_last_half) & in_first_half);
   }
 
   double value(std::size_t k, std::size_t l) const
@@ -165,8 +150,7 @@ private:
 
   const Circle_directions& m_directions;
   Vector m_node, m_axis_u, m_axis_v; // the circle's, times twice the unit
-  std::vector<double> m_u, m_v;      // of images, then of those that matter
-  std::vector<std::size_t> m_far_images;
+  std::vector<double> m_u, m_v;      // of images, and zeros that make the last group full
   std::size_t m_number_of_images = 0;
   std::vector<double> m_support;           // per direction
   std::vector<double> m_supporting_groups; // likewise, of those added last: the first image, k

@@ -41,6 +41,8 @@ struct Node_circle
   Node_circle(std::size_t n, const Vector& tangent, double weight_share)
       : Node_circle(n, tangent, Vector(), weight_share)
   {}
+
+  Vector normal() const { return u.cross(v); } // of its plane, a unit vector
 };
 
 // The node's share of the length: half of its edges.
