@@ -90,9 +90,11 @@ void add_flow_options(CLI::App& command, Curve_flow_parameters& parameters)
   add_number(command, "--lambda", parameters.screening, "locality of the flow, in units of 1/r^2",
              positive_ratio)
       .capture_default_str();
-  add_number(command, "--beta", parameters.coupling, "coupling along medial spheres, dimensionless",
-             ratio)
-      .capture_default_str();
+  // The paper's preconditioner alone has it. A --preconditioner, which is read later, is kept.
+  add_number(command, "--beta", parameters.coupling,
+             "coupling along medial spheres, dimensionless; implies --preconditioner medial", ratio)
+      .each([&](const std::string&) { parameters.preconditioner = Preconditioner::MEDIAL; })
+      ->capture_default_str();
   add_number(command, "--tau", parameters.time_step,
              "the paper's fixed time step, dimensionless; default: adaptive, moves up to 0.5 r",
              positive_ratio);
@@ -100,8 +102,10 @@ void add_flow_options(CLI::App& command, Curve_flow_parameters& parameters)
              {{"medial", Preconditioner::MEDIAL},
               {"h1", Preconditioner::H1},
               {"l2", Preconditioner::L2},
-              {"quasi-newton", Preconditioner::QUASI_NEWTON}},
-             "medial, h1, l2 or quasi-newton");
+              {"quasi-newton", Preconditioner::QUASI_NEWTON},
+              {"contact", Preconditioner::CONTACT}},
+             "medial, h1, l2, quasi-newton or contact")
+      .default_str(to_string(parameters.preconditioner));
 }
 
 } // namespace vfc

@@ -21,10 +21,11 @@ namespace Volume_filling_curves {
 /// Laplacian of the curve, `M` the diagonal matrix of the nodes' weights.
 enum class Preconditioner
 {
-  MEDIAL,      ///< `L`, coupled with weight beta / R along medial spheres, + lambda `M`
-  H1,          ///< `L` + lambda `M`
-  L2,          ///< lambda `M`
-  QUASI_NEWTON ///< `L` + alpha `M`, the Hessian with the spheres held fixed
+  MEDIAL,       ///< `L`, coupled with weight beta / R along medial spheres, + lambda `M`
+  H1,           ///< `L` + lambda `M`
+  L2,           ///< lambda `M`
+  QUASI_NEWTON, ///< `L` + alpha `M`, the Hessian with the spheres held fixed
+  CONTACT       ///< `L` + lambda `M` + the stiffness of contacts, by which medial spheres shrink
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -41,6 +42,8 @@ inline const char* to_string(Preconditioner preconditioner)
     return "l2";
   case Preconditioner::QUASI_NEWTON:
     return "quasi-newton";
+  case Preconditioner::CONTACT:
+    return "contact";
   }
   return "";
 }
@@ -116,7 +119,8 @@ struct Curve_flow_parameters
   /// to r while it grows, and settles at 0.93 r.
   double medial_weight = 3.36 * 3.36;
 
-  /// The weight beta of the coupling along medial spheres in the preconditioner.
+  /// The weight beta of the coupling along medial spheres in the preconditioner; only
+  /// `Preconditioner::MEDIAL` has it.
   double coupling = 0.01;
 
   /// The preconditioner.

@@ -25,11 +25,17 @@ namespace Volume_filling_curves {
  * With `AUTO` the default thickness is measured at the polygon that the search ends with; if that
  * is a proved unknot, it is a fortieth of its length.
  *
+ * Of the flow's parameters one has another default here: `preconditioner` is
+ * `Preconditioner::CONTACT`. Hard unknots are untied in a third of the iterations that the paper's
+ * takes, and tangled knots settle in two thirds (7 unknots and 236 knots, 2026-11-23).
+ *
  * Each member, those of the base classes included, can be set by the named parameter of the same
  * name.
  */
 struct Untangling_parameters : Curve_run_parameters
 {
+  Untangling_parameters() { preconditioner = Preconditioner::CONTACT; }
+
   /// How the curves are untangled. Open curves with pinned ends flow, whatever the strategy.
   Untangling_strategy strategy = Untangling_strategy::AUTO;
 

@@ -34,7 +34,7 @@ using Pairs = std::map<std::pair<std::size_t, std::size_t>, double>;
 constexpr double thickness = 0.4, lambda = 0.3 / (thickness * thickness), beta = 0.01;
 constexpr double alpha = 3.36 * 3.36 / (thickness * thickness);
 constexpr Preconditioner kinds[] = {Preconditioner::MEDIAL, Preconditioner::H1, Preconditioner::L2,
-                                    Preconditioner::QUASI_NEWTON};
+                                    Preconditioner::QUASI_NEWTON, Preconditioner::CONTACT};
 
 Sparse_matrix matrix_of(Preconditioner kind, const Network& curve, double scale = 1)
 {

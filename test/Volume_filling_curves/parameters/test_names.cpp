@@ -51,6 +51,7 @@ TEST(Names, are_plain_english)
   EXPECT_EQ(written(Filling_status::PARTIAL), "partial");
   EXPECT_EQ(written(Untangling_strategy::SEARCH), "search");
   EXPECT_EQ(written(Preconditioner::QUASI_NEWTON), "quasi-newton");
+  EXPECT_EQ(written(Preconditioner::CONTACT), "contact");
   EXPECT_EQ(written(Wall::KEEP_CLEAR), "keep clear");
   EXPECT_EQ(written(Closure::IF_REPEATED), "if repeated");
   EXPECT_EQ(written(Junctions::FORBIDDEN), "forbidden");
@@ -64,7 +65,7 @@ TEST(Names, exist_for_every_value)
   expect_names_up_to(Link_status::UNDECIDED);
   expect_names_up_to(Filling_status::INTERRUPTED);
   expect_names_up_to(Untangling_strategy::AUTO);
-  expect_names_up_to(Preconditioner::QUASI_NEWTON);
+  expect_names_up_to(Preconditioner::CONTACT);
   expect_names_up_to(Wall::KEEP_CLEAR);
   expect_names_up_to(Closure::OPEN);
   expect_names_up_to(Junctions::ALLOWED);

@@ -88,6 +88,26 @@ TEST(Step_size, shrinks_when_the_direction_turns_back)
   EXPECT_NEAR(next(step_size, two_rows(-0.1, 0.9)), 0.6 * first, 1e-15);
 }
 
+// Half, a third, ... of the growth after a turn, two turns, ...; a turn is forgotten in the end.
+TEST(Step_size, grows_less_after_turns)
+{
+  Step_size step_size(1e9);
+  const auto growth = [&] {
+    const double last = next(step_size, two_rows(1, 0));
+    return next(step_size, two_rows(1, 0)) / last - 1;
+  };
+  EXPECT_NEAR(growth(), 0.3, 1e-12);
+  for(int turns = 1; turns < 4; ++turns) {
+    next(step_size, two_rows(-1, 0));
+    next(step_size, two_rows(0, 1));
+    EXPECT_NEAR(growth(), 0.3 / (1 + turns), 0.02);
+  }
+  step_size.set_largest_displacement(1);
+  for(int k = 0; k < 500; ++k) next(step_size, two_rows(1, 0));
+  next(step_size, two_rows(0.01, 0));
+  EXPECT_NEAR(next(step_size, two_rows(0.01, 0)), 1.3, 1e-3);
+}
+
 // After a step that made the direction vanish by a tenth, ten such steps would do.
 TEST(Step_size, follows_the_rate_at_which_the_direction_falls)
 {

@@ -297,7 +297,7 @@ TEST(Untangle_parameters, chain_in_any_order_with_those_of_cgal)
 TEST(Untangle_parameters, take_all_preconditioners)
 {
   for(Preconditioner kind : {Preconditioner::MEDIAL, Preconditioner::H1, Preconditioner::L2,
-                             Preconditioner::QUASI_NEWTON}) {
+                             Preconditioner::QUASI_NEWTON, Preconditioner::CONTACT}) {
     Network knot = braid("1 1 1", 60);
     const auto expected = invariants_of(knot);
     const double length = internal::total_length(knot);
@@ -305,6 +305,23 @@ TEST(Untangle_parameters, take_all_preconditioners)
     EXPECT_EQ(invariants_of(knot), expected);
     EXPECT_LT(internal::total_length(knot), length);
   }
+}
+
+// The default.
+TEST(Untangle_parameters, untie_sooner_with_the_stiffness_of_contacts)
+{
+  EXPECT_EQ(Untangling_parameters().preconditioner, Preconditioner::CONTACT);
+  std::size_t iterations = 0, iterations_of_paper = 0;
+  for(unsigned seed : {3u, 4u, 5u}) {
+    const auto np = parameters::strategy(Untangling_strategy::FLOW);
+    Network curve = unknot(100, seed), another = curve;
+    const Untangling_result result = untangle(curve, np);
+    EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
+    iterations += result.statistics.iterations;
+    iterations_of_paper +=
+        untangle(another, np.preconditioner(Preconditioner::MEDIAL)).statistics.iterations;
+  }
+  EXPECT_LT(static_cast<double>(iterations), 0.75 * static_cast<double>(iterations_of_paper));
 }
 
 TEST(Untangle_parameters, take_few_and_many_directions)

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/direction/Contact_stiffness.h>
 #include <CGAL/Volume_filling_curves/internal/direction/Tridiagonal_conjugate_gradients.h>
 #include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
@@ -27,9 +28,12 @@ template <typename ConcurrencyTag = Sequential_tag>
 class Direction_solver
 {
 public:
-  Vector_field operator()(const Sparse_matrix& p, const Vector_field& b)
+  Vector_field operator()(const Sparse_matrix& p,
+                          const Vector_field& b,
+                          const Contact_stiffness& contacts = Contact_stiffness())
   {
-    if(p.rows() > largest_factorized) return m_conjugate_gradients(p, b);
+    if(contacts.has_contacts()) return m_conjugate_gradients(p, contacts, b, rough_tolerance);
+    if(p.rows() > largest_factorized) return m_conjugate_gradients(p, contacts, b, tolerance);
     m_factorization.compute(p);
     // b is a direction, too, should the factorization break down
     if(m_factorization.info() != Eigen::Success) return b;
@@ -41,6 +45,10 @@ private:
   // Cholesky loses from 64 nodes on for tight knots (kernel_solver, 2026-11-21): with 200, tangled
   // knots, which flow on 50 to 200 nodes most of the time, take a fifth longer (2026-11-23).
   static constexpr Eigen::Index largest_factorized = 64;
+
+  // Relative residuals. Directions with contacts take twice as many iterations for another digit,
+  // and knots do not settle in fewer steps for that (2026-11-23).
+  static constexpr double tolerance = 1e-4, rough_tolerance = 1e-2;
 
   Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> m_factorization;
   Tridiagonal_conjugate_gradients<ConcurrencyTag> m_conjugate_gradients;

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/direction/Contact_stiffness.h>
 #include <CGAL/Volume_filling_curves/internal/direction/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/direction/Direction_solver.h>
 #include <CGAL/Volume_filling_curves/internal/direction/energy_gradient.h>
@@ -65,7 +66,7 @@ public:
     m_vectors = m_solver(preconditioner<ConcurrencyTag>(parameters, curve, m_positions, m_weights,
                                                         thickness, m_spheres,
                                                         m_field ? &m_preference : nullptr),
-                         -m_gradient);
+                         -m_gradient, contacts(curve, parameters, thickness));
   }
 
   const Vector_field& positions() const { return m_positions; }
@@ -110,6 +111,14 @@ private:
     for(std::size_t v = 0; v < m_weights.size(); ++v)
       if(!curve.is_pinned(v)) weight += m_weights[v];
     m_gradient_per_length = weight > 0 ? m_gradient.rowwise().norm().sum() / weight : 0;
+  }
+
+  Contact_stiffness contacts(const Network& curve,
+                             const Curve_flow_parameters& parameters,
+                             const std::vector<double>& thickness) const
+  {
+    if(parameters.preconditioner != Preconditioner::CONTACT) return {};
+    return {curve, m_positions, m_weights, thickness, m_spheres, parameters.medial_weight};
   }
 
   Direction_field m_field;

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/direction/Contact_stiffness.h>
 #include <CGAL/Volume_filling_curves/internal/direction/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -25,17 +26,18 @@ namespace internal {
 // conjugate gradients, preconditioned with the tridiagonal part of P. As nodes are numbered along
 // the curve this holds all but a few edges of the curve and leaves out the weak coupling along
 // medial spheres only: it takes some ten iterations, linear time each. P is an M-matrix, so that
-// its tridiagonal part is positive definite, too. All but the elimination along the curve runs in
-// parallel if asked to.
 template <typename ConcurrencyTag = Sequential_tag>
 class Tridiagonal_conjugate_gradients
 {
 public:
-  // Returns the solution up to a relative residual: `tolerance` suffices for a direction. P is
-  // symmetric, both halves are stored.
-  Vector_field operator()(const Sparse_matrix& p, const Vector_field& b)
+  // Returns the solution, with contacts added to P, up to a relative residual. P is symmetric, both
+  // halves are stored.
+  Vector_field operator()(const Sparse_matrix& p,
+                          const Contact_stiffness& contacts,
+                          const Vector_field& b,
+                          double tolerance)
   {
-    factorize(p);
+    factorize(p, contacts);
     Vector_field x = Vector_field::Zero(b.rows(), 3);
     m_residual = b;
     m_direction.setZero(b.rows(), 3);
@@ -47,19 +49,21 @@ public:
       const double last_rho = rho;
       rho = dot(m_residual, m_image);
       turn(rho / last_rho);
-      left = advance(rho / multiply(p), x);
+      left = advance(rho / (multiply(p) + contacts.add_product(m_direction, m_image)), x);
     }
     return x;
   }
 
 private:
-  static constexpr double tolerance = 1e-4;
+  // on the diagonal: they act along one line of three, and pull at two nodes; 0.3 or 1 is as fast
+  static constexpr double share_of_contacts = 0.5;
   static constexpr int max_iterations = 500;
 
   // T = (I + l) D (I + l)^T with l below the diagonal, and one more entry of l, 0
-  void factorize(const Sparse_matrix& p)
+  void factorize(const Sparse_matrix& p, const Contact_stiffness& contacts)
   {
     read_tridiagonal_part(p);
+    contacts.add_to_diagonal(m_inverse_diagonal, share_of_contacts);
     double carried = 0;
     for(Eigen::Index v = 0; v < p.rows(); ++v) {
       m_inverse_diagonal[v] = 1 / (m_inverse_diagonal[v] - carried);
