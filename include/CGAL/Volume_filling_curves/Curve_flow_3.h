@@ -22,9 +22,7 @@
 #include <CGAL/Volume_filling_curves/internal/spheres/medial_spheres_at.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
-#include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
-#include <CGAL/Volume_filling_curves/internal/step/Strand_separator.h>
-#include <CGAL/Volume_filling_curves/internal/step/motion_outcome.h>
+#include <CGAL/Volume_filling_curves/internal/step/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 
 #include <CGAL/assertions.h>
@@ -127,7 +125,7 @@ public:
         m_first_certified_change(guard.number_of_certified_changes()),
         m_first_refused_change(guard.number_of_refused_changes()),
         m_parameters(parameters),
-        m_step_size(parameters.max_displacement)
+        m_step(guard, parameters.max_displacement)
   {
     if(!reader) start();
   }
@@ -142,7 +140,7 @@ public:
   void set_max_displacement(double max_displacement)
   {
     m_parameters.max_displacement = max_displacement;
-    m_step_size.set_largest_displacement(max_displacement);
+    m_step.set_largest_displacement(max_displacement);
   }
 
   /// changes the least length of an edge, in units of the thickness, and brings the edges to that.
@@ -157,7 +155,7 @@ public:
 
   /// lets strands that are closer than `distance`, in units of the least thickness, go apart after
   /// every step. By default they do so where they hold one another, up to half of the thickness.
-  void keep_apart(double distance) { m_separation = distance; }
+  void keep_apart(double distance) { m_step.keep_apart(distance); }
 
   /// changes the parameters, and brings the edges to the lengths that they ask for.
   ///
@@ -172,7 +170,7 @@ public:
   {
     m_parameters = parameters;
     m_thickness_field = std::move(thickness);
-    m_step_size = internal::Step_size(parameters.max_displacement);
+    m_step.start_anew(parameters.max_displacement);
     start();
   }
 
@@ -231,8 +229,7 @@ public:
   template <typename Archive>
   void serialize(Archive& archive)
   {
-    archive(m_first_certified_change, m_first_refused_change, m_parameters, m_statistics,
-            m_step_size, m_separation);
+    archive(m_first_certified_change, m_first_refused_change, m_parameters, m_statistics, m_step);
   }
   /// \endcond
 
@@ -313,42 +310,17 @@ private:
     const auto n = static_cast<double>(m_thickness.size());
     if(m_thickness_field && n > 0)
       m_parameters.thickness = std::accumulate(m_thickness.begin(), m_thickness.end(), 0.) / n;
+    const double least = n > 0 ? *std::min_element(m_thickness.begin(), m_thickness.end()) : 0;
     // A step leaves strands a tenth of the thickness apart, so that they can move on.
     constexpr double clearance_over_thickness = 0.1;
-    m_guard.set_clearance(n > 0 ? clearance_over_thickness * least_thickness() : 0);
-  }
-
-  double least_thickness() const
-  {
-    return *std::min_element(m_thickness.begin(), m_thickness.end());
+    m_guard.set_clearance(clearance_over_thickness * least);
   }
 
   // Returns whether any node moved.
   bool move()
   {
     const internal::Stage_timer stage(m_statistics.seconds_motion);
-    if(direction().isZero(0)) return false;
-    const double scale = m_parameters.time_step > 0 ? m_parameters.time_step
-                                                    : m_step_size.next(direction(), m_thickness);
-    const auto outcome =
-        internal::motion_outcome(m_guard.template advance_nodes<ConcurrencyTag>(
-                                     m_direction.positions() + scale * direction()),
-                                 direction());
-    m_step_size.note_fraction(outcome.mean_fraction);
-    if(outcome.is_shortened()) ++m_statistics.shortened_steps;
-    const bool is_separation_due = outcome.are_nodes_held || m_separation > 0;
-    return (is_separation_due && separate_strands()) || outcome.has_moved();
-  }
-
-  // Strands that hold one another go apart by more than an edge is long: at smaller distances the
-  // energy cannot tell them apart, and would bring them back together.
-  bool separate_strands()
-  {
-    constexpr double separation_of_held_strands = 0.5;
-    const double distance = (std::max)(separation_of_held_strands, m_separation);
-    const double unit = least_thickness(), longest_way = m_parameters.max_displacement * unit;
-    return internal::Strand_separator<Guard, ConcurrencyTag>(m_guard, distance * unit,
-                                                             longest_way)();
+    return m_step(m_direction.positions(), direction(), m_parameters, m_thickness, m_statistics);
   }
 
   void remesh()
@@ -358,12 +330,12 @@ private:
     remesher.collapse_short_edges();
     remesher.split_long_edges();
     m_statistics.refused_remeshing += remesher.number_of_refusals();
-    if(curve().has_garbage()) m_step_size.renumber(m_guard.collect_garbage());
+    if(curve().has_garbage()) m_step.renumber(m_guard.collect_garbage());
   }
 
   void collect_garbage()
   {
-    m_step_size.renumber(m_guard.collect_garbage());
+    m_step.renumber(m_guard.collect_garbage());
     update_thickness();
   }
 
@@ -394,8 +366,7 @@ private:
   Curve_flow_parameters m_parameters;
   Thickness_field m_thickness_field; // none if the thickness is the same everywhere
   Curve_flow_statistics m_statistics;
-  internal::Step_size m_step_size;
-  double m_separation = 0; // in units of the least thickness
+  internal::Guarded_step<Guard, ConcurrencyTag> m_step;
 
   // of the curve as it stands
   std::vector<double> m_thickness; // per node

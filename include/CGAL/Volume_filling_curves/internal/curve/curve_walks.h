@@ -36,6 +36,14 @@ bool is_closed_everywhere(const Network& curve)
   return true;
 }
 
+template <typename Network>
+bool has_pinned_node(const Network& curve)
+{
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.is_pinned(v)) return true;
+  return false;
+}
+
 // returns the edges of component `c` in the order of the curve; none if it has a junction
 template <typename Network>
 std::vector<std::size_t> edges_along(const Network& curve, std::size_t c)

@@ -15,13 +15,13 @@
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/turning.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
-#include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Suspected_unknot.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
@@ -92,7 +92,7 @@ public:
   void serialize(Archive& archive)
   {
     archive(m_unknottedness, m_stall_monitor, m_has_stalled, m_iterations_to_proof,
-            m_looks_unknotted, m_lingering, m_number_of_turns, m_are_tails_turning, m_coarse_phase);
+            m_suspected_unknot, m_number_of_turns, m_are_tails_turning, m_coarse_phase);
   }
 
 private:
@@ -145,38 +145,18 @@ private:
     return !m_start.follows_search || largest_turning_angle(m_flow.curve()) < largest_turn;
   }
 
-  // A tight curve that may well be an unknot has not got there: the flow lingers on plateaus, where
-  // the gradient is small and as uniform as on tight knots. Ochiai's fourth unknot with a thickness
-  // of 0.0336 lingers at 91 crossings from iteration 233 on and is untied in iteration 1012. So the
-  // flow goes on until the curve is untied or it has lingered for too long.
+  // In a domain a curve may be tight around an obstacle.
   bool is_suspicious()
   {
-    if(!looks_like_unknot()) return false;
-    if(!m_lingering) m_lingering = {m_flow.statistics().iterations, m_flow.length()};
-    return true;
+    return !Guard::Domain_boundary::is_bounded && m_suspected_unknot.is_suspicious(m_flow);
   }
 
   bool has_lingered_for_long()
   {
-    constexpr double noticeable = 0.99; // a fall of the length
-    const std::size_t iterations = m_flow.statistics().iterations;
-    if(!m_lingering || iterations == 0) return false;
-    if(m_flow.length() < noticeable * m_lingering->length)
-      m_lingering = {iterations, m_flow.length()};
-    return iterations - m_lingering->iteration >= m_start.patience;
+    return m_suspected_unknot.has_lingered_for_long(m_flow, m_start.patience);
   }
 
-  // what stays when a curve moves
-  bool looks_like_unknot()
-  {
-    if(m_flow.curve().number_of_components() != 1 || !m_flow.curve().is_closed(0) ||
-       Guard::Domain_boundary::is_bounded || has_pinned_node(m_flow.curve()))
-      return false;
-    if(!m_looks_unknotted) m_looks_unknotted = looks_unknotted(m_flow.curve());
-    return *m_looks_unknotted;
-  }
-
-  // In a domain a curve may be tight around an obstacle.
+  // likewise
   bool ends_round() const
   {
     return !m_run.parameters.stop_at_proof && m_flow.curve().number_of_components() == 1 &&
@@ -324,18 +304,6 @@ private:
     return result;
   }
 
-  struct Place // on the way
-  {
-    std::size_t iteration;
-    double length;
-
-    template <typename Archive>
-    void serialize(Archive& archive)
-    {
-      archive(iteration, length);
-    }
-  };
-
   static constexpr std::size_t most_iterations_to_settle = 50;
   static constexpr std::size_t most_turns = 300;
   static constexpr double clearance_of_tails = 0.1; // in units of the thickness
@@ -350,8 +318,7 @@ private:
   Coarse_phase m_coarse_phase;
   bool m_has_stalled = false;
   std::optional<std::size_t> m_iterations_to_proof;
-  std::optional<bool> m_looks_unknotted;
-  std::optional<Place> m_lingering;
+  Suspected_unknot m_suspected_unknot;
   std::size_t m_number_of_turns = 0;
   bool m_are_tails_turning = false, m_is_round = false, m_is_ropelength_lowered = false;
 };

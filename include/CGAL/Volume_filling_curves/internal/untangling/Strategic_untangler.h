@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/Untangling_strategy.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>

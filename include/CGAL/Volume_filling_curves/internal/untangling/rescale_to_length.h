@@ -23,14 +23,6 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-template <typename Network>
-bool has_pinned_node(const Network& curve)
-{
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-    if(curve.is_pinned(v)) return true;
-  return false;
-}
-
 // Scales a curve about its center to the given length, and returns the factor. In certified steps,
 // since coordinates are rounded; of many nodes they are short, so that few edges come near one
 // another. Stops early, with the factor reached, if not even a short step is possible, or if it
