@@ -35,12 +35,12 @@ void for_each_block(std::size_t n, std::size_t block, const Function& f)
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel) {
-    using Range = tbb::blocked_range<std::size_t>;
-    const auto run = [&](const Range& blocks) {
+    using Blocks = tbb::blocked_range<std::size_t>;
+    const auto run = [&](const Blocks& blocks) {
       for(std::size_t b = blocks.begin(); b != blocks.end(); ++b)
         f(b * block, (std::min)(n, (b + 1) * block));
     };
-    if(n > block) return tbb::parallel_for(Range(0, (n + block - 1) / block), run);
+    if(n > block) return tbb::parallel_for(Blocks(0, (n + block - 1) / block), run);
   }
 #else
   static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
