@@ -25,7 +25,7 @@ enum class Preconditioner
   H1,           ///< `L` + lambda `M`
   L2,           ///< lambda `M`
   QUASI_NEWTON, ///< `L` + alpha `M`, the Hessian with the spheres held fixed
-  CONTACT       ///< `L` + lambda `M` + the stiffness of contacts, by which medial spheres shrink
+  CONTACT       ///< `L` + lambda `M` + how strands at the same sphere resist coming closer
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -123,7 +123,7 @@ struct Curve_flow_parameters
   /// `Preconditioner::MEDIAL` has it.
   double coupling = 0.01;
 
-  /// The preconditioner.
+  /// The preconditioner. The default of `untangle()` is `Preconditioner::CONTACT`.
   Preconditioner preconditioner = Preconditioner::MEDIAL;
 
   /// What the boundary of the domain is to the medial spheres, if there is a domain.
