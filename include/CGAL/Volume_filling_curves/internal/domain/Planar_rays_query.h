@@ -116,8 +116,8 @@ private:
   // Tells whether a box meets that around the rays.
   bool is_near_rays(const Bbox_3& box) const
   {
-    return (box.xmin() <= m_high.x()) & (box.xmax() >= m_low.x()) & (box.ymin() <= m_high.y()) &
-           (box.ymax() >= m_low.y()) & (box.zmin() <= m_high.z()) & (box.zmax() >= m_low.z());
+    return box.xmin() <= m_high.x() && box.xmax() >= m_low.x() && box.ymin() <= m_high.y() &&
+           box.ymax() >= m_low.y() && box.zmin() <= m_high.z() && box.zmax() >= m_low.z();
   }
 
   void update_bound()
