@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 namespace test_for_each_block {
@@ -27,7 +29,16 @@ using Tags = testing::Types<CGAL::Sequential_tag, CGAL::Parallel_tag>;
 #else
 using Tags = testing::Types<CGAL::Sequential_tag>;
 #endif
-TYPED_TEST_SUITE(For_each_block, Tags);
+
+struct Name_of_tag
+{
+  template <typename Tag>
+  static std::string GetName(int)
+  {
+    return std::is_same_v<Tag, CGAL::Sequential_tag> ? "sequential" : "parallel";
+  }
+};
+TYPED_TEST_SUITE(For_each_block, Tags, Name_of_tag);
 
 TYPED_TEST(For_each_block, covers_each_index_once)
 {
