@@ -10,6 +10,7 @@
 
 #include "Flow_sample.h"
 
+#include <CGAL/Volume_filling_curves/internal/direction/Contact_stiffness.h>
 #include <CGAL/Volume_filling_curves/internal/direction/Tridiagonal_conjugate_gradients.h>
 
 #include <Eigen/SparseCholesky>
@@ -42,9 +43,11 @@ void conjugate_gradients(benchmark::State& state, Sample make_sample)
   const Flow_sample& sample = make_sample(state.range(0));
   const Sparse_matrix p = sample.preconditioner();
   const Vector_field b = -sample.gradient;
+  const vfc::internal::Contact_stiffness no_contacts;
+  const double tolerance = 1e-4;
   vfc::internal::Tridiagonal_conjugate_gradients solve;
   for(auto _ : state) {
-    const Vector_field d = solve(p, b);
+    const Vector_field d = solve(p, no_contacts, b, tolerance);
     benchmark::DoNotOptimize(d.data());
   }
   state.counters["entries_per_row"] =
