@@ -26,6 +26,8 @@ namespace internal {
 // conjugate gradients, preconditioned with the tridiagonal part of P. As nodes are numbered along
 // the curve this holds all but a few edges of the curve and leaves out the weak coupling along
 // medial spheres only: it takes some ten iterations, linear time each. P is an M-matrix, so that
+// its tridiagonal part is positive definite, too. So it stays with contacts, which are stronger: a
+// part of their stiffness is added to the diagonal. They are gone through one after another.
 template <typename ConcurrencyTag = Sequential_tag>
 class Tridiagonal_conjugate_gradients
 {
