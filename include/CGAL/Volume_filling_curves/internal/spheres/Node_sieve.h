@@ -25,8 +25,8 @@ namespace internal {
 // the spheres of some diameter D through the circle's node with their centers in its plane. At d
 // from the node, of which h is across the plane,
 //   |d|^2 <= D sqrt(|d|^2 - h^2).
-// In a filling one of five does (2026-11-23). All are looked at, so that is done in single
-// precision, four at a time, with a margin for the rounding.
+// In a filling most do not. All are looked at, so that is done in single precision, four at a time,
+// with a margin for the rounding.
 class Node_sieve
 {
 public:
