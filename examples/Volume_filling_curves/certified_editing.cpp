@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Edits a curve by hand. The guard carries out what it can certify, and refuses the rest.
+// Edits a curve by hand. The guard carries out the changes that it can certify, and refuses others.
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 
@@ -20,7 +20,7 @@ using Curve = VFC::Curve_network_3<>;
 using Guard = VFC::Isotopy_guard_3<>;
 using Point_3 = Curve::Point_3;
 
-// Prints what happened, and returns whether that was expected.
+// Prints the outcome of a change, and returns whether it was expected.
 bool report(const char* change, bool is_done, bool is_expected)
 {
   std::cout << (is_done ? "done:    " : "refused: ") << change << '\n';
@@ -33,33 +33,35 @@ int main()
   Curve curve(
       {Point_3(1, -1, 0), Point_3(1, 1, 0), Point_3(3, 0, 0), Point_3(0, 0, -2), Point_3(0, 0, 2)},
       {{0, 1}, {1, 2}, {2, 0}, {3, 4}});
+  //! [edit]
   Guard guard(curve);
 
   bool is_ok = report("a corner through the rod", guard.move_node(2, Point_3(-3, 0, 0)), false);
 
-  // Every arc can be slipped off: the certificate says that no strand passes through another one.
+  // A strand can slip off an arc: the guarantee is that no strand passes through another one.
   is_ok &= report("the corner over the rod's end", guard.move_node(2, Point_3(-3, 0, 10)), true);
   is_ok &= report("the corner down behind the rod", guard.move_node(2, Point_3(-3, 0, 0)), true);
   is_ok &= report("the corner back through the rod", guard.move_node(2, Point_3(3, 0, 0)), false);
 
-  // Inserting a node and removing one are certified, too.
+  // Insertions and removals of nodes are certified as well.
   is_ok &= report("a node in the edge in front", guard.insert_node(0, Point_3(2, 0, 0)), true);
   const std::size_t inserted = curve.target(0);
   is_ok &= report("to straighten the edge again", guard.remove_node(inserted), true);
+  //! [edit]
   is_ok &= report("to remove the end of the rod", guard.remove_node(3), false);
 
   // Removed nodes leave gaps in the numbering until they are collected.
   const auto former_index = guard.collect_garbage();
   is_ok &= former_index.size() == 5 && curve.number_of_nodes() == 5;
 
-  // With a clearance, changes are refused already if they bring strands too close.
+  // With a clearance, changes that bring strands too close are refused as well.
   guard.set_clearance(0.25);
   is_ok &= report("an edge to within 0.2 of the rod, with a clearance of 0.25",
                   guard.insert_node(0, Point_3(0.2, 0, 0)), false);
   is_ok &=
       report("an edge to within 0.3 of the rod", guard.insert_node(0, Point_3(0.3, 0, 0)), true);
 
-  // All nodes together, as far as that is certified: everything moves up, half of the way at least.
+  // All nodes move upwards together, as far as certified, but at least half of the way.
   guard.collect_garbage();
   const auto n = static_cast<Eigen::Index>(curve.number_of_nodes());
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> targets(n, 3);

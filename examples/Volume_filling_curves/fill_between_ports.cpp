@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Leads a channel from one port of a vessel to another one such that it gets everywhere in between.
-// The vessel is given by a signed distance.
+// Fills a vessel with a channel that leads from one port to another one. The vessel is given by a
+// signed distance.
 
 #include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
@@ -38,12 +38,14 @@ using Domain = VFC::Implicit_domain_3<double (*)(const Point_3&)>;
 
 int main()
 {
+  //! [ports]
   const Domain domain(distance_to_capsule, CGAL::Bbox_3(-1, -0.5, -0.5, 1, 0.5, 0.5));
   const Point_3 inlet(-0.98, 0, 0), outlet(0.98, 0, 0);
   Curve curve(std::vector<Point_3>{inlet, Point_3(0, 0, 0), outlet});
   curve.pin_ends();
   const double thickness = 0.12;
   const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness));
+  //! [ports]
 
   const VFC::Domain_samples_3<Traits, Domain> samples(domain);
   const auto coverage =

@@ -4,12 +4,12 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Fills a box with a curve whose strands go around an axis, as fibres around a pin do, and compares
-// how well they do with a filling that prefers no direction.
+// Fills a box with a curve whose strands wind around an axis, like fibres around a pin. Compares
+// the alignment with that of a filling without a direction field.
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/alignment.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 
 #include <array>
@@ -23,19 +23,23 @@ using Curve = VFC::Curve_network_3<Traits>;
 using Point_3 = Curve::Point_3;
 using Domain = VFC::Box_domain_3<Traits>;
 
-// Neither sign nor length matters; on the axis it is zero, and there is no preference.
+//! [field]
+// Sign and length do not matter. On the axis the vector is zero: no direction is preferred.
 std::array<double, 3> around_z_axis(const Point_3& p)
 {
   return {-p.y(), p.x(), 0};
 }
+//! [field]
 
 int main()
 {
+  //! [fill]
   const Domain box(Point_3(-1, -1, -0.5), Point_3(1, 1, 0.5));
   const auto parameters = VFC::parameters::thickness(0.12);
   Curve any, around;
   VFC::fill(any, box, parameters);
   const auto result = VFC::fill(around, box, parameters.direction_field(around_z_axis));
+  //! [fill]
 
   const double without = VFC::alignment(any, around_z_axis);
   const double with = VFC::alignment(around, around_z_axis);

@@ -24,10 +24,12 @@ using Domain = VFC::Box_domain_3<Traits>;
 
 constexpr double width = 2;
 
+//! [field]
 double thickness(const Point_3& p)
 {
   return 0.09 * (1 + p.x() / width);
 }
+//! [field]
 
 // In units of the local thickness, samples in the left and in the right half of the box are equally
 // far from the curve.
@@ -39,9 +41,11 @@ struct Half
 
 int main()
 {
+  //! [fill]
   const Domain box(Point_3(0, 0, 0), Point_3(width, 1, 1));
   Curve curve;
   const auto result = VFC::fill(curve, box, VFC::parameters::thickness(thickness));
+  //! [fill]
 
   Half halves[2];
   const VFC::Domain_samples_3<Traits, Domain> samples(box);

@@ -4,9 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// A run that stops at a limit, and another one that goes on from there.
+// Ends a run at a limit, and resumes it.
 
-#include <CGAL/Volume_filling_curves/Run_checkpoint.h>
+#include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
@@ -24,7 +24,7 @@ int main()
   vfc::untangle(whole);
 
   //! [resume]
-  vfc::Run_state state; // empty: the beginning
+  vfc::Run_state state; // empty: start from the beginning
   vfc::Curve_network_3<> curve;
   vfc::Untangling_result result;
   std::size_t limit = 5;

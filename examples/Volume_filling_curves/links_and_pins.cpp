@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Untangles links, of which a linking number or a proof is reported, and an arc with pinned ends.
+// Untangles links, reports whether they are linked, and untangles an arc with pinned ends.
 
 #include <CGAL/Volume_filling_curves/untangle.h>
 
@@ -45,19 +45,21 @@ VFC::Link_status status_of_link(double distance)
   return result.link;
 }
 
-// A winding arc; its ends, and the nodes in between that are pinned, stay where they are.
+// A winding arc, whose pinned nodes stay in place.
 bool does_arc_stay_pinned()
 {
   Polyline arc;
   for(int i = 0; i <= 80; ++i) arc.emplace_back(0.1 * i, std::sin(0.4 * i), std::cos(0.4 * i));
+  //! [pins]
   Curve curve(arc);
   curve.pin_ends();
   curve.set_pinned(40);
 
   const VFC::Untangling_result result = VFC::untangle(curve);
+  //! [pins]
   std::size_t pinned = 0, new_nodes = 0;
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
-    const std::size_t origin = curve.origin(v); // the node of the input that v was
+    const std::size_t origin = curve.origin(v); // the node of the input that became v
     if(origin == Curve::null_node()) ++new_nodes;
     if(!curve.is_pinned(v)) continue;
     if(curve.point(v) != arc[origin]) return false;

@@ -21,7 +21,7 @@ using Curve = VFC::Curve_network_3<>;
 using Point_3 = Curve::Point_3;
 using Polyline = std::vector<Point_3>;
 
-// The first point is repeated at the end, hence the polylines are closed.
+// The polylines are closed, since the last point repeats the first.
 Polyline trefoil()
 {
   Polyline points;
@@ -51,6 +51,7 @@ int main()
 {
   const Curve curve(std::vector<Polyline>{trefoil(), ring()});
 
+  //! [measure]
   const VFC::Curve_measures measures = VFC::measure(curve);
   std::cout << "length                   " << measures.length << '\n'
             << "least bend radius        " << measures.min_bend_radius << '\n'
@@ -59,6 +60,7 @@ int main()
             << "ropelength               " << measures.ropelength << '\n'
             << "average crossing number  " << measures.average_crossing_number << '\n'
             << "linking number           " << measures.linking_matrix[0][1] << '\n';
+  //! [measure]
   for(double curvature : measures.total_curvatures)
     std::cout << "total curvature / 2 pi   " << curvature / (2 * CGAL_PI) << '\n';
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Fills a domain of one's own: a model of VolumeFillingDomain_3.
+// Fills a user-defined domain, a model of VolumeFillingDomain_3.
 
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/fill.h>
@@ -21,6 +21,7 @@ namespace VFC = CGAL::Volume_filling_curves;
 using Traits = VFC::Curve_flow_traits_3<>;
 using Curve = VFC::Curve_network_3<Traits>;
 
+//! [domain]
 // A solid cylinder around the z-axis
 class Cylinder
 {
@@ -32,7 +33,7 @@ public:
 
   CGAL::Bbox_3 bbox() const { return {-m_radius, -m_radius, 0, m_radius, m_radius, m_height}; }
 
-  // Leaves out a thin layer, since the distance is rounded.
+  // Excludes a thin layer, since the distance is rounded.
   bool is_inside(const Point_3& p) const { return distance(p) > 1e-12 * (m_radius + m_height); }
 
   // A triangle lies in a convex set if its corners do.
@@ -61,11 +62,12 @@ public:
 private:
   double m_radius, m_height;
 };
+//! [domain]
 
 int main()
 {
   const Cylinder cylinder(0.5, 1);
-  Curve curve; // empty: fill() starts one where the domain is widest
+  Curve curve; // empty: fill() starts where the domain is widest
   const auto result = VFC::fill(curve, cylinder, VFC::parameters::thickness(0.15));
 
   const VFC::Domain_samples_3 samples(cylinder);

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Untangles a curve of one's own points: a model of CurveFlowTraits_3 that leaves the predicates,
-// which must be exact, to a kernel of CGAL.
+// Untangles a curve with a user-defined point type. The traits class, a model of CurveFlowTraits_3,
+// leaves the exact predicates to a kernel of CGAL.
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
@@ -20,7 +20,7 @@ namespace VFC = CGAL::Volume_filling_curves;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// A point as some other library has it.
+// The point type of another library
 struct Point
 {
   double coordinates[3];
@@ -30,7 +30,7 @@ struct Point
   double z() const { return coordinates[2]; }
 };
 
-// Coordinates are doubles here and there, so that nothing is rounded.
+// Both types have coordinates of type double, so nothing is rounded.
 Kernel::Point_3 to_kernel(const Point& p)
 {
   return {p.x(), p.y(), p.z()};
@@ -47,10 +47,11 @@ struct Of_own_points
   }
 };
 
+//! [traits]
 struct Own_traits
 {
   using Point_3 = Point;
-  using Vector_3 = Kernel::Vector_3; // along which domains are asked for distances
+  using Vector_3 = Kernel::Vector_3; // directions in which domains measure distances
 
   struct Construct_point_3
   {
@@ -66,6 +67,7 @@ struct Own_traits
   Coplanar_orientation_3 coplanar_orientation_3_object() const { return {}; }
   Less_xyz_3 less_xyz_3_object() const { return {}; }
 };
+//! [traits]
 
 int main()
 {

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Polylines in, polylines out: untangles a closed polyline, and tells where on the input the points
-// of the result were.
+// Untangles a closed polyline in place, and prints where on the input the points of the result come
+// from.
 
 #include <CGAL/Volume_filling_curves/untangle.h>
 
@@ -25,7 +25,7 @@ using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 int main()
 {
-  // A ring of large waves. The last point repeats the first, as closed polylines do.
+  // A ring with large waves. It is closed, since the last point repeats the first.
   std::vector<Point_3> polyline;
   for(int i = 0; i < 200; ++i) {
     const double t = 2 * CGAL_PI * i / 200, radius = 2 + std::cos(9 * t);
@@ -33,6 +33,7 @@ int main()
   }
   polyline.push_back(polyline.front());
 
+  //! [polylines]
   std::vector<VFC::Curve_origin> origins;
   const auto result = VFC::untangle(polyline, VFC::parameters::origins(std::ref(origins)));
 
@@ -40,5 +41,6 @@ int main()
   for(std::size_t i = 0; i < polyline.size(); i += 10)
     std::cout << polyline[i] << " was between the points " << origins[i].source << " and "
               << origins[i].target << '\n';
+  //! [polylines]
   return result.status == VFC::Untangling_status::UNKNOTTED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,9 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Reads curves, good ones and faulty ones, and writes them without changing a bit.
+// Reads valid and invalid curves, and writes them without changing a bit.
 
-#include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -19,7 +19,8 @@ namespace VFC = CGAL::Volume_filling_curves;
 
 using Curve = VFC::Curve_network_3<>;
 
-// Prints everything that is wrong with the curve of a file, and returns whether it can be used.
+//! [read]
+// Prints every defect of the curve in a file, and returns whether the curve is usable.
 bool read(const std::string& filename, Curve& curve)
 {
   std::vector<VFC::Curve_defect> defects;
@@ -28,6 +29,7 @@ bool read(const std::string& filename, Curve& curve)
     std::cout << VFC::to_string(defect, filename) << '\n';
   return is_good;
 }
+//! [read]
 
 bool are_equal(const Curve& a, const Curve& b)
 {

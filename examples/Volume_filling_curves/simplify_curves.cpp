@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Simplifies a link of two wound rings: as far as it goes, and within a distance of the input.
+// Simplifies a link of two wavy rings: as far as possible, and within a distance of the input.
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/simplify_curves.h>
@@ -22,7 +22,7 @@ namespace VFC = CGAL::Volume_filling_curves;
 using Curve = VFC::Curve_network_3<>;
 using Point_3 = Curve::Point_3;
 
-// Two rings through one another, each with small waves.
+// Two linked rings with small waves
 Curve wavy_link()
 {
   const std::size_t n = 500;
@@ -37,7 +37,7 @@ Curve wavy_link()
   return Curve(rings, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
-// Simplifies the link and prints what is left. It stays linked, whatever is removed.
+// Simplifies the link and prints the number of remaining nodes. The rings stay linked.
 template <typename NamedParameters>
 bool simplify(const char* how, const NamedParameters& np)
 {
@@ -51,9 +51,11 @@ bool simplify(const char* how, const NamedParameters& np)
 int main()
 {
   namespace params = VFC::parameters;
+  //! [simplify]
   bool is_ok = simplify("as far as possible", params::default_values());
   is_ok &= simplify("within 0.25 of the input", params::max_distance(0.25));
   is_ok &= simplify("within 0.02 of the input", params::max_distance(0.02));
   is_ok &= simplify("strands 0.5 apart", params::clearance(0.5));
+  //! [simplify]
   return is_ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Drives the flow step by step, and reads medial spheres and the gradient between steps.
+// Runs the flow step by step, and reads medial spheres and the gradient between steps.
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 
@@ -33,7 +33,7 @@ Curve figure_eight()
   return Curve(points, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
-// The share of the medial spheres that touch another node; the others have the largest radius.
+// The share of medial spheres that touch another node; all others have the largest radius.
 double share_of_touching_spheres(const Flow& flow)
 {
   std::size_t touching = 0, all = 0;
@@ -47,6 +47,7 @@ double share_of_touching_spheres(const Flow& flow)
 
 int main()
 {
+  //! [parameters]
   VFC::Curve_flow_parameters parameters;
   parameters.thickness = 0.3; // in the unit of the points
   parameters.number_of_directions = 24;
@@ -54,7 +55,9 @@ int main()
   Curve curve = figure_eight();
   VFC::Isotopy_guard_3 guard(curve);
   Flow flow(guard, parameters);
+  //! [parameters]
   const double start_length = flow.length();
+  //! [steps]
   for(int k = 0; k <= 20; ++k) {
     if(k % 5 == 0) {
       const double strongest_pull = flow.gradient().rowwise().norm().maxCoeff();
@@ -67,6 +70,7 @@ int main()
       return EXIT_FAILURE;
     }
   }
+  //! [steps]
   const VFC::Curve_flow_statistics statistics = flow.statistics();
   std::cout << statistics.certified_changes << " changes of nodes, " << statistics.shortened_steps
             << " shortened steps\n";

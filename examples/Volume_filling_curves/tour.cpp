@@ -4,11 +4,11 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Both jobs of the package in ten lines: a knot is untangled, and a ball is filled.
+// Untangles a knot and fills a ball.
 
 //! [headers]
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 #include <CGAL/Volume_filling_curves/generators.h>
@@ -22,18 +22,20 @@ namespace VFC = CGAL::Volume_filling_curves;
 
 int main()
 {
-  //! [tour]
+  //! [untangle]
   VFC::Curve_network_3<> curve = VFC::make_hard_unknot(100, 2000);
   const VFC::Untangling_result untangled = VFC::untangle(curve);
   std::cout << untangled.status << ", length " << VFC::length(curve) << '\n';
   CGAL::IO::write_curve_network("untangled.obj", curve);
+  //! [untangle]
 
+  //! [fill]
   const VFC::Ball_domain_3<> ball({0, 0, 0}, 1);
   VFC::Curve_network_3<> filling; // empty: fill() starts one
   const auto filled = VFC::fill(filling, ball, VFC::parameters::thickness(0.2));
   std::cout << filled.status << ", length " << VFC::length(filling) << '\n';
   CGAL::IO::write_curve_network("filling.obj", filling);
-  //! [tour]
+  //! [fill]
 
   const bool is_ok = untangled.status == VFC::Untangling_status::UNKNOTTED &&
                      filled.status == VFC::Filling_status::CONVERGED;

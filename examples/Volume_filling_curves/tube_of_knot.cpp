@@ -4,9 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Makes the tube around a knot as a closed mesh, to be printed, and writes the knot for ParaView.
+// Makes the tube around a knot as a closed mesh for printing, and writes the knot for ParaView.
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
@@ -32,22 +32,24 @@ int main()
 {
   const auto knot = VFC::make_torus_knot(2, 3, 300);
 
+  //! [tube]
   // Up to the polygonal thickness the tube does not meet itself.
   const double radius = 0.9 * VFC::polygonal_thickness(knot);
   Mesh tube;
   VFC::tube_mesh(knot, radius, tube, VFC::parameters::number_of_sides(24));
+  //! [tube]
   std::cout << "faces   " << tube.number_of_faces() << '\n'
             << "volume  " << CGAL::Polygon_mesh_processing::volume(tube) << '\n';
   if(!CGAL::IO::write_STL("knot.stl", tube)) return EXIT_FAILURE;
 
-  // A radius per node: thick and thin in turns. This one adds a second tube to the same mesh.
+  // A second tube in the same mesh, with a radius per node
   const auto circle = VFC::make_regular_polygon(100, 10);
   const auto waves = [](std::size_t v) {
     return 1 + 0.3 * std::cos(0.2 * CGAL_PI * static_cast<double>(v));
   };
   VFC::tube_mesh(circle, waves, tube);
 
-  // A column per value. Origin, component and curvature are there anyway.
+  // A further column beside origin, component and curvature
   const VFC::Node_values values = {{"radius", VFC::medial_radii(knot, 2 * radius)}};
   return CGAL::IO::write_curve_network("knot.vtp", knot, values) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,10 +4,11 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Untangles a loop that is hooked around an obstacle. Obstacles are cavities of a domain: here the
-// domain lies between a tetrahedron and a torus within it, and the loop, which goes through the
-// hole of the torus, ends tight around its tube.
+// Untangles a loop around an obstacle. Obstacles are cavities of a domain: this domain lies between
+// a tetrahedron and a torus inside. The loop leads through the hole of the torus, and ends tight
+// around the tube.
 
+#include <CGAL/Volume_filling_curves/add_obstacle.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 
@@ -29,7 +30,7 @@ using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Curve = VFC::Curve_network_3<>;
 
-// A point at an angle around the tube of a torus, whose center is at another angle, both in turns.
+// A point of a torus by its angles around the tube and around the axis, both in full turns
 Point_3 point_around(double tube_radius, double around_tube, double around_axis)
 {
   const double s = 2 * CGAL_PI * around_tube, t = 2 * CGAL_PI * around_axis;
@@ -37,8 +38,9 @@ Point_3 point_around(double tube_radius, double around_tube, double around_axis)
   return {radius * std::cos(t), radius * std::sin(t), tube_radius * std::sin(s)};
 }
 
-void add_torus(Mesh& mesh, double tube_radius)
+Mesh make_torus(double tube_radius)
 {
+  Mesh mesh;
   const std::size_t n = 20, m = 40;
   std::vector<Mesh::Vertex_index> grid;
   for(std::size_t k = 0; k < n * m; ++k)
@@ -50,16 +52,16 @@ void add_torus(Mesh& mesh, double tube_radius)
       mesh.add_face(grid[i + n * j], grid[i2 + n * j], grid[i2 + n * j2]);
       mesh.add_face(grid[i + n * j], grid[i2 + n * j2], grid[i + n * j2]);
     }
+  return mesh;
 }
 
 int main()
 {
   const double tube_radius = 0.4;
   Mesh boundary;
-  add_torus(boundary, tube_radius);
-  // a shell within another one bounds a cavity
   CGAL::make_tetrahedron(Point_3(-9, -9, -9), Point_3(9, 9, -9), Point_3(9, -9, 9),
                          Point_3(-9, 9, 9), boundary);
+  VFC::add_obstacle(boundary, make_torus(tube_radius));
 
   std::vector<Point_3> loop; // with bulges
   for(int k = 0; k <= 150; ++k) {
@@ -67,8 +69,10 @@ int main()
     loop.push_back(point_around(0.7 + 0.2 * bulge, t, 0.1 * std::sin(14 * CGAL_PI * t)));
   }
   Curve curve(loop);
+  //! [obstacle]
   const VFC::Untangling_result result =
       VFC::untangle(curve, boundary, VFC::parameters::thickness(0.15).stop_at_proof(false));
+  //! [obstacle]
   // In space the loop is an unknot; here it cannot get off the torus.
   std::cout << result.status << " after " << result.statistics.iterations << " iterations, length "
             << VFC::length(curve) << '\n';

@@ -4,9 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// An unknot that looks knotted: the outline of a narrow ribbon that lies along a trefoil, cut open.
+// Untangles an unknot that looks knotted: the outline of a narrow ribbon along a trefoil, cut open.
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace VFC = CGAL::Volume_filling_curves;
 using Curve = VFC::Curve_network_3<>;
 using Point_3 = Curve::Point_3;
 
-// The point with parameter t, from 0 to 2 pi, of a trefoil that is shifted upwards
+// The point with parameter t, from 0 to 2 pi, of a trefoil, shifted upwards
 Point_3 point_on_trefoil(double t, double shift)
 {
   const double radius = 2 + std::cos(3 * t);

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Follows an untangling with a visitor, stops it half-way, and takes it up again.
+// Follows an untangling with a visitor, ends it half-way, and continues it.
 
 #include <CGAL/Volume_filling_curves/untangle.h>
 
@@ -21,7 +21,8 @@ namespace VFC = CGAL::Volume_filling_curves;
 
 using Curve = VFC::Curve_network_3<>;
 
-// Reports every fourth iteration and stops when the curve is short enough.
+//! [visitor]
+// Prints every fourth iteration and ends the run when the curve is short enough.
 struct Length_visitor : VFC::Default_curve_flow_visitor
 {
   double wanted_length;
@@ -42,6 +43,7 @@ struct Length_visitor : VFC::Default_curve_flow_visitor
     return flow.length() > wanted_length;
   }
 };
+//! [visitor]
 
 // The trefoil as a loose knot on a torus
 Curve trefoil()
@@ -66,7 +68,7 @@ int main()
   if(half_way.status != VFC::Untangling_status::INTERRUPTED) return EXIT_FAILURE;
   std::cout << "interrupted\n";
 
-  // The curve is valid, so the flow can go on from there; now until it is tight, or 10 seconds.
+  // The curve is valid, so another run can continue: until it is tight, or for 10 seconds.
   visitor.wanted_length = 0;
   const VFC::Untangling_result result = VFC::untangle<CGAL::Parallel_if_available_tag>(
       curve, thickness(0.5).tolerance(0.01).time_limit(10).number_of_iterations(1000).visitor(

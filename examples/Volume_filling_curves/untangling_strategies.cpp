@@ -5,7 +5,7 @@
 // Author(s) : The Volume_filling_curves authors
 
 // Untangles a figure-eight knot by each strategy: the flow moves it continuously, the random search
-// brings it to few edges, and both together to an even, smooth shape.
+// finds a polygon with few edges, and both together find an even, smooth shape.
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
@@ -37,7 +37,7 @@ Curve figure_eight()
   return Curve(points, VFC::parameters::closure(VFC::Closure::CLOSED));
 }
 
-// Follows the search, and could stop it.
+// Follows the search; returning false would end it.
 struct Search_observer : VFC::Default_curve_flow_visitor
 {
   bool on_search(const VFC::Search_progress& progress)
@@ -53,9 +53,11 @@ bool untangle(const char* name, VFC::Untangling_strategy strategy, std::size_t m
 {
   Curve curve = figure_eight();
   Search_observer observer;
+  //! [strategy]
   const VFC::Untangling_result result = VFC::untangle(
       curve, VFC::parameters::strategy(strategy).random_seed(1).number_of_chains(2).visitor(
                  std::ref(observer)));
+  //! [strategy]
   std::cout << name << ": " << curve.number_of_nodes() << " nodes, " << result.statistics.iterations
             << " iterations, " << result.sweeps << " sweeps, " << observer.edges
             << " edges found, crossing number " << VFC::average_crossing_number(curve) << '\n';
@@ -66,7 +68,7 @@ bool untangle(const char* name, VFC::Untangling_strategy strategy, std::size_t m
 int main()
 {
   bool is_ok = untangle("flow", VFC::Untangling_strategy::FLOW, 300);
-  is_ok &= untangle("search", VFC::Untangling_strategy::SEARCH, 8); // the least is 7
+  is_ok &= untangle("search", VFC::Untangling_strategy::SEARCH, 8); // the minimum is 7
   is_ok &= untangle("auto", VFC::Untangling_strategy::AUTO, 300);
   return is_ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// What does not work out, and the way out: input that is refused, a limit, and a thickness that
-// does not fit.
+// Runs that miss their goal, and what to do: rejected input, a limit, and a thickness that does not
+// fit.
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>
@@ -32,7 +32,7 @@ bool is_refused()
   try {
     VFC::untangle(curve);
   } catch(const std::invalid_argument& error) {
-    std::cout << error.what() << '\n'; // names the nodes; the curve is as it was
+    std::cout << error.what() << '\n'; // names the nodes; the curve is unchanged
     return true;
   }
   //! [refused]

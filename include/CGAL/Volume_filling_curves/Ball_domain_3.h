@@ -64,6 +64,15 @@ public:
       throw std::invalid_argument("a ball needs a finite center and a positive, finite radius");
   }
 
+  /// returns the ball with all coordinates multiplied by `factor`, a power of two.
+  Ball_domain_3 scaled(double factor) const
+  {
+    Ball_domain_3 ball = *this;
+    ball.m_center = factor * m_center;
+    ball.m_radius *= factor;
+    return ball;
+  }
+
   /// returns a box that holds the ball.
   CGAL::Bbox_3 bbox() const
   {

@@ -59,6 +59,14 @@ public:
     if(!(m_box.sizes().minCoeff() > 0)) throw std::invalid_argument("the box is flat");
   }
 
+  /// returns the box with all coordinates multiplied by `factor`, a power of two.
+  Box_domain_3 scaled(double factor) const
+  {
+    Box_domain_3 box = *this;
+    box.m_box = internal::Box(Vector(factor * m_box.min()), Vector(factor * m_box.max()));
+    return box;
+  }
+
   /// returns the box.
   CGAL::Bbox_3 bbox() const { return internal::to_bbox(m_box); }
 

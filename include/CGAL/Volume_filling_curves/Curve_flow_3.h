@@ -9,21 +9,23 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/Medial_sphere.h>
-#include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
-#include <CGAL/Volume_filling_curves/internal/direction/Flow_direction.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/flow/read_flow.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/remeshing/Remesher.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/mean_radius.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/medial_spheres_at.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
-#include <CGAL/Volume_filling_curves/internal/step/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Medial_sphere.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -92,7 +94,7 @@ public:
   using Thickness_field = std::function<double(const Point_3&)>;
 
   /// a direction at each point, of which neither sign nor length matters; zero where there is none
-  using Direction_field = std::function<std::array<double, 3>(const Point_3&)>;
+  using Direction_field = std::function<internal::Field_vector(const Point_3&)>;
 
   /// one vector per node: a matrix with a row for each, `x`, `y`, `z`
   using Vector_field = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -205,7 +207,8 @@ public:
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     update_thickness();
-    m_direction.update(curve(), m_guard.walls(), m_parameters, m_thickness, m_statistics);
+    m_direction.update(curve(), m_guard.walls(), m_parameters, m_thickness, m_statistics,
+                       m_guard.watch());
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -219,7 +222,7 @@ public:
   // Reads what another flow has written of the same curve, and goes on with that.
   void resume(internal::State_reader& reader, Thickness_field thickness = nullptr)
   {
-    reader(*this);
+    internal::read_flow(reader, *this);
     m_thickness_field = std::move(thickness);
     update();
   }
@@ -257,6 +260,13 @@ public:
   /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes'
   /// shares of the length, pinned nodes left out: dimensionless, and independent of the spacing.
   double gradient_norm() const { return thickness() * m_direction.gradient_per_length(); }
+
+  /// returns the share of the pull of the length that neither contacts nor bends at the scale of r
+  /// resist: the sum of the norms of the nodes' gradients over that of the gradients of the length
+  /// alone, or over 2 pi if that is more, pinned nodes left out. It is about 0.01 for a tight
+  /// curve, and 1 for a loose one, however smooth that is: then the thickness is too small for the
+  /// curve.
+  double loose_share() const { return m_direction.loose_share(); }
 
   /// returns the mean of the medial radii along the curve, each of them capped at `largest`, in the
   /// input's unit; pinned nodes are left out.
@@ -297,7 +307,7 @@ private:
     internal::check_parameters(m_parameters);
     if(!(m_parameters.thickness > 0) && !m_thickness_field) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
-          curve(), m_parameters.number_of_directions);
+          curve(), m_parameters.number_of_directions, m_guard.watch());
       m_parameters.thickness = measure();
     }
     remesh_until_even();
@@ -339,6 +349,8 @@ private:
     update_thickness();
   }
 
+  bool must_stop() const { return m_guard.watch() != nullptr && m_guard.watch()->must_stop(); }
+
   Remesher make_remesher()
   {
     std::vector<double> spacing = m_thickness;
@@ -347,17 +359,19 @@ private:
   }
 
   // Each round joins pairs of edges that are too short; then each halves edges that are too long.
+  // If the guard's watch ends the run, edges stay as they are.
   void remesh_until_even()
   {
     const internal::Stage_timer stage(m_statistics.seconds_remeshing);
     do {
       collect_garbage();
       make_remesher().collapse_short_edges();
-    } while(curve().has_garbage());
+    } while(curve().has_garbage() && !must_stop());
     do {
       collect_garbage();
       make_remesher().split_long_edges();
-    } while(curve().has_garbage());
+    } while(curve().has_garbage() && !must_stop());
+    if(curve().has_garbage()) collect_garbage();
   }
 
   Guard& m_guard;

@@ -16,6 +16,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel_traits.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -58,8 +59,8 @@ public:
    * \param go_further is asked after every 1024 points of the box, and ends the sampling with
    * fewer samples if it returns `false`; none by default
    *
-   * \throws std::invalid_argument if the domain is unbounded, or so thin in its box that among
-   * 10,000 times as many points too few were inside, or none before `go_further` ended the sampling
+   * \throws std::invalid_argument if the domain is unbounded, its box empty, or less than about
+   * every 10,000th point of the box inside, or none before `go_further` ended the sampling
    */
   explicit Domain_samples_3(const Domain& domain,
                             std::size_t number = default_number,
@@ -69,16 +70,20 @@ public:
       : m_domain(domain), m_traits(traits)
   {
     const CGAL::Bbox_3 box = domain.bbox();
+    if(!(box.x_span() > 0) || !(box.y_span() > 0) || !(box.z_span() > 0))
+      throw std::invalid_argument("the domain's box is empty");
     const double box_volume = box.x_span() * box.y_span() * box.z_span();
     if(!std::isfinite(box_volume)) throw std::invalid_argument("the domain is unbounded");
-    const double max_attempts_per_sample = 10000;
+    // If every 10,000th point is inside, hundred fewer than expected have a chance of e^-50.
+    const double max_attempts_per_sample = 10000, lag = 100;
     const std::size_t attempts_per_question = 1024;
     internal::Random_source random(seed);
     std::size_t attempts = 0;
     m_points.reserve(number);
     for(; m_points.size() < number; ++attempts) {
-      if(static_cast<double>(attempts) >= max_attempts_per_sample * static_cast<double>(number))
-        throw_no_samples();
+      const double enough =
+          (std::min)(static_cast<double>(number), static_cast<double>(m_points.size()) + lag);
+      if(static_cast<double>(attempts) >= max_attempts_per_sample * enough) throw_no_samples();
       if(go_further && attempts > 0 && attempts % attempts_per_question == 0 && !go_further())
         break;
       const double x = random.real(), y = random.real(), z = random.real();

@@ -95,6 +95,17 @@ public:
     if(!std::isfinite(diagonal())) throw std::invalid_argument("the box is not finite");
   }
 
+  /// returns the domain with all coordinates multiplied by `factor`, a power of two. The function
+  /// is still called with points in the unit that it was given for.
+  Implicit_domain_3 scaled(double factor) const
+  {
+    Implicit_domain_3 domain = *this;
+    domain.m_unit /= factor;
+    domain.m_bbox = {factor * m_bbox.xmin(), factor * m_bbox.ymin(), factor * m_bbox.zmin(),
+                     factor * m_bbox.xmax(), factor * m_bbox.ymax(), factor * m_bbox.zmax()};
+    return domain;
+  }
+
   /// returns the box that was given.
   CGAL::Bbox_3 bbox() const { return m_bbox; }
 
@@ -141,11 +152,19 @@ private:
   // for the rounding of centers and radii, relative to the size of the coordinates
   static constexpr double margin = 1e-14;
 
-  double value(const Point_3& p) const { return CGAL::to_double(m_function(p)); }
+  double value(const Point_3& p) const
+  {
+    if(m_unit == 1) return CGAL::to_double(m_function(p));
+    const Vector q = m_unit * internal::to_vector(p);
+    return CGAL::to_double(m_function(internal::to_point(q, m_traits))) / m_unit;
+  }
 
   double value(const Vector& p) const { return value(internal::to_point(p, m_traits)); }
 
-  double diagonal() const { return std::hypot(m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span()); }
+  double diagonal() const
+  {
+    return internal::stable_norm(Vector(m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span()));
+  }
 
   // returns whether balls in which the function is negative cover the triangle
   bool is_covered(const std::array<Vector, 3>& t, int bisections) const
@@ -178,6 +197,7 @@ private:
   Function m_function;
   CGAL::Bbox_3 m_bbox;
   double m_lipschitz;
+  double m_unit = 1; // of the function, a power of two
   Traits_ m_traits;
 };
 

@@ -9,9 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
-#include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Domain_boundary.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
@@ -21,6 +20,8 @@
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_limits.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Shortened_motion.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -37,7 +38,7 @@ namespace Volume_filling_curves {
 
 namespace internal {
 template <typename Guard>
-class Tails;
+class Closing_rays;
 } // namespace internal
 
 /*!
@@ -180,7 +181,7 @@ public:
       return 0;
     }
     const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
-    const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits);
+    const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
       if(motion.keeps_clearance(fraction)) {
         const auto rounds = motion.certify(fraction);
@@ -220,7 +221,7 @@ public:
       return std::vector<double>(n, 0);
     }
     const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
-    internal::Shortened_motion<Motion_limits, ConcurrencyTag> motion(limits);
+    internal::Shortened_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     m_editor.move_nodes(motion());
     const auto held =
         static_cast<size_type>(std::count(motion.fractions().begin(), motion.fractions().end(), 0));
@@ -285,6 +286,11 @@ public:
   /// \cond SKIP_IN_MANUAL
   const Domain_boundary& walls() const { return m_walls; }
 
+  // Puts motions of all nodes, and those who use the guard, under a watch, or under none if it is
+  // null: they throw Run_stopped before they change anything.
+  void set_watch(internal::Run_watch* watch) { m_watch = watch; }
+  internal::Run_watch* watch() const { return m_watch; }
+
   // Writes or reads everything but the curve itself, see State_writer. To be read by a guard that
   // records if the other one did.
   template <typename Archive>
@@ -298,8 +304,9 @@ public:
   /// \endcond
 
 private:
-  // Leaves are no part of the curve that is certified. Tails makes sure that they meet nothing.
-  friend class internal::Tails<Isotopy_guard_3>;
+  // Leaves are no part of the curve that is certified. Closing_rays makes sure that they meet
+  // nothing.
+  friend class internal::Closing_rays<Isotopy_guard_3>;
 
   Isotopy_guard_3(Curve_network& curve, Domain_boundary&& walls)
       : m_curve(curve),
@@ -374,6 +381,7 @@ private:
   internal::Local_change_certifier<Curve_network, Domain_boundary> m_certifier;
   internal::Clearance_rule m_clearance;
   std::unique_ptr<internal::Motion_record<Curve_network>> m_record;
+  internal::Run_watch* m_watch = nullptr;
   size_type m_number_of_certified = 0;
   size_type m_number_of_rejected = 0;
 };

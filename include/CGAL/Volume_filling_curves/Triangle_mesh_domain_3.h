@@ -11,22 +11,26 @@
 
 #include <CGAL/Volume_filling_curves/internal/domain/Face_tree.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Is_domain.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+#include <CGAL/Volume_filling_curves/internal/domain/check_mesh.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,9 +42,10 @@ namespace Volume_filling_curves {
  *
  * \brief The class `Triangle_mesh_domain_3` is the inside of a closed triangle mesh.
  *
- * The mesh may have several shells. A point is inside if a path from it to infinity crosses the
- * surface an odd number of times, whatever the orientation of the faces: a shell within another one
- * bounds a cavity.
+ * The mesh may have several shells, and a shell within another one bounds a cavity: a point is
+ * inside if a path from it to infinity crosses the surface an odd number of times. A shell within
+ * another one must therefore be turned the other way, or the mesh is refused: two solids may have
+ * been meant. Whether the outermost shells are turned outward or inward does not matter.
  *
  * `is_inside()` and `is_triangle_inside()` are exact. Distances are computed in double arithmetic,
  * with a relative error of a few units in the last place of the coordinates; for a face so thin
@@ -84,12 +89,20 @@ public:
    *                    descriptor and whose value type is `Point_3`}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{check_mesh}
+   *     \cgalParamDescription{whether to look for faces that meet elsewhere than in a common vertex
+   *       or edge, and for shells that are turned like the one around them. Without it the former
+   *       make it a matter of chance what is inside, the latter bound cavities. The search takes
+   *       1.5 us per face, 4 % of the time of a coarse filling}
+   *     \cgalParamType{`bool`}
+   *     \cgalParamDefault{`true`}
+   *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
    * \throws std::invalid_argument if a face is not a triangle or is degenerate, if the mesh is not
-   * closed or has no faces, or if a coordinate is not finite or beyond 1e150
-   *
-   * \pre no two faces meet elsewhere than in a common vertex or a common edge
+   * closed, has no faces, or all vertices lie in a plane, if a coordinate is not finite or beyond
+   * 1e100, or the mesh smaller than 1e-100, and if a check was not switched off and finds
+   * something; with vertices and faces in the message, counted from 0 in their order in the mesh
    */
   template <typename TriangleMesh,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -97,6 +110,18 @@ public:
                                   const NamedParameters& np = CGAL::parameters::default_values())
       : m_faces(std::make_unique<Faces>(checked_copy(mesh, np)))
   {}
+
+  /// returns the domain with all coordinates multiplied by `factor`, a power of two. Takes as long
+  /// as constructing it.
+  Triangle_mesh_domain_3 scaled(double factor) const
+  {
+    Mesh mesh = m_faces->mesh();
+    for(const auto v : vertices(mesh)) {
+      const Point_3& p = mesh.point(v);
+      mesh.point(v) = Point_3(factor * p.x(), factor * p.y(), factor * p.z());
+    }
+    return Triangle_mesh_domain_3(std::make_unique<const Faces>(std::move(mesh)));
+  }
 
   /// returns a box that holds the domain.
   CGAL::Bbox_3 bbox() const { return m_faces->bbox(); }
@@ -160,34 +185,42 @@ public:
   /// @}
 
 private:
+  explicit Triangle_mesh_domain_3(std::unique_ptr<const Faces> faces) : m_faces(std::move(faces)) {}
+
   template <typename TriangleMesh, typename NamedParameters>
   static Mesh checked_copy(const TriangleMesh& mesh, const NamedParameters& np)
   {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
     if(faces(mesh).begin() == faces(mesh).end())
-      throw std::invalid_argument("the mesh has no faces");
+      throw std::invalid_argument("no geometry: there are no faces");
     if(!CGAL::is_triangle_mesh(mesh))
       throw std::invalid_argument(
           "a face is not a triangle; Polygon_mesh_processing::triangulate_faces() cuts it");
-    if(!CGAL::is_closed(mesh))
-      throw std::invalid_argument("the mesh is not closed; vfc repair closes holes, as "
-                                  "Polygon_mesh_processing::triangulate_hole() does");
-    const auto points = CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-        CGAL::get_const_property_map(CGAL::vertex_point, mesh));
+    const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                         CGAL::get_const_property_map(CGAL::vertex_point, mesh));
     Mesh copy;
-    CGAL::copy_face_graph(mesh, copy, CGAL::parameters::vertex_point_map(points));
-    check_faces(copy);
+    std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
+                          typename Mesh::Vertex_index>>
+        copies;
+    CGAL::copy_face_graph(
+        mesh, copy,
+        CGAL::parameters::vertex_point_map(points).vertex_to_vertex_output_iterator(
+            std::back_inserter(copies)));
+    const auto number_of = [&](typename Mesh::Vertex_index v) { // for messages
+      const auto original = std::find_if(copies.begin(), copies.end(),
+                                         [&](const auto& pair) { return pair.second == v; });
+      const auto all = vertices(mesh);
+      const auto place = std::find(all.begin(), all.end(), original->first);
+      return static_cast<std::size_t>(std::distance(all.begin(), place));
+    };
+    internal::check_run(); // each of these takes 0.2 s with a million faces
+    const internal::Mesh_check check(copy, number_of);
+    check.check_faces();
+    internal::check_run();
+    if(choose_parameter(get_parameter(np, internal_np::check_mesh), true)) check.check_shells();
+    internal::check_run();
     return copy;
-  }
-
-  static void check_faces(const Mesh& mesh)
-  {
-    for(const auto v : vertices(mesh))
-      internal::check_range(internal::to_vector(mesh.point(v)),
-                            "vertex " + std::to_string(static_cast<std::size_t>(v)));
-    for(const auto f : faces(mesh))
-      if(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh))
-        throw std::invalid_argument("a face is degenerate");
   }
 
   std::unique_ptr<const Faces> m_faces; // behind a pointer, so that a domain can be moved

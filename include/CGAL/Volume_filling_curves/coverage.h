@@ -9,10 +9,13 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/internal/coverage/Empty_region_search.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/cube_root.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Empty_region_search.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 
 #include <CGAL/tags.h>
@@ -113,14 +116,52 @@ inline double quantile(const std::vector<double>& sorted, double share)
   return sorted[(std::max)(static_cast<std::size_t>(rank), std::size_t(1)) - 1];
 }
 
-// As empty_regions(), for those who know how far the k-th sample is from the boundary.
+// The same as empty_regions(), given the distance of the k-th sample from the boundary.
+template <typename ConcurrencyTag, typename Traits, typename Domain>
+std::vector<double> sample_distances(const Curve_network_3<Traits>& curve,
+                                     const Domain_samples_3<Traits, Domain>& samples,
+                                     Run_watch* watch)
+{
+  const std::size_t block = 256;
+  const Distance_to_curve tree(curve);
+  std::vector<double> distances(samples.points().size());
+  const auto find_in_block = [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      distances[i] = tree.distance(to_vector(samples.points()[i]));
+  };
+  for_each_block<ConcurrencyTag>(distances.size(), block, watch, find_in_block);
+  return distances;
+}
+
+template <typename Traits, typename Domain>
+Containment find_containment(const Curve_network_3<Traits>& curve,
+                             const Domain& domain,
+                             Run_watch* watch)
+{
+  Containment result;
+  std::vector<bool> is_inside(curve.number_of_nodes());
+  for(std::size_t v = 0; v < is_inside.size(); ++v) {
+    check(watch);
+    is_inside[v] = domain.is_inside(curve.point(v));
+    if(!is_inside[v]) result.outside_nodes.push_back(v);
+  }
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
+    check(watch);
+    const std::size_t v = curve.source(e), w = curve.target(e);
+    if(!is_inside[v] || !domain.is_triangle_inside(curve.point(v), curve.point(w), curve.point(w)))
+      result.outside_edges.push_back(e);
+  }
+  return result;
+}
+
 template <typename Traits, typename Domain, typename BoundaryDistance, typename Thickness>
 std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
     const Curve_network_3<Traits>& curve,
     const Domain_samples_3<Traits, Domain>& samples,
     const std::vector<double>& distances,
     const BoundaryDistance& boundary_distance,
-    const Thickness& thickness)
+    const Thickness& thickness,
+    Run_watch* watch = nullptr)
 {
   if(unfilled_fraction(samples, distances, thickness) == 0) return {};
   const auto thickness_at = thickness_function(thickness);
@@ -128,7 +169,7 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
   const Distance_to_curve tree(curve);
   Empty_region_search<Traits, Domain, BoundaryDistance, decltype(thickness_at)> search(
       tree, samples.domain(), thickness_at, samples.points(), distances, boundary_distance,
-      std::cbrt(sample_volume), samples.traits());
+      internal::cube_root(sample_volume), samples.traits(), watch);
   std::vector<Empty_region_3<typename Traits::Point_3>> regions;
   for(const auto& region : search.run())
     regions.push_back({to_point(region.center, samples.traits()), region.radius,
@@ -148,20 +189,25 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
+ *
+ * \param curve the curve
+ * \param samples the samples
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits, typename Domain>
-[[nodiscard]] std::vector<double> sample_distances(const Curve_network_3<Traits>& curve,
-                                                   const Domain_samples_3<Traits, Domain>& samples)
+template <typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename Traits,
+          typename Domain,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] std::vector<double> sample_distances(
+    const Curve_network_3<Traits>& curve,
+    const Domain_samples_3<Traits, Domain>& samples,
+    const NamedParameters& np = parameters::default_values())
 {
-  const std::size_t block = 256;
-  const internal::Distance_to_curve tree(curve);
-  std::vector<double> distances(samples.points().size());
-  internal::for_each_block<ConcurrencyTag>(
-      distances.size(), block, [&](std::size_t begin, std::size_t end) {
-        for(std::size_t i = begin; i < end; ++i)
-          distances[i] = tree.distance(internal::to_vector(samples.points()[i]));
-      });
-  return distances;
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::sample_distances<ConcurrencyTag>(curve, samples, watch);
+  });
 }
 
 /*!
@@ -239,18 +285,28 @@ template <typename Traits, typename Domain, typename Thickness>
  * \param samples the samples
  * \param distances the distances of the samples to the curve, from `sample_distances()`
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename Traits, typename Domain, typename Thickness>
+template <typename Traits,
+          typename Domain,
+          typename Thickness,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] std::vector<Empty_region_3<typename Traits::Point_3>> empty_regions(
     const Curve_network_3<Traits>& curve,
     const Domain_samples_3<Traits, Domain>& samples,
     const std::vector<double>& distances,
-    const Thickness& thickness)
+    const Thickness& thickness,
+    const NamedParameters& np = parameters::default_values())
 {
   const auto boundary_distance = [&](std::size_t k) {
     return samples.domain().distance(samples.points()[k]);
   };
-  return internal::find_empty_regions(curve, samples, distances, boundary_distance, thickness);
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::find_empty_regions(curve, samples, distances, boundary_distance, thickness,
+                                        watch);
+  });
 }
 
 /*!
@@ -259,22 +315,23 @@ template <typename Traits, typename Domain, typename Thickness>
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
+ *
+ * \param curve the curve
+ * \param domain the domain
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename Traits, typename Domain>
-[[nodiscard]] Containment containment(const Curve_network_3<Traits>& curve, const Domain& domain)
+template <typename Traits,
+          typename Domain,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] Containment containment(const Curve_network_3<Traits>& curve,
+                                      const Domain& domain,
+                                      const NamedParameters& np = parameters::default_values())
 {
-  Containment result;
-  std::vector<bool> is_inside(curve.number_of_nodes());
-  for(std::size_t v = 0; v < is_inside.size(); ++v) {
-    is_inside[v] = domain.is_inside(curve.point(v));
-    if(!is_inside[v]) result.outside_nodes.push_back(v);
-  }
-  for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
-    const std::size_t v = curve.source(e), w = curve.target(e);
-    if(!is_inside[v] || !domain.is_triangle_inside(curve.point(v), curve.point(w), curve.point(w)))
-      result.outside_edges.push_back(e);
-  }
-  return result;
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::find_containment(curve, domain, watch);
+  });
 }
 
 /// @}

@@ -9,17 +9,20 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
 #include <CGAL/Volume_filling_curves/internal/curve/turning.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
-#include <CGAL/Volume_filling_curves/internal/in_place/network_of_polylines.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/unit_direction.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Linking_numbers.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
@@ -82,6 +85,10 @@ struct Curve_measures
  *
  * All functions on this page only read the curve and can run concurrently. Scaling the curve by a
  * power of two scales their results exactly, short of overflow and underflow.
+ *
+ * Those that can take seconds take the named parameter `progress`, a function that receives a
+ * `Run_progress` every few milliseconds, in the thread of the caller. If it returns `false`, they
+ * throw `Run_interrupted`.
  */
 template <typename Traits>
 [[nodiscard]] std::vector<double> component_lengths(const Curve_network_3<Traits>& curve)
@@ -158,23 +165,37 @@ template <typename Traits>
  * growing to shrinking or back; it may join two components. An end of an open curve counts as such
  * a place if the distance to the other end shrinks towards it. Near linear in the number of nodes
  * for curves whose nodes are spaced evenly.
+ *
+ * \param curve the curve
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename Traits>
-[[nodiscard]] double polygonal_thickness(const Curve_network_3<Traits>& curve)
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] double polygonal_thickness(const Curve_network_3<Traits>& curve,
+                                         const NamedParameters& np = parameters::default_values())
 {
   if(curve.has_junction()) return std::numeric_limits<double>::quiet_NaN();
-  const internal::Doubly_critical_distance<Curve_network_3<Traits>> critical_distance(curve);
-  return critical_distance(2 * min_bend_radius(curve)) / 2;
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    const internal::Doubly_critical_distance<Curve_network_3<Traits>> critical_distance(curve);
+    return critical_distance(2 * min_bend_radius(curve), watch) / 2;
+  });
 }
 
 /*!
  * returns the length divided by `polygonal_thickness()`, a radius: \f$2\pi\f$ for the circle, about
  * 32.7 for the tight trefoil. NaN if the curve has a junction.
+ *
+ * \param curve the curve
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename Traits>
-[[nodiscard]] double ropelength(const Curve_network_3<Traits>& curve)
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] double ropelength(const Curve_network_3<Traits>& curve,
+                                const NamedParameters& np = parameters::default_values())
 {
-  return length(curve) / polygonal_thickness(curve);
+  return length(curve) / polygonal_thickness(curve, np);
 }
 
 /*!
@@ -187,11 +208,18 @@ template <typename Traits>
  * \param curve the curve
  * \param r the radius that the curve is meant to keep, in the input's unit; with 0 only segments
  * that share a node are neighbors
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename Traits>
-[[nodiscard]] double min_clearance(const Curve_network_3<Traits>& curve, double r = 0)
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] double min_clearance(const Curve_network_3<Traits>& curve,
+                                   double r = 0,
+                                   const NamedParameters& np = parameters::default_values())
 {
-  return internal::Least_clearance<Curve_network_3<Traits>>(curve, CGAL_PI * r)();
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::Least_clearance<Curve_network_3<Traits>>(curve, CGAL_PI * r)(watch);
+  });
 }
 
 /*!
@@ -202,11 +230,26 @@ template <typename Traits>
  * whose projections come close.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ *
+ * \param curve the curve
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
-[[nodiscard]] double average_crossing_number(const Curve_network_3<Traits>& curve)
+template <typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename Traits,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Are_named_parameters<NamedParameters>::value, int> = 0
+#endif
+          >
+[[nodiscard]] double average_crossing_number(
+    const Curve_network_3<Traits>& curve, const NamedParameters& np = parameters::default_values())
 {
-  return internal::average_crossing_number<ConcurrencyTag>(curve);
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::average_crossing_number<ConcurrencyTag>(curve, 1, watch);
+  });
 }
 
 /*!
@@ -220,12 +263,19 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
  *
  * \pre no two components intersect.
  *
+ * \param curve the curve
+ * \param np an optional named parameter `progress`
+ *
  * \throws std::invalid_argument if they do and no linking number can be found
+ * \throws Run_interrupted if `progress` returns `false`
  */
-template <typename Traits>
-[[nodiscard]] std::vector<std::vector<int>> linking_matrix(const Curve_network_3<Traits>& curve)
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] std::vector<std::vector<int>> linking_matrix(
+    const Curve_network_3<Traits>& curve, const NamedParameters& np = parameters::default_values())
 {
-  const auto matrix = internal::Linking_numbers<Curve_network_3<Traits>>(curve)();
+  const auto matrix = internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::Linking_numbers<Curve_network_3<Traits>>(curve, watch)();
+  });
   if(!matrix) throw std::invalid_argument("components with linking numbers must not intersect");
   return *matrix;
 }
@@ -238,9 +288,16 @@ template <typename Traits>
  *
  * \param curve the curve
  * \param r as for `min_clearance()`
+ * \param np an optional named parameter `progress`
+ *
+ * \throws Run_interrupted if that returns `false`
  */
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
-[[nodiscard]] Curve_measures measure(const Curve_network_3<Traits>& curve, double r = 0)
+template <typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename Traits,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] Curve_measures measure(const Curve_network_3<Traits>& curve,
+                                     double r = 0,
+                                     const NamedParameters& np = parameters::default_values())
 {
   Curve_measures result;
   result.length = length(curve);
@@ -248,11 +305,11 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
   result.total_curvatures = total_curvatures(curve);
   result.max_curvature = max_curvature(curve);
   result.min_bend_radius = min_bend_radius(curve);
-  result.polygonal_thickness = polygonal_thickness(curve);
+  result.polygonal_thickness = polygonal_thickness(curve, np);
   result.ropelength = result.length / result.polygonal_thickness;
-  result.min_clearance = min_clearance(curve, r);
-  result.average_crossing_number = average_crossing_number<ConcurrencyTag>(curve);
-  result.linking_matrix = linking_matrix(curve);
+  result.min_clearance = min_clearance(curve, r, np);
+  result.average_crossing_number = average_crossing_number<ConcurrencyTag>(curve, np);
+  result.linking_matrix = linking_matrix(curve, np);
   return result;
 }
 
@@ -262,9 +319,10 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Traits>
  * \param polylines a range of points, or a range of such ranges
  * \param r as for `min_clearance()`
  * \param np an optional sequence of the named parameters of the constructor of `Curve_network_3`
- * from polylines
+ * from polylines, and of `progress`
  *
  * \throws std::invalid_argument as that constructor
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename PolylineRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters
@@ -277,11 +335,53 @@ template <typename PolylineRange,
                                      double r = 0,
                                      const NamedParameters& np = parameters::default_values())
 {
-  return measure(internal::network_of_polylines_t<PolylineRange, NamedParameters>(polylines, np),
-                 r);
+  const auto given = internal::get_parameters<internal::Measure_polylines_signature>(np);
+  return measure(internal::network_of_polylines_t<PolylineRange, NamedParameters>(polylines, np), r,
+                 parameters::progress(given.progress));
 }
 
 /// @}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief returns how well curves follow a direction field: the mean by length of the squared cosine
+ * of the angle between an edge and the field at its middle.
+ *
+ * It is 1 if all edges go along the field, 0 if all go across, and 1/3 for curves that prefer no
+ * direction. Where the field is zero it asks for nothing, and edges do not count. Not a number if
+ * none does. Dimensionless; takes linear time.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam DirectionField a function of `Traits::Point_3` whose result is convertible to
+ * `std::array<double, 3>`, or has members `x()`, `y()` and `z()`
+ *
+ * \param curves the curves
+ * \param field the direction field, as for `fill()`: neither sign nor length of the vectors matters
+ *
+ * \pre the network has no garbage
+ *
+ * \throws std::invalid_argument if the field is not finite in the middle of an edge, with the place
+ * in the message
+ */
+template <typename Traits, typename DirectionField>
+[[nodiscard]] double alignment(const Curve_network_3<Traits>& curves, const DirectionField& field)
+{
+  using internal::Vector;
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  double aligned = 0, length = 0;
+  for(std::size_t e = 0; e < curves.number_of_edges(); ++e) {
+    const Vector a = internal::to_vector(curves.point(curves.source(e)));
+    const Vector b = internal::to_vector(curves.point(curves.target(e)));
+    const Vector direction =
+        internal::unit_direction(field, internal::to_point((a + b) / 2, curves.traits()));
+    if(direction == Vector()) continue;
+    const double cosine = (b - a).normalized().dot(direction);
+    aligned += (b - a).norm() * cosine * cosine;
+    length += (b - a).norm();
+  }
+  return length > 0 ? aligned / length : std::numeric_limits<double>::quiet_NaN();
+}
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

@@ -9,25 +9,30 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/Filling_result.h>
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/in_place/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_call.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/thickness_at.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Finger_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <cmath>
+#include <cstddef>
+#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL {
@@ -35,9 +40,14 @@ namespace Volume_filling_curves {
 
 namespace internal {
 
-inline double diagonal(const CGAL::Bbox_3& box)
+template <typename ConcurrencyTag, typename Traits, typename MakeDomain, typename Visitor>
+auto fill(Curve_network_3<Traits>& curves,
+          const MakeDomain& make_domain,
+          const Filling_parameters<typename Traits::Point_3>& parameters,
+          Visitor& visitor)
 {
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  return Filling_call<Traits, ConcurrencyTag, Visitor>(curves, parameters, visitor)(make_domain);
 }
 
 } // namespace internal
@@ -73,8 +83,15 @@ inline double diagonal(const CGAL::Bbox_3& box)
  * fifth each: otherwise it trembles for good. Until the last steps edges are up to half as long
  * again as asked for, which saves time.
  *
- * The time limit also holds for what comes before the first step; then fewer samples are taken. A
- * step that would end after it is not begun.
+ * The time limit also holds for the survey of the domain, where fewer samples are taken then, and
+ * for the measures of the result, which are left out. A step that would end after it is not begun,
+ * and one that does is broken off, unless there is a `checkpoint`: states are taken between steps.
+ *
+ * A domain multiplied by a power of two, with its lengths, gives the same curve, multiplied
+ * likewise, in every bit. A domain larger than 1e38 or smaller than 1e-38 needs a member function
+ * `scaled(double factor)` for that, which returns the domain, of the same type, with all
+ * coordinates multiplied by a power of two; all domains of this package have one. A visitor then
+ * sees all that can be read of a `Curve_flow_3`, but not the object itself.
  *
  * The result is the same for every number of threads. The time is near-linear in the volume divided
  * by the cube of r for a given shape.
@@ -91,26 +108,30 @@ inline double diagonal(const CGAL::Bbox_3& box)
  * `Triangle_mesh_domain_3` is
  * \param np an optional sequence of the named parameters `thickness`, a number or a function of
  * `Point_3`, `length`, `start`, `direction_field`, `direction_weight` (see `Filling_parameters`),
- * `number_of_iterations`, `time_limit`, `random_seed`, `certificate`, `checkpoint`, `resume_from`
- * (see `Curve_run_parameters`), `wall`, `number_of_directions`, `max_radius`, `spacing`,
+ * `number_of_iterations`, `time_limit`, `random_seed`, `certificate`, `progress`, `checkpoint`,
+ * `resume_from`, `build_name` (see `Curve_run_parameters`), `wall`, `number_of_directions`,
+ * `max_radius`, `spacing`,
  * `screening`, `medial_weight`, `coupling`, `preconditioner`, `max_displacement`, `time_step` (see
  * `Curve_flow_parameters`, and for defaults `Filling_parameters`), and `visitor`, a model of
- * `CurveFlowVisitor`, or `std::ref()` of one; with a mesh also `vertex_point_map`, as for
- * `Triangle_mesh_domain_3`
+ * `CurveFlowVisitor`, or `std::ref()` of one; with a mesh also `vertex_point_map` and `check_mesh`,
+ * as for `Triangle_mesh_domain_3`
  *
  * \returns how the run ended, where the curve did not get to, and statistics
  *
  * \pre the network has no garbage
  *
  * \throws std::invalid_argument if the curves are not embedded or not strictly inside the domain,
- * with the nodes in the message, if the domain is unbounded or hardly any point of its box is
- * inside, if a parameter has a value that it must not have, or the direction field is not finite
- * somewhere, with its name in the message, if both a length and a thickness are given, or if a mesh
- * bounds no domain, see `Triangle_mesh_domain_3`
+ * with the nodes in the message, if the domain is unbounded, larger than 1e150 or smaller than
+ * 1e-150, or without `scaled()` beyond 1e38 or below 1e-38, hardly any point of its box is inside,
+ * or its answers contradict each other, if a parameter has a value that it must not have, with its
+ * name in the message and, of a field, the point, if both a length and a thickness are given, or if
+ * a mesh bounds no domain, see `Triangle_mesh_domain_3`
+ * It is also thrown if the curve would have more than 20 million nodes, which take some 30 GB, or
+ * with the thickness by default 2 million.
  * \throws Run_state_error if the state to resume from is that of another run, with what differs in
  * the message
  *
- * What a visitor throws is passed on.
+ * What a visitor, a field or the domain throws is passed on.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
@@ -126,8 +147,10 @@ Filling_result<typename Traits::Point_3> fill(
       std::conditional_t<internal::Is_domain<Domain>::value, internal::Fill_signature<Point_3>,
                          internal::Fill_mesh_signature<Point_3>>;
   const auto parameters = internal::get_parameters<Signature>(np);
-  return fill<ConcurrencyTag>(curves, internal::as_domain<Traits>(domain, np), parameters,
-                              internal::get_visitor(np));
+  auto visitor = internal::get_visitor(np);
+  return internal::fill<ConcurrencyTag>(
+      curves, [&]() -> decltype(auto) { return internal::as_domain<Traits>(domain, np); },
+      parameters, internal::unwrapped(visitor));
 }
 
 /*!
@@ -186,9 +209,11 @@ auto fill(Polylines& polylines,
                                        internal::Fill_polylines_signature<Point_3>,
                                        internal::Fill_mesh_with_polylines_signature<Point_3>>;
   const auto parameters = internal::get_parameters<Signature>(np);
-  const Filling_result<Point_3> result =
-      fill<ConcurrencyTag>(in_place.curves(), internal::as_domain<Traits>(domain, np), parameters,
-                           internal::get_visitor(np));
+  auto visitor = internal::get_visitor(np);
+  const Filling_result<Point_3> result = internal::fill<ConcurrencyTag>(
+      in_place.curves(),
+      [&]() -> decltype(auto) { return internal::as_domain<Traits>(domain, np); }, parameters,
+      internal::unwrapped(visitor));
   in_place.store();
   return result;
 }
@@ -222,16 +247,82 @@ Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
                              const Filling_parameters<Point_3>& parameters,
                              Visitor visitor = Visitor())
 {
-  const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
-  using Inside = std::decay_t<decltype(inside)>;
-  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  internal::check_filling(parameters, internal::diagonal(inside.bbox()));
-  Real_timer timer;
-  timer.start();
-  auto& observer = internal::unwrapped(visitor);
-  using Observer = std::remove_reference_t<decltype(observer)>;
-  return internal::Filling_run<Traits, Inside, ConcurrencyTag, Observer>(curves, inside, parameters,
-                                                                         timer, observer)();
+  return internal::fill<ConcurrencyTag>(
+      curves,
+      [&]() -> decltype(auto) {
+        return internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
+      },
+      parameters, internal::unwrapped(visitor));
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// What `grow_fingers()` returns.
+struct Finger_growth
+{
+  std::size_t number_of_places = 0;  ///< well-spaced points that were to be reached
+  std::size_t number_of_fingers = 0; ///< of those, how many were
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief lets curves reach out all over a domain: the start of `fill()`, for those who go on in
+ * their own way.
+ *
+ * Points that are 2.9 r apart are scattered in the domain, at least r/2 from its boundary, or r/8
+ * where it is narrow. Along a random spanning tree of them, which begins at the curves, fingers
+ * grow: an edge of the curve is halved, and one half is pulled out to the next point, with a blunt
+ * tip that is 1.4 r wide. These are three insertions of nodes that the guard certifies, so that the
+ * result is ambient isotopic to what it was: the outline of a tree, in place of a small circle. To
+ * points that no straight finger gets to, ways with room for a ball of radius r/14 are searched,
+ * and thin fingers are led along them, through necks and around corners. The time is near linear in
+ * the number of points.
+ *
+ * Of several components the one that has got least of the volume grows first, so that they share
+ * it. Pinned nodes stay where they are; networks keep their graph. The curves are numbered again.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param guard the guard of the curves, in their domain
+ * \param np an optional sequence of the named parameters `thickness`, a number or a function of
+ * `Point_3`, `direction_field`, `direction_weight`, `random_seed`, `time_limit` and `progress`,
+ * see `Finger_parameters`
+ *
+ * \returns how many points there are, and how many of them were reached
+ *
+ * \pre the network has no garbage
+ *
+ * \throws std::invalid_argument if a parameter has a value that it must not have, if there is no
+ * thickness, or if a field has such a value somewhere, with its name and the point in the message
+ *
+ * What a field or the domain throws is passed on.
+ */
+template <typename Traits,
+          typename Domain,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
+                           const NamedParameters& np = parameters::default_values())
+{
+  using Point_3 = typename Traits::Point_3;
+  CGAL_precondition_msg(!guard.curve().has_garbage(), "the network has no garbage");
+  const auto parameters = internal::get_parameters<internal::Finger_signature<Point_3>>(np);
+  internal::check_parameters(parameters);
+  if(!parameters.thickness_field && !(parameters.thickness > 0))
+    throw std::invalid_argument("thickness: there is none, and fingers have no default");
+  const auto thickness = [&](const Point_3& p) {
+    return parameters.thickness_field ? internal::thickness_at(parameters.thickness_field, p)
+                                      : parameters.thickness;
+  };
+  internal::Run_watch watch(parameters.time_limit, parameters.progress);
+  watch.begin(Run_stage::BRANCHING);
+  auto tree = internal::finger_tree(guard, guard.walls().domain(), thickness,
+                                    parameters.random_seed, watch);
+  tree.follow(parameters.direction_field, parameters.direction_weight);
+  tree.grow();
+  return {tree.number_of_places(), tree.number_of_fingers()};
 }
 
 } // namespace Volume_filling_curves

@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/generators/braid_closure.h>
 #include <CGAL/Volume_filling_curves/internal/generators/hard_unknot.h>
 #include <CGAL/Volume_filling_curves/internal/generators/lattice_polygon.h>

@@ -9,17 +9,18 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/Simplification_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Polylines_in_place.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
-#include <CGAL/Volume_filling_curves/internal/in_place/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Curve_simplifier.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
-#include <CGAL/Volume_filling_curves/internal/remeshing/Curve_simplifier.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Simplification_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/assertions.h>
 
@@ -53,10 +54,10 @@ namespace Volume_filling_curves {
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
- * \param np an optional sequence of the named parameters `max_distance`, `clearance` and
- * `certificate`, see `Simplification_parameters`
+ * \param np an optional sequence of the named parameters `max_distance`, `clearance`, `certificate`
+ * and `progress`, see `Simplification_parameters`
  *
- * \returns the number of nodes that were removed
+ * \returns the number of nodes that were removed; by then, if `progress` ended the run
  *
  * \pre the network has no garbage
  *
@@ -130,12 +131,14 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
 {
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   internal::check_parameters(parameters);
-  internal::check_embedded(curves);
+  internal::Run_watch watch(internal::Run_watch::never, parameters.progress);
+  watch.begin(Run_stage::SIMPLIFYING);
+  if(!internal::does_in_time(watch, [&] { internal::check_embedded(curves); })) return 0;
   Isotopy_guard_3<Traits> guard(curves);
   if(parameters.certificate) guard.start_recording();
   guard.set_clearance(parameters.clearance);
-  const std::size_t count =
-      internal::Curve_simplifier<Isotopy_guard_3<Traits>>(guard, parameters.max_distance).run();
+  internal::Curve_simplifier<Isotopy_guard_3<Traits>> simplifier(guard, parameters.max_distance);
+  const std::size_t count = simplifier.run(&watch);
   guard.collect_garbage();
   if(parameters.certificate) *parameters.certificate = guard.certificate();
   return count;

@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/tubes/Tube_builder.h>
-#include <CGAL/Volume_filling_curves/internal/tubes/Tube_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/tubes/Tube_sections.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/drawing/Tube_builder.h>
+#include <CGAL/Volume_filling_curves/internal/drawing/Tube_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/drawing/Tube_sections.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>

@@ -12,10 +12,11 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
 #include <CGAL/Volume_filling_curves/internal/state/domain_hash.h>
+#include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
@@ -48,9 +49,9 @@ namespace Volume_filling_curves {
  * \param domain the domain, or a closed triangle mesh, whose inside it is, as that of a
  * `Triangle_mesh_domain_3`
  * \param np an optional sequence of the named parameters that `untangle()` takes without a domain,
- * and `wall` (see `Curve_flow_parameters`); with a mesh also `vertex_point_map`, as for
- * `Triangle_mesh_domain_3`. The `strategy` must not be `SEARCH`; `AUTO` stands for `FLOW`.
- * `lower_ropelength` changes nothing.
+ * and `wall` (see `Curve_flow_parameters`); with a mesh also `vertex_point_map` and
+ * `check_mesh`, as for `Triangle_mesh_domain_3`. The `strategy` must not be `SEARCH`; `AUTO` stands
+ * for `FLOW`. `lower_ropelength` changes nothing.
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
@@ -167,26 +168,30 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
   using Inside = std::decay_t<decltype(inside)>;
   using Guard = Isotopy_guard_3<Traits, Inside>;
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  Real_timer timer;
-  timer.start();
-  internal::check_untangling(parameters, curves);
+  internal::Run_watch watch(parameters.time_limit, parameters.progress,
+                            internal::Run_watch::moment);
+  watch.begin(Run_stage::PREPARING);
+  if(!internal::does_in_time(watch, [&] { internal::check_untangling(parameters, curves); }))
+    return internal::result_without_check(curves, watch);
   if(parameters.strategy == Untangling_strategy::SEARCH)
     internal::refuse_value(internal_np::strategy_t(), parameters.strategy,
                            "the search does not know the domain");
   internal::check_inside(curves, inside);
   internal::Run_saver saver(parameters, [&] {
-    return internal::run_facts("untangle in a domain", parameters,
-                               {{"curve", internal::state_hash(curves)},
-                                {"domain", internal::domain_hash(inside, curves.traits())}});
+    return internal::run_fingerprint("untangle in a domain", parameters,
+                                     {{"curve", internal::state_hash(curves)},
+                                      {"domain", internal::domain_hash(inside, curves.traits())}});
   });
   const double length = internal::total_length(curves);
-  if(saver.reader()) (*saver.reader())(curves);
+  if(internal::State_reader* const reader = saver.reader())
+    internal::read_curve(*reader, curves, [&] { internal::check_inside(curves, inside); });
   Guard guard(curves, inside);
+  guard.set_watch(&watch);
   return internal::recorded_untangling(guard, parameters, length, saver, [&] {
-    internal::Tails<Guard> no_tails(guard);
-    if(saver.reader()) (*saver.reader())(no_tails);
+    internal::Closing_rays<Guard> no_rays(guard);
+    if(saver.reader()) (*saver.reader())(no_rays);
     const internal::Untangling_run run{
-        guard, no_tails, parameters, timer, internal::unwrapped(visitor), saver};
+        guard, no_rays, parameters, watch, internal::unwrapped(visitor), saver};
     return internal::untangle_by_flow<Curve_flow_3<Traits, Inside, ConcurrencyTag>>(
         run, {parameters.thickness, 0, false, false});
   });

@@ -9,11 +9,22 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Is_domain.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/replay/Certificate_verifier.h>
+#include <CGAL/Volume_filling_curves/internal/replay/Enclosure.h>
+#include <CGAL/Volume_filling_curves/internal/replay/Mesh_enclosure.h>
+#include <CGAL/Volume_filling_curves/internal/text/counted.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -32,17 +43,45 @@ struct Certificate_verdict
   std::string message; ///< what is wrong; empty if nothing is
 
   std::size_t number_of_operations = 0; ///< how many operations were verified
+
+  bool has_domain = false; ///< whether it was verified that the curve stayed inside, too
+
+  /// returns the verdict as a sentence with the names of the curves and the domain: "verified: 20
+  /// operations; the end is ambient isotopic to the start and never left the domain", or
+  /// "rejected: operation 7: ".
+  std::string sentence(const std::string& start = "the start",
+                       const std::string& end = "the end",
+                       const std::string& domain = "the domain") const
+  {
+    if(is_valid)
+      return "verified: " + internal::counted(number_of_operations, "operation") + "; " + end +
+             " is ambient isotopic to " + start +
+             (has_domain ? " and never left " + domain : std::string());
+    return "rejected: " +
+           (operation > 0 ? "operation " + std::to_string(operation) + ": " : std::string()) +
+           message;
+  }
 };
 
 namespace internal {
 
+// A network as it is, or that of a polyline or several.
 template <typename Curve>
+decltype(auto) network_of(const Curve& curve)
+{
+  if constexpr(is_range_of_items<Curve>)
+    return network_of_polylines_t<Curve, CGAL::parameters::Default_named_parameters>(curve);
+  else
+    return (curve);
+}
+
+template <typename Start, typename End>
 Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
-                               const Curve& start,
-                               const Curve& end)
+                               const Start& start,
+                               const End& end)
 {
   Certificate_verdict verdict;
-  verdict.is_valid = verifier(Canonical_curve(start), Canonical_curve(end));
+  verdict.is_valid = verifier(Canonical_curve(network_of(start)), Canonical_curve(network_of(end)));
   verdict.operation = verifier.wrong_operation();
   verdict.message = verifier.message();
   verdict.number_of_operations = verifier.number_of_operations();
@@ -68,22 +107,114 @@ Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
  *
  * Takes constant time per operation if edges have similar lengths: a microsecond or two.
  *
- * \tparam Curve a class with the functions `nodes()`, `edges()`, `point()`, `source()` and
- * `target()` of `Curve_network_3`
+ * \tparam Start a class with the functions `nodes()`, `edges()`, `point()`, `source()` and
+ * `target()` of `Curve_network_3`, or a range of points, or of such ranges: polylines, which are
+ * closed if their last point repeats the first
+ * \tparam End likewise
  *
  * \param certificate the certificate
  * \param start the curve at the start
  * \param end the curve at the end
+ * \param np an optional named parameter `progress`
  *
  * \returns whether the certificate is valid, and if not, why not
+ *
+ * \throws std::invalid_argument if a polyline has too few distinct points, or a coordinate that is
+ * not finite or beyond 1e150
+ * \throws Run_interrupted if `progress` returns `false`: nothing is known then
  */
-template <typename Curve>
+template <typename Start,
+          typename End,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::Are_named_parameters<NamedParameters>::value, int> = 0
+#endif
+          >
 Certificate_verdict verify_certificate(const Isotopy_certificate& certificate,
-                                       const Curve& start,
-                                       const Curve& end)
+                                       const Start& start,
+                                       const End& end,
+                                       const NamedParameters& np = parameters::default_values())
 {
-  internal::replay::Certificate_verifier verifier(certificate.bytes());
-  return internal::verdict_of(verifier, start, end);
+  return internal::watched(Run_stage::VERIFYING, np, [&](internal::Run_watch* watch) {
+    internal::replay::Certificate_verifier verifier(certificate.bytes(), nullptr, watch);
+    return internal::verdict_of(verifier, start, end);
+  });
+}
+
+namespace internal {
+namespace replay {
+
+template <typename Domain>
+auto enclosure_of(const Domain& domain)
+{
+  if constexpr(Is_domain<Domain>::value)
+    return Domain_enclosure<Domain>(domain);
+  else
+    return Mesh_enclosure(faces_of_closed_mesh(domain));
+}
+
+} // namespace replay
+} // namespace internal
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief verifies that a certificate proves that the curve `end` is ambient isotopic to the curve
+ * `start`, and that the curve has been inside a domain all the time.
+ *
+ * In addition to what `verify_certificate()` does without a domain, the curve at the start must lie
+ * strictly inside, and so must every triangle that an operation sweeps. Of a mesh this is decided
+ * by an implementation that shares nothing with `Triangle_mesh_domain_3`: CGAL's AABB tree finds
+ * faces, and what arithmetic with `double` cannot prove is decided with rational numbers. Of any
+ * other domain it is as certain as the domain's own answers. A certificate of `fill()` is valid for
+ * the domain that was filled; if no curve was given it leads from `Filling_result::start`.
+ *
+ * Takes a few microseconds per operation.
+ *
+ * \tparam Start a class with the functions `nodes()`, `edges()`, `point()`, `source()` and
+ * `target()` of `Curve_network_3`, or a range of points, or of such ranges: polylines, which are
+ * closed if their last point repeats the first
+ * \tparam End likewise
+ * \tparam Domain a model of `FaceListGraph`, or of `VolumeFillingDomain_3` with points that are
+ * constructed from three `double`s
+ *
+ * \param certificate the certificate
+ * \param start the curve at the start
+ * \param end the curve at the end
+ * \param domain a closed triangle mesh, whose inside it is, or a domain
+ * \param np an optional named parameter `progress`
+ *
+ * \returns whether the certificate is valid, and if not, why not
+ *
+ * \pre no two faces of a mesh meet elsewhere than in a common vertex or a common edge
+ *
+ * \throws std::invalid_argument if a mesh is not closed, has a face that is no triangle or a
+ * coordinate that is not finite; and as without a domain
+ * \throws Run_interrupted if `progress` returns `false`: nothing is known then
+ */
+template <typename Start,
+          typename End,
+          typename Domain,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<!internal::Are_named_parameters<Domain>::value, int> = 0
+#endif
+          >
+Certificate_verdict verify_certificate(const Isotopy_certificate& certificate,
+                                       const Start& start,
+                                       const End& end,
+                                       const Domain& domain,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  return internal::watched(Run_stage::VERIFYING, np, [&](internal::Run_watch* watch) {
+    const auto enclosure = internal::replay::enclosure_of(domain);
+    internal::replay::Certificate_verifier verifier(certificate.bytes(), &enclosure, watch);
+    Certificate_verdict verdict = internal::verdict_of(verifier, start, end);
+    verdict.has_domain = true;
+    return verdict;
+  });
 }
 
 } // namespace Volume_filling_curves

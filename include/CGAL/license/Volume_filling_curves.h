@@ -7,6 +7,12 @@
 #ifndef CGAL_LICENSE_VOLUME_FILLING_CURVES_H
 #define CGAL_LICENSE_VOLUME_FILLING_CURVES_H
 
+// Every header of the package includes this one. The intervals that filter CGAL's predicates turn
+// the rounding mode; WebAssembly has a single mode, with which signs would be wrong in silence.
+#if defined(__wasm__) && !defined(CGAL_ALWAYS_ROUND_TO_NEAREST)
+#error "WebAssembly cannot change the rounding mode: define CGAL_ALWAYS_ROUND_TO_NEAREST"
+#endif
+
 #include <CGAL/config.h>
 #include <CGAL/license.h>
 

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What a certificate consists of. The page "Format of Certificates" of the manual describes how
+// The parts of a certificate. The page "Format of Certificates" of the manual describes how
 // this is encoded, for those who want to write a reader of their own.
 
 constexpr std::string_view certificate_magic = "VFC-CERT";

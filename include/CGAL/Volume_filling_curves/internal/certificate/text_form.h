@@ -11,9 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Certificate_reader.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Certificate_writer.h>
-#include <CGAL/Volume_filling_curves/internal/text/append_number.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -177,9 +176,7 @@ private:
   Number parsed(std::size_t k) const
   {
     Number x = 0;
-    const char* const end = m_words[k].data() + m_words[k].size();
-    const auto result = std::from_chars(m_words[k].data(), end, x);
-    require(result.ec == std::errc() && result.ptr == end, "a number is wrong");
+    require(parse_all(m_words[k], x), "a number is wrong");
     return x;
   }
 

@@ -179,6 +179,7 @@ public:
   {
     archive(m_nodes, m_edges, m_components, m_input, m_number_of_removed_nodes,
             m_number_of_removed_edges, m_has_garbage);
+    if constexpr(Archive::is_reading) archive.require(is_consistent());
   }
 
 private:
@@ -195,6 +196,27 @@ private:
       archive(edges, origin, component, is_pinned);
     }
   };
+
+  // Runs are saved without garbage. A topology made anew of the edges numbers them alike.
+  bool is_consistent() const
+  {
+    if(m_has_garbage || m_number_of_removed_nodes > 0 || m_number_of_removed_edges > 0)
+      return false;
+    std::vector<std::array<std::size_t, 2>> edges(m_edges.size());
+    for(std::size_t e = 0; e < edges.size(); ++e) edges[e] = {m_edges[e][0], m_edges[e][1]};
+    try {
+      const Curve_topology anew(m_nodes.size(), edges);
+      return anew.m_edges == m_edges && anew.m_components == m_components &&
+             std::equal(m_nodes.begin(), m_nodes.end(), anew.m_nodes.begin(), anew.m_nodes.end(),
+                        [&](const Node& a, const Node& b) {
+                          return a.edges == b.edges && a.component == b.component &&
+                                 (a.origin == null || m_input.has_node(a.origin));
+                        }) &&
+             m_input.is_consistent(*this);
+    } catch(const std::invalid_argument&) {
+      return false;
+    }
+  }
 
   static constexpr Index narrow(std::size_t i) { return static_cast<Index>(i); }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -18,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What a network remembers of its input, so that every node of a result has an origin: chains,
-// which are the input's nodes from one end or junction to the next, in their order. A component
+// The memory of the input, from which every node of a result has an origin. A chain consists of
+// the input's nodes from one end or junction to the next, in their order. A component
 // without junctions is one chain, closed or open. 4 bytes per node.
 class Input_chains
 {
@@ -96,6 +97,31 @@ public:
     m_labels = std::move(labels);
   }
 
+  // returns whether v can be the index in the input of a node
+  bool has_node(std::size_t v) const { return v < m_nodes.size(); }
+
+  // returns whether these are the chains of a topology, as far as indices go
+  template <typename Topology>
+  bool is_consistent(const Topology& topology) const
+  {
+    const auto are_ends = [](const std::vector<Index>& first, std::size_t end) {
+      return !first.empty() && first.front() == 0 && first.back() == end &&
+             std::is_sorted(first.begin(), first.end());
+    };
+    const auto is_node = [this](Index v) { return has_node(v); };
+    const auto is_label = [this](const Label& label) {
+      return label.chain == Label::none || label.chain + 1 < m_first_node.size();
+    };
+    const auto is_short = [this](std::size_t chain) { return size(chain) < 2; };
+    return are_ends(m_first_node, m_nodes.size()) &&
+           are_ends(m_first_chain, m_first_node.size() - 1) &&
+           m_first_chain.size() == topology.number_of_components() + 1 &&
+           m_labels.size() == (topology.has_junction() ? topology.number_of_edges() : 0) &&
+           std::all_of(m_nodes.begin(), m_nodes.end(), is_node) &&
+           std::all_of(m_labels.begin(), m_labels.end(), is_label) && !has_chain_with(is_short) &&
+           are_origins_in_chains(topology);
+  }
+
   // Writes or reads everything, see State_writer.
   template <typename Archive>
   void serialize(Archive& archive)
@@ -104,6 +130,45 @@ public:
   }
 
 private:
+  template <typename Predicate>
+  bool has_chain_with(const Predicate& predicate) const
+  {
+    for(std::size_t chain = 0; chain + 1 < m_first_node.size(); ++chain)
+      if(predicate(chain)) return true;
+    return false;
+  }
+
+  // whether nodes come from nodes of the input that are in the same chain
+  template <typename Topology>
+  bool are_origins_in_chains(const Topology& topology) const
+  {
+    std::vector<std::size_t> chain_of(m_nodes.size(), Label::none);
+    has_chain_with([&](std::size_t chain) {
+      for(std::size_t rank = 0; rank < size(chain); ++rank) chain_of[node(chain, rank)] = chain;
+      return false;
+    });
+    for(std::size_t v = 0; v < topology.number_of_nodes(); ++v)
+      if(topology.origin(v) != Topology::null && is_inside_chain(topology, v) &&
+         chain_of[topology.origin(v)] != chain_at(topology, v))
+        return false;
+    return true;
+  }
+
+  template <typename Topology>
+  bool is_inside_chain(const Topology& topology, std::size_t v) const
+  {
+    return !topology.has_junction(topology.component(v)) ||
+           (topology.degree(v) == 2 && m_labels[topology.incident_edge(v, 0)].chain ==
+                                           m_labels[topology.incident_edge(v, 1)].chain);
+  }
+
+  template <typename Topology>
+  std::size_t chain_at(const Topology& topology, std::size_t v) const
+  {
+    const std::size_t c = topology.component(v);
+    return topology.has_junction(c) ? m_labels[topology.incident_edge(v, 0)].chain : first_chain(c);
+  }
+
   template <typename Topology>
   void add_component(const Topology& topology, std::size_t c)
   {

@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_origin.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_topology.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_origin.h>
 
 #include <algorithm>
 #include <cstddef>

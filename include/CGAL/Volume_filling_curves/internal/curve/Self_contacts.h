@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -45,7 +46,7 @@ public:
   {}
 
   // Finds all contacts but keeps only the lexicographically first ones. Gives up after a million,
-  // since their number can be quadratic.
+  // since their number can be quadratic. \throws Run_stopped in a Watched_scope
   void find(std::size_t max_kept)
   {
     m_max_kept = max_kept;
@@ -122,6 +123,7 @@ private:
   // The broad phase finds pairs in no useful order; a heap keeps the first ones.
   void check_pair(std::size_t e, std::size_t f)
   {
+    check_run();
     if(!are_in_contact(e, f)) return;
     ++m_count;
     m_kept.push_back({(std::min)(e, f), (std::max)(e, f)});

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How much a curve turns at its nodes, in radians. Linear.
+// Turning angles of a curve at its nodes, in radians. Linear.
 
 // The sum of the turning angles at the nodes inside component c; 0 if it has a junction.
 template <typename Network>

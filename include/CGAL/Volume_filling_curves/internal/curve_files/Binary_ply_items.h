@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Ply_header.h>
-#include <CGAL/Volume_filling_curves/internal/text/append_number.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +22,28 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Returns the number of a type that bytes, at least as many as it has, begin with.
+inline double binary_ply_number(std::string_view bytes, const Ply_type& type, bool is_big_endian)
+{
+  std::uint64_t bits = 0;
+  for(std::size_t k = 0; k < type.size; ++k) {
+    const std::size_t place = is_big_endian ? k : type.size - 1 - k;
+    bits = bits << 8 | static_cast<unsigned char>(bytes[place]);
+  }
+  const auto as = [](auto real, auto pattern) {
+    static_assert(sizeof real == sizeof pattern, "the bits of the number");
+    std::memcpy(&real, &pattern, sizeof real);
+    return static_cast<double>(real);
+  };
+  if(type.kind == Ply_type::REAL)
+    return type.size == 4 ? as(0.f, static_cast<std::uint32_t>(bits)) : as(0., bits);
+  const std::uint64_t sign = std::uint64_t(1) << (8 * type.size - 1);
+  const auto number = static_cast<double>(bits);
+  return type.kind == Ply_type::SIGNED && (bits & sign) != 0
+             ? number - 2 * static_cast<double>(sign)
+             : number;
+}
 
 // Writes the items of a binary PLY file as they stand in one in ASCII, a line for each of them, so
 // that there is one reader for both. Every number keeps its value. Linear time.
@@ -64,37 +86,11 @@ private:
   bool append_number(std::string& text, const Ply_type& type, double& number)
   {
     if(m_bytes.size() < type.size) return false;
-    number = value(type);
+    number = binary_ply_number(m_bytes, type, m_is_big_endian);
     m_bytes.remove_prefix(type.size);
     internal::append_number(text, number);
     text += ' ';
     return true;
-  }
-
-  // of the next number
-  double value(const Ply_type& type) const
-  {
-    std::uint64_t bits = 0;
-    for(std::size_t k = 0; k < type.size; ++k) {
-      const std::size_t place = m_is_big_endian ? k : type.size - 1 - k;
-      bits = bits << 8 | static_cast<unsigned char>(m_bytes[place]);
-    }
-    if(type.kind == Ply_type::REAL)
-      return type.size == 4 ? as<float>(static_cast<std::uint32_t>(bits)) : as<double>(bits);
-    const std::uint64_t sign = std::uint64_t(1) << (8 * type.size - 1);
-    const auto number = static_cast<double>(bits);
-    return type.kind == Ply_type::SIGNED && (bits & sign) != 0
-               ? number - 2 * static_cast<double>(sign)
-               : number;
-  }
-
-  template <typename Real, typename Bits>
-  static double as(Bits bits)
-  {
-    static_assert(sizeof(Real) == sizeof(Bits), "the bits of the number");
-    Real number;
-    std::memcpy(&number, &bits, sizeof number);
-    return static_cast<double>(number);
   }
 
   std::string_view m_bytes; // what is not read yet

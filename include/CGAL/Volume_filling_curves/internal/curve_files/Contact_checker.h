@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 
 #include <cstddef>
 #include <set>

@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Says what keeps the repaired edges of a file from being a curve that can be computed with, but
-// for contacts of edges: these are for `Contact_checker`, which takes exact predicates. Linear
-// time.
+// for contacts of edges and ends of arcs: these are for `Contact_checker` and `Arc_checker`, which
+// take exact predicates. Linear time.
 class Curve_checker
 {
 public:
@@ -43,30 +43,11 @@ public:
     if(m_file.edges.empty()) return;
     if(m_junctions == Junctions::FORBIDDEN) check_degrees();
     check_size();
-    check_ends();
   }
 
 private:
   using Edge = Curve_draft::Edge;
   using Nodes = std::vector<std::size_t>;
-
-  // the ends of a component
-  struct Ends
-  {
-    static constexpr double closeness = 1.5;      // in mean edge lengths
-    static constexpr std::size_t least_edges = 8; // an arc of fewer is close to itself anyway
-
-    bool nearly_meet(const Curve_draft& file) const
-    {
-      return nodes.size() == 2 && number_of_edges >= least_edges &&
-             distance(file, nodes[0], nodes[1]) <
-                 closeness * length / static_cast<double>(number_of_edges);
-    }
-
-    Nodes nodes;
-    double length = 0;
-    std::size_t number_of_edges = 0;
-  };
 
   // Relative to the longest side of the bounding box: of the length of such an edge no more than
   // four digits are certain.
@@ -126,27 +107,6 @@ private:
   }
 
   double length(const Edge& edge) const { return distance(m_file, edge[0], edge[1]); }
-
-  // An arc whose ends are as close as two neighbors was perhaps meant to be closed.
-  void check_ends()
-  {
-    std::vector<Ends> components;
-    std::vector<std::size_t> degrees(m_file.points.size(), 0);
-    for(const Edge& edge : m_file.edges) {
-      const std::size_t c = m_components[edge[0]];
-      if(c > components.size()) components.resize(c);
-      components[c - 1].length += length(edge);
-      ++components[c - 1].number_of_edges;
-      for(const std::size_t v : edge) ++degrees[v];
-    }
-    for(std::size_t v = 0; v < degrees.size(); ++v)
-      if(degrees[v] == 1) components[m_components[v] - 1].nodes.push_back(v);
-    for(const Ends& ends : components)
-      if(ends.nearly_meet(m_file))
-        add_defect(Curve_defect_kind::NEARLY_CLOSED,
-                   "the ends of an open curve are as close as neighbors",
-                   m_file.point_lines[ends.nodes[1]], ends.nodes);
-  }
 
   void add_defect(Curve_defect_kind kind,
                   const std::string& message,

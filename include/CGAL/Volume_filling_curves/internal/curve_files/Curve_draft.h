@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 
 #include <array>
 #include <cmath>
@@ -60,7 +60,7 @@ private:
   bool m_has_error = false;
 };
 
-// What a curve file says, before anybody asked whether it is a curve: all vertices in the order of
+// The content of a curve file, before it is checked to be a curve: all vertices in the order of
 // the file, edges as pairs of vertex indices from 0, and the lines where they stand. Every reader
 // produces this, whatever its format; `check_curve()` turns it into an embedded curve or says why
 // not. A vertex that could not be read keeps its place, so that the indices of others stay right.
@@ -123,7 +123,8 @@ struct Curve_draft
   std::vector<std::size_t> edge_lines; // where the record of the edge starts
   std::vector<std::size_t> pinned;
   Defect_list defects;
-  bool is_complete = true; // whether the reader understood the file up to its end
+  bool says_what_is_closed = true; // whether the format, or the user, does
+  bool is_complete = true;         // whether the reader understood the file up to its end
 };
 
 } // namespace internal

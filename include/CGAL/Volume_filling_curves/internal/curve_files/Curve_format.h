@@ -9,8 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Node_values.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Component_closure.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Node_columns.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Obj_curve_reader.h>
@@ -24,9 +23,12 @@
 #include <CGAL/Volume_filling_curves/internal/curve_files/node_value_writers.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_values.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -129,12 +131,24 @@ inline const Curve_format* Curve_format::of(const std::string& filename)
   return nullptr;
 }
 
-// Reads a file of any format. A file that cannot be read gives a draft with an error.
-inline Curve_draft read_curve_draft(const std::string& filename, Junctions junctions)
+// Closes or opens the components of a file, if the user says so.
+inline Curve_draft with_closure(Curve_draft file, std::optional<Closure> closure)
+{
+  if(!closure || !file.is_complete) return file;
+  file.says_what_is_closed = true;
+  Component_closure(file).apply(*closure);
+  return file;
+}
+
+// Reads a file of a format, which is null if it is unknown. A file that cannot be read gives a
+// draft with an error.
+inline Curve_draft read_curve_draft(const std::string& filename,
+                                    const Curve_format* format,
+                                    Junctions junctions,
+                                    std::optional<Closure> closure)
 {
   Curve_draft nothing;
   nothing.is_complete = false;
-  const Curve_format* const format = Curve_format::of(filename);
   std::string text;
   if(format == nullptr)
     nothing.defects.add({Curve_defect_kind::UNKNOWN_FORMAT,
@@ -142,8 +156,16 @@ inline Curve_draft read_curve_draft(const std::string& filename, Junctions junct
   else if(const std::error_code error = read_whole_file(filename, text))
     nothing.defects.add({Curve_defect_kind::UNREADABLE_FILE, error.message()});
   else
-    return format->read(text, junctions);
+    return with_closure(format->read(text, junctions), closure);
   return nothing;
+}
+
+// Likewise a file of the format that its name stands for.
+inline Curve_draft read_curve_draft(const std::string& filename,
+                                    Junctions junctions,
+                                    std::optional<Closure> closure)
+{
+  return read_curve_draft(filename, Curve_format::of(filename), junctions, closure);
 }
 
 } // namespace internal

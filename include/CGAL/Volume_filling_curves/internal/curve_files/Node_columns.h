@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Node_values.h>
-#include <CGAL/Volume_filling_curves/curve_origins.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Origin_interpolation.h>
 #include <CGAL/Volume_filling_curves/internal/curve/turning.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_values.h>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What a file tells of each node beside its position.
+// The columns of a file: values of each node beside its position.
 struct Node_column
 {
   std::string name;
@@ -42,7 +42,8 @@ template <typename Network>
 Node_column origin_column(const Network& curve)
 {
   Node_column column{"origin", {}};
-  for(const Curve_origin& origin : curve_origins(curve)) {
+  const Origin_interpolation<Network> interpolation(curve); // which owns the origins
+  for(const Curve_origin& origin : interpolation.origins()) {
     const std::size_t vertex = curve.origin(column.values.size());
     if(vertex != Network::null_node())
       column.values.push_back(static_cast<double>(vertex));
@@ -63,7 +64,7 @@ Node_column component_column(const Network& curve)
   return column;
 }
 
-// What the curve itself tells, and then what the caller knows.
+// Columns of the curve itself first, then those of the caller.
 template <typename Network>
 Node_columns node_columns(const Network& curve, const Node_values& values)
 {

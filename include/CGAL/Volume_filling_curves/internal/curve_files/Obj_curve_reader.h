@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/without_lines.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
+#include <CGAL/Volume_filling_curves/internal/text/counted.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -159,8 +160,8 @@ private:
       if(v != no_vertex && v >= m_file.points.size()) {
         m_file.defects.add({Curve_defect_kind::BAD_INDEX,
                             "the index " + std::to_string(Curve_draft::number(v)) +
-                                " is out of range, there are " +
-                                std::to_string(m_file.points.size()) + " vertices",
+                                " is out of range, the file has " +
+                                counted(m_file.points.size(), "vertex", "vertices"),
                             list.line});
         v = no_vertex;
       }

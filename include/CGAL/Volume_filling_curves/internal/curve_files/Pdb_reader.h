@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Reads the backbones of proteins from a file of the Protein Data Bank (format 3.3): an arc through
-// the C-alpha atoms of each chain of the first model. Fields have fixed columns. Of a residue with
-// alternate locations the first is taken; residues that are no standard ones count until their
-// chain ends. Coordinates are in Angstrom. Linear time.
+// Reads backbones from a file of the Protein Data Bank (format 3.3): for each chain of the first
+// model an arc through the C-alpha atoms of a protein, or the P atoms of RNA and DNA. The first
+// atom of either kind decides, since proteins may hold phosphorus. Fields have fixed columns. Of a
+// residue with alternate locations the first is taken; residues that are no standard ones count
+// until their chain ends. Coordinates are in Angstrom. Linear time.
 class Pdb_reader
 {
 public:
@@ -49,14 +50,16 @@ public:
     if(!file.is_complete)
       file.defects.add({Curve_defect_kind::BINARY_DATA, m_readable.complaint(), m_line + 1});
     else if(file.points.empty())
-      file.defects.add(
-          {Curve_defect_kind::NO_GEOMETRY, "there are no C-alpha atoms (records ATOM)", m_line});
+      file.defects.add({Curve_defect_kind::NO_GEOMETRY,
+                        "there are no C-alpha or P atoms (records ATOM)", m_line});
     return std::move(file);
   }
 
 private:
-  // C-alpha atoms of neighbors in a chain are 3.8 Angstrom apart, or 2.9.
-  static constexpr double longest_step = 4.5;
+  static constexpr std::string_view c_alpha = " CA ", phosphorus = " P  ";
+
+  // C-alpha atoms of neighbors in a chain are 3.8 Angstrom apart, or 2.9; P atoms 5 to 7.5.
+  double longest_step() const { return m_kind == c_alpha ? 4.5 : 8; }
 
   std::string_view next_line()
   {
@@ -96,15 +99,19 @@ private:
     if(!is_standard && name != "HETATM") return true;
     m_last_chain = columns(line, 22, 22);
     const bool is_behind_chain = m_ended_chains.find(m_last_chain) != std::string::npos;
-    if(columns(line, 13, 16) == " CA " && (is_standard || !is_behind_chain)) add_atom(line);
+    const std::string_view kind = columns(line, 13, 16);
+    if((kind == c_alpha || kind == phosphorus) && (is_standard || !is_behind_chain))
+      add_atom(line, kind, is_standard);
     return true;
   }
 
-  void add_atom(std::string_view line)
+  void add_atom(std::string_view line, std::string_view kind, bool is_standard)
   {
     const std::string_view chain = m_last_chain, residue = columns(line, 23, 27);
     if(chain != m_chain) end_chain();
-    if(!m_atoms.empty() && residue == m_residue) return; // an alternate location
+    if(m_atoms.empty() && kind == phosphorus && !is_standard) return;        // of another molecule
+    if(!m_atoms.empty() && (residue == m_residue || kind != m_kind)) return; // elsewhere, or aside
+    m_kind = kind;
     m_chain = chain;
     m_residue = residue;
     Polylines_to_curve_draft::Point atom;
@@ -134,7 +141,7 @@ private:
     const std::size_t first = m_polylines.draft().points.size();
     for(std::size_t i = 1; i < m_atoms.size(); ++i) {
       const auto &p = m_atoms[i - 1].point, &q = m_atoms[i].point;
-      if(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > longest_step)
+      if(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > longest_step())
         m_polylines.draft().defects.add(
             {Curve_defect_kind::CHAIN_GAP,
              "residues are missing in a chain, a straight edge stands for them",
@@ -147,8 +154,8 @@ private:
   std::string_view m_rest; // what is not read yet
   std::size_t m_line = 0;
   Polylines_to_curve_draft m_polylines;
-  std::vector<Polylines_to_curve_draft::Point> m_atoms; // of the chain
-  std::string_view m_chain, m_residue, m_last_chain;    // the last one of any atom
+  std::vector<Polylines_to_curve_draft::Point> m_atoms;      // of the chain
+  std::string_view m_kind, m_chain, m_residue, m_last_chain; // the last one of any atom
   std::string m_ended_chains; // their letters; what follows of them are other molecules
 };
 

@@ -9,12 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Binary_ply_items.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Ply_header.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/without_lines.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ private:
       if((is_vertex || is_edge) && element.has_list())
         return refuse(Curve_defect_kind::UNKNOWN_FORMAT,
                       "a list is no property of " + std::string(element.name));
-      if(element.name == "face" && element.count > 0)
+      if((element.name == "face" || element.name == "tristrips") && element.count > 0)
         m_line_of_face = m_is_binary ? element.line : line();
       if(is_vertex ? !read_vertices(element) : is_edge ? !read_edges(element) : !pass_over(element))
         return false;

@@ -29,7 +29,10 @@ namespace internal {
 class Point_list_reader
 {
 public:
-  Point_list_reader(std::string_view text, Junctions junctions) : m_file(text, junctions) {}
+  Point_list_reader(std::string_view text, Junctions junctions) : m_file(text, junctions)
+  {
+    m_file.polylines().draft().says_what_is_closed = false;
+  }
 
   Curve_draft run()
   {

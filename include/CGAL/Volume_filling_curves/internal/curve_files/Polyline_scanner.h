@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <cstddef>
 #include <limits>
@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What the readers of files that list points, polyline by polyline, have in common: the words of
+// The common part of readers of files that list points, polyline by polyline: the words of
 // the file, and the curve as far as it is read.
 class Polyline_scanner
 {

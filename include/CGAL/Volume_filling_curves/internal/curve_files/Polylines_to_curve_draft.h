@@ -9,12 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -24,11 +24,14 @@ namespace internal {
 // Reads Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner: the numbers of polylines,
 // vertices and colors; of each polyline the number of its vertices, negative if it is closed, and
 // the number of its colors; all vertices; all colors, which are read only to tell whether the file
-// is complete. It ends with its last color: what follows is not read. Linear time.
+// is complete. It ends with its last color: what follows is not read. Braces may stand around it,
+// as Geomview writes them. Linear time.
 class Vect_reader
 {
 public:
-  Vect_reader(std::string_view text, Junctions junctions) : m_file(text, junctions) {}
+  Vect_reader(std::string_view text, Junctions junctions)
+      : m_text(without_braces(text)), m_file(m_text, junctions)
+  {}
 
   Curve_draft run()
   {
@@ -44,6 +47,23 @@ private:
   {
     Integer polylines = 0, vertices = 0, colors = 0;
   };
+
+  // Blanks take the place of braces around everything but comments.
+  static std::string without_braces(std::string_view text)
+  {
+    std::string result(text);
+    Text_scanner words(text);
+    std::string_view first = words.next_word();
+    while(first.empty() && !words.is_at_end()) {
+      words.next_record();
+      first = words.next_word();
+    }
+    const std::size_t close = result.rfind('}');
+    if(first.empty() || first[0] != '{' || close == std::string::npos) return result;
+    result[static_cast<std::size_t>(first.data() - text.data())] = ' ';
+    result[close] = ' ';
+    return result;
+  }
 
   bool read_counts()
   {
@@ -119,6 +139,7 @@ private:
     return false;
   }
 
+  std::string m_text;
   Polyline_scanner m_file;
   Header m_header;
   std::vector<Integer> m_vertex_counts, m_color_counts;

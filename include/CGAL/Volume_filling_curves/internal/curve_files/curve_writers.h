@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
-#include <CGAL/Volume_filling_curves/internal/text/append_number.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <array>
 #include <cstddef>

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// As `draft_to_network()`, but no network starts with a self-contact.
+// The same as `draft_to_network()`, but no network starts with a self-contact.
 template <typename Traits>
 bool draft_to_embedded_network(Curve_draft& file,
                                Curve_network_3<Traits>& network,

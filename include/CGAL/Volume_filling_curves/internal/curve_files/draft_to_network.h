@@ -9,12 +9,13 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Arc_checker.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_checker.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Edge_repair.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <cstddef>
 #include <vector>
@@ -32,6 +33,7 @@ inline void repair_and_check(Curve_draft& file, Junctions junctions)
   if(!file.is_complete) return;
   Edge_repair(file).run();
   Curve_checker(file, junctions).run();
+  Arc_checker(file).run();
 }
 
 // Returns whether there is no error; if there is one, the network does not change. The points keep

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve_files/Node_columns.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/curve_writers.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
-#include <CGAL/Volume_filling_curves/internal/text/append_number.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <cstddef>
 #include <string>

@@ -25,11 +25,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How far points of a domain are at least from its boundary. Queries of a tree of faces are slower
-// far from the surface than near it, and they are many; so distances are kept at the centers of the
-// cells of a grid, measured when they are first asked for: the distance changes no faster than the
-// point (it is 1-Lipschitz), and only near the boundary, where queries are fast, the point itself
-// is measured. Answers do not depend on the order of the questions. Safe in parallel.
+// Lower bounds of the distances of points in a domain from its boundary. Queries of a tree of faces
+// are slower far from the surface than near it, and they are many; so distances are kept at the
+// centers of the cells of a grid, measured when they are first asked for: the distance changes no
+// faster than the point (it is 1-Lipschitz), and only near the boundary, where queries are fast,
+// the point itself is measured. Answers do not depend on the order of the questions. Safe in
+// parallel.
 template <typename Domain>
 class Distance_bounds
 {

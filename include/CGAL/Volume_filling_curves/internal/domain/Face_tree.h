@@ -15,8 +15,9 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Vertical_ray.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Triangle_intersection.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/triangle_distance.h>
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
-#include <CGAL/Volume_filling_curves/internal/search/Surface_area_tree.h>
+#include <CGAL/Volume_filling_curves/internal/search/Surface_area_order.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,10 +36,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The faces of a closed surface in a tree. Whether a triangle meets the surface is decided exactly;
-// distances are computed in double. For both the corners of the faces are kept in the order of the
-// tree's leaves, since a query spends most of its time waiting for memory. Logarithmic time per
-// query near the surface, more near the medial axis, where many faces are equally far.
+// The faces of a surface in a tree; inside and outside need a closed one. Whether a triangle meets
+// the surface is decided exactly; distances are computed in double. For both the corners of
+// the faces are kept in the order of the tree's leaves, since a query spends most of its time
+// waiting for memory. Logarithmic time per query near the surface, more near the medial axis, where
+// many faces are equally far.
 template <typename Kernel>
 class Face_tree
 {
@@ -59,8 +61,9 @@ public:
     std::vector<Bbox_3> boxes;
     boxes.reserve(m_mesh.number_of_faces());
     for(const Face f : m_mesh.faces()) boxes.push_back(box_of(triangle(f)));
-    m_tree = Surface_area_tree(boxes);
-    for(const std::uint32_t i : m_tree.order()) {
+    const Surface_area_order order(boxes);
+    m_tree = Box_tree(order.sorted(boxes), order.run_ends());
+    for(const std::uint32_t i : order.numbers()) {
       m_faces.push_back(Face(i));
       m_triangles.push_back(triangle(m_faces.back()));
       const auto& [p, q, r] = m_triangles.back();
@@ -75,7 +78,7 @@ public:
   // the corners of all faces, in the order of the tree
   const std::vector<Corners>& corners() const { return m_corners; }
 
-  const Bbox_3& bbox() const { return m_tree.root().box; }
+  const Bbox_3& bbox() const { return m_tree.root().hull(); }
 
   const Mesh_shells<Mesh>& shells() const { return m_shells; }
 
@@ -235,7 +238,7 @@ private:
 
   Mesh m_mesh;
   Mesh_shells<Mesh> m_shells;
-  Surface_area_tree m_tree;
+  Box_tree m_tree;
   double m_largest = 0; // absolute value of a coordinate
   // in the order of the leaves
   std::vector<Face> m_faces;

@@ -22,20 +22,21 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The shells of a closed triangle mesh: its faces, connected across edges. Shells that share a
-// vertex only are two. Near linear.
+// The shells of a triangle mesh: its faces, connected across edges. Shells that share a vertex only
+// are two. Near linear.
 template <typename Mesh>
 class Mesh_shells
 {
   using Face = typename Mesh::Face_index;
 
 public:
-  // \pre the mesh is closed and has no garbage
+  // \pre the mesh has no garbage
   explicit Mesh_shells(const Mesh& mesh) : m_number_of_face(mesh.number_of_faces())
   {
     Disjoint_sets sets(mesh.number_of_faces());
     for(const auto h : mesh.halfedges())
-      sets.unite(index(mesh.face(h)), index(mesh.face(mesh.opposite(h))));
+      if(!mesh.is_border(mesh.edge(h)))
+        sets.unite(index(mesh.face(h)), index(mesh.face(mesh.opposite(h))));
     for(const Face f : mesh.faces()) add(mesh, f, sets.find(index(f)));
   }
 
@@ -46,8 +47,8 @@ public:
 
   const std::vector<CGAL::Bbox_3>& boxes() const { return m_boxes; }
 
-  // The volume that a shell encloses: of shells that enclose the same point, which are nested, the
-  // innermost one has the least.
+  // The volume that a closed shell encloses: of shells that enclose the same point, which are
+  // nested, the innermost one has the least.
   double volume(std::size_t shell) const { return std::abs(m_volumes[shell]) / 6; }
 
 private:

@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Where a ray enters boxes: it is clipped by three pairs of planes (the slab method; Kay and Kajiya
-// 1986). The boxes are widened by the error of this computation, so that nothing inside is missed.
+// The point where a ray enters a box: it is clipped by three pairs of planes (the slab method; Kay
+// and Kajiya 1986). The boxes are widened by the error of this computation, so that nothing inside
+// is missed.
 class Ray_entry
 {
 public:

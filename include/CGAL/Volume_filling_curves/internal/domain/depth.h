@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How far a point is from the boundary of a domain, 0 outside.
+// The distance of a point inside a domain from the boundary, 0 outside.
 template <typename Domain>
 double depth(const Domain& domain, const typename Domain::Point_3& p)
 {

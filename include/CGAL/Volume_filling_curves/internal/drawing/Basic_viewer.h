@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-// What CGAL draws with. CGAL 6 collects points and segments in a scene, also without a window, and
+// The viewer of CGAL. CGAL 6 collects points and segments in a scene, also without a window, and
 // shows it in one; in CGAL 5 the window is all there is, and collects them itself.
 
 #if __has_include(<CGAL/Graphics_scene.h>)

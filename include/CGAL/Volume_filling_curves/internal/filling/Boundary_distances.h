@@ -10,23 +10,26 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/distance_up_to.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+#include <CGAL/Volume_filling_curves/internal/text/point_text.h>
 
 #include <CGAL/tags.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How far points inside a domain are from its boundary. They are measured up to a limit, since of
+// Distances of points inside a domain from its boundary. They are measured up to a limit, since of
 // most points no more has to be known, and those of the bunny then take a fifth of the time; beyond
-// the limit the domain is asked again. After the deadline, if there is one, the distances are left
-// at 0, but for that of the first point.
+// the limit the domain is asked again. Once the run is to stop, the distances are left at 0, but
+// for that of the first point. Throws std::invalid_argument if one is negative or not finite.
 template <typename Domain>
 class Boundary_distances
 {
@@ -40,22 +43,23 @@ public:
   Boundary_distances(const Domain& domain,
                      const std::vector<Point_3>& points,
                      double limit = no_limit,
-                     const Deadline* deadline = nullptr,
+                     Run_watch* watch = nullptr,
                      ConcurrencyTag = {})
       : m_domain(domain), m_points(points), m_limit(limit), m_distances(points.size(), 0)
   {
     constexpr std::size_t block = 256;
     for_each_block<ConcurrencyTag>(points.size(), block, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
-        if(k == 0 || !deadline || !deadline->has_passed())
-          m_distances[k] = distance_up_to(domain, points[k], limit);
+        if(k == 0 || !watch || !watch->must_stop())
+          m_distances[k] = checked(distance_up_to(domain, points[k], limit), points[k]);
     });
   }
 
   // of the k-th point
   double operator[](std::size_t k) const
   {
-    return m_distances[k] < m_limit ? m_distances[k] : m_domain.distance(m_points[k]);
+    return m_distances[k] < m_limit ? m_distances[k]
+                                    : checked(m_domain.distance(m_points[k]), m_points[k]);
   }
 
   // of all points; those that reach the limit may be larger
@@ -64,6 +68,15 @@ public:
   double limit() const { return m_limit; }
 
 private:
+  static double checked(double distance, const Point_3& p)
+  {
+    if(!(distance >= 0) || !std::isfinite(distance))
+      throw std::invalid_argument("the domain contradicts itself: " + point_text(p) +
+                                  " is inside, at a distance from the boundary that is " +
+                                  (distance < 0 ? "negative" : "not finite"));
+    return distance;
+  }
+
   const Domain& m_domain;
   const std::vector<Point_3>& m_points;
   double m_limit;

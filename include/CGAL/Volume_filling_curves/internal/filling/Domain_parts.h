@@ -10,19 +10,19 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/internal/coverage/Linked_samples.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Has_parts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/cube_root.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Linked_samples.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -34,8 +34,8 @@ namespace internal {
 
 // The connected parts of the inside of a domain, and a wide ball in each. A domain that knows its
 // parts, as a mesh does by its shells, is asked, also for parts so small that they hold no sample.
-// Of any other one the samples are linked; a set of them that is alone, as in a corner, is united
-// with those in the ball that is found by climbing from it to more room. So samples of one part are
+// For other domains, parts are the connected components of nearby samples; an isolated cluster is
+// merged with the samples in the largest ball reached from it by ascent. So samples of one part are
 // connected for certain; where a passage is thinner than the samples are dense, one part may count
 // as two. Near linear in the number of samples.
 template <typename Traits, typename Domain>
@@ -47,12 +47,12 @@ class Domain_parts
 public:
   using Widest = Widest_place<Domain, Traits>;
 
-  // Takes the distances of the samples to the boundary. After the deadline no further parts are
-  // looked for.
+  // Takes the distances of the samples to the boundary. Once the run is to stop no further parts
+  // are looked for.
   Domain_parts(const Samples& samples,
                const Boundary_distances<Domain>& distances,
-               const Deadline& deadline)
-      : m_samples(samples), m_deadline(deadline)
+               Run_watch& watch)
+      : m_samples(samples), m_watch(watch)
   {
     if constexpr(Has_parts<Domain>::value) {
       ask_domain(distances.up_to_limit());
@@ -121,7 +121,7 @@ private:
   {
     const Domain& domain = m_samples.domain();
     Random_source random(label);
-    for(std::size_t k = 0; k < points_per_box && !m_deadline.has_passed(); ++k) {
+    for(std::size_t k = 0; k < points_per_box && !m_watch.must_stop(); ++k) {
       const double x = random.real(), y = random.real(), z = random.real();
       const Vector q(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
                      box.zmin() + z * box.z_span());
@@ -134,7 +134,7 @@ private:
   {
     const std::vector<Point_3>& points = m_samples.points();
     const double n = static_cast<double>(points.size());
-    Linked_samples<Domain> linked(m_samples.domain(), points, std::cbrt(m_samples.volume() / n));
+    Linked_samples<Domain> linked(m_samples.domain(), points, cube_root(m_samples.volume() / n));
     for(std::size_t k = 0; k < points.size(); ++k)
       add(linked.sets().find(k), points[k], distances[k]);
   }
@@ -155,7 +155,7 @@ private:
         std::max_element(m_parts.begin(), m_parts.end(), [](const auto& a, const auto& b) {
           return a.points.size() < b.points.size();
         });
-    for(std::size_t k = 0; k < m_parts.size() && !m_deadline.has_passed(); ++k)
+    for(std::size_t k = 0; k < m_parts.size() && !m_watch.must_stop(); ++k)
       if(&m_parts[k] != &*most) unite_within_ball(k, sets);
     regroup(sets);
   }
@@ -222,7 +222,7 @@ private:
   static constexpr std::size_t tried_samples = 64;
 
   const Samples& m_samples;
-  const Deadline& m_deadline;
+  Run_watch& m_watch;
   std::map<std::size_t, std::size_t> m_numbers; // of the parts, by what the domain calls them
   std::vector<Part_samples> m_parts;
   std::vector<Widest> m_widest;

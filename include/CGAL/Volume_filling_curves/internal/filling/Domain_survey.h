@@ -9,16 +9,17 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/Thickness_fit.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/distance_up_to.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_parts.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What is found out about a domain before a curve grows in it: its connected parts, where to start
-// in each, and whether the domain is wide enough for the thickness.
+// The survey of a domain before a curve grows in it: its connected parts, the start in each, and
+// whether the domain is wide enough for the thickness.
 template <typename Traits, typename Domain, typename ConcurrencyTag>
 class Domain_survey
 {
@@ -43,25 +44,33 @@ public:
   Domain_survey(const Domain& domain,
                 const Parameters& parameters,
                 const Traits& traits,
-                const Deadline& deadline)
+                Run_watch& watch,
+                double unit = 1)
       : m_parameters(parameters),
-        m_deadline(deadline),
+        m_watch(watch),
         m_samples(domain,
                   Samples::default_number,
                   parameters.random_seed,
                   traits,
-                  [&] { return !deadline.has_passed(); }),
+                  [&] { return !watch.must_stop(); }),
         m_distances(domain,
                     m_samples.points(),
                     sufficient_distance(parameters, m_samples.volume()),
-                    &deadline,
+                    &watch,
                     ConcurrencyTag()),
-        m_parts(m_samples, m_distances, deadline),
+        m_parts(m_samples, m_distances, watch),
         m_widest_radius(m_parts.largest_radius()),
-        m_thickness(parameters.thickness_field
-                        ? mean_thickness(parameters.thickness_field, m_samples.points())
-                        : filling_thickness(parameters, m_widest_radius, m_samples.volume()))
+        m_size(m_samples.volume(), m_distances.up_to_limit(), parameters.spacing),
+        m_asked_thickness(parameters.thickness_field
+                              ? mean_thickness(parameters.thickness_field, m_samples.points())
+                              : filling_thickness(parameters, m_widest_radius, m_samples.volume())),
+        m_thickness(is_thickness_asked_for() ? m_asked_thickness : default_thickness())
   {
+    if(!watch.must_stop())
+      m_size.check(m_thickness,
+                   is_thickness_asked_for() ? Filling_size::most_nodes
+                                            : Filling_size::most_nodes_of_thin_by_default,
+                   unit);
     for(const auto& place : m_parts.widest_places())
       m_is_wide.push_back(is_wide(place.center(), place.radius()));
   }
@@ -76,6 +85,15 @@ public:
 
   // the thickness to start from, the mean in the domain if it varies
   double thickness() const { return m_thickness; }
+
+  // the default thickness, if a larger one is taken, since there would be too many nodes; else 0
+  double refused_thickness() const
+  {
+    return m_thickness > m_asked_thickness ? m_asked_thickness : 0;
+  }
+
+  // how large the filling becomes
+  const Filling_size& size() const { return m_size; }
 
   double thickness_at(const Point_3& p) const
   {
@@ -99,18 +117,28 @@ public:
   // returns how many of the wide parts hold no component of the curve
   std::size_t number_of_wide_parts_without(const Curve_network_3<Traits>& curve) const
   {
-    std::vector<bool> are_empty = m_is_wide;
-    are_empty.push_back(false); // for a component of which it cannot be told
-    for(std::size_t c = 0; c < curve.number_of_components(); ++c)
-      are_empty[m_parts.part(curve.point(curve.first_node(c)))] = false;
-    return static_cast<std::size_t>(std::count(are_empty.begin(), are_empty.end(), true));
+    const std::vector<bool> hold_curve = parts_that_hold(curve);
+    std::size_t number = 0;
+    for(std::size_t k = 0; k < m_is_wide.size(); ++k) number += m_is_wide[k] && !hold_curve[k];
+    return number;
+  }
+
+  // returns those points that lie in a part with a component of the curve, or might
+  std::vector<Point_3> points_in_parts_of(const Curve_network_3<Traits>& curve,
+                                          const std::vector<Point_3>& points) const
+  {
+    const std::vector<bool> hold_curve = parts_that_hold(curve);
+    std::vector<Point_3> result;
+    for(const Point_3& p : points)
+      if(hold_curve[m_parts.part(p)]) result.push_back(p);
+    return result;
   }
 
   Thickness_fit thickness_fit() const
   {
     const auto thickness = [this](const Point_3& p) { return thickness_at(p); };
     const Thin_walls<Samples, decltype(thickness)> walls(m_samples, m_distances.up_to_limit(),
-                                                         thickness, m_deadline);
+                                                         thickness, m_watch);
     Thickness_fit fit;
     fit.thickness = m_thickness;
     fit.thin_fraction = walls.fraction(1);
@@ -120,6 +148,32 @@ public:
   }
 
 private:
+  bool is_thickness_asked_for() const
+  {
+    return m_parameters.thickness_field || m_parameters.thickness > 0 || m_parameters.length > 0;
+  }
+
+  // Grown for fewer nodes, but at most to the width of the domain: a curve that is thicker does not
+  // fit.
+  double default_thickness() const
+  {
+    const double large = m_size.thickness_with(Filling_size::most_nodes_by_default);
+    return (std::max)(m_asked_thickness, (std::min)(large, m_widest_radius));
+  }
+
+  // Part by part; at the end true, for points of which it cannot be told. Once the run is to stop
+  // all hold one, since a component takes milliseconds in a domain that does not know its parts.
+  std::vector<bool> parts_that_hold(const Curve_network_3<Traits>& curve) const
+  {
+    std::vector<bool> result(m_is_wide.size(), false);
+    result.push_back(true);
+    for(std::size_t c = 0; c < curve.number_of_components(); ++c) {
+      if(m_watch.must_stop()) return std::vector<bool>(result.size(), true);
+      result[m_parts.part(curve.point(curve.first_node(c)))] = true;
+    }
+    return result;
+  }
+
   // returns up to where the distances of samples to the boundary have to be known: a sample with
   // that much room does not lie in thin walls
   static double sufficient_distance(const Parameters& parameters, double volume)
@@ -153,12 +207,13 @@ private:
   }
 
   const Parameters& m_parameters;
-  const Deadline& m_deadline;
+  Run_watch& m_watch;
   Samples m_samples;
   Boundary_distances<Domain> m_distances; // of the samples
   Parts m_parts;
   double m_widest_radius;
-  double m_thickness;
+  Filling_size m_size;
+  double m_asked_thickness, m_thickness;
   std::vector<bool> m_is_wide; // part by part
 };
 

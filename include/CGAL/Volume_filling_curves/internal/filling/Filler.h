@@ -11,17 +11,18 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/Filling_result.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/measure_filling.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,16 +66,16 @@ public:
          double thickness,
          double widest_radius,
          Reach_out reach_out,
-         const Deadline& deadline,
+         Run_watch& watch,
          Visitor& visitor,
-         Run_saver& saver)
+         Run_saver& saver,
+         Filling_record& record)
       : m_parameters(parameters),
         m_coarsest_thickness(coarsest_share * widest_radius),
         m_reach_out(std::move(reach_out)),
-        m_deadline(deadline),
-        m_samples(samples),
+        m_watch(watch),
         m_unfilled(samples, boundary_distances, parameters.wall),
-        m_stages(guard, parameters, thickness, deadline, visitor, saver),
+        m_stages(guard, parameters, thickness, watch, visitor, saver, record),
         m_thickness(m_stages.decide([&] { return thickness; }))
   {}
 
@@ -98,7 +99,7 @@ private:
   // Regions are driven at before they count as empty: with 0.9 a spike of the anapsidea (seed 2)
   // stays 4.1 r from the curve, with 0.8 it is 2.8 r; with 0.7, which ordinary gaps get near to,
   // the bunny (seed 3) is thinned in many places, and the curve an eighth longer (2026-11-23).
-  static constexpr double driven_share = 0.8;
+  static constexpr double pushed_share = 0.8;
 
   void grow()
   {
@@ -150,10 +151,9 @@ private:
   bool is_thinned_where_it_drew_back()
   {
     if(m_stages.end()) return false;
-    const auto driven = [&](const Point_3& p) { return driven_share * thickness_at(p); };
+    const auto driven = [&](const Point_3& p) { return pushed_share * thickness_at(p); };
     const auto paths = std::make_shared<const Thinned_paths>(m_stages.decide([&] {
-      return m_unfilled.ways_to(m_unfilled.places(curve(), driven), curve(), m_thickness,
-                                m_deadline);
+      return m_unfilled.ways_to(m_unfilled.places(curve(), driven), curve(), m_thickness, m_watch);
     }));
     if(paths->are_empty()) return false;
     m_thinning = [paths, last = m_thinning](const Point_3& p) {
@@ -203,19 +203,10 @@ private:
                                                                   : Filling_status::CONVERGED;
   }
 
-  void measure_coverage(Result& result) const
-  {
-    const std::vector<double> distances = m_unfilled.distances(curve());
-    result.coverage = coverage(m_samples, distances, thickness());
-    result.unfilled_fraction = m_unfilled.fraction(distances, thickness());
-    if(!m_stages.is_time_left()) return; // the search for them can take seconds
-    result.empty_regions = m_unfilled.regions(curve(), distances, thickness());
-  }
-
   Result result() const
   {
     Result result;
-    measure_coverage(result);
+    measure_filling(result, m_unfilled, curve(), thickness(), m_watch);
     result.status = m_stages.end().value_or(status_of_settled(result));
     result.thickness = m_parameters.thickness_field ? flow().thickness() : m_thickness;
     result.medial_radius =
@@ -228,8 +219,7 @@ private:
   const Parameters& m_parameters;
   const double m_coarsest_thickness; // with which the curve starts to grow
   const Reach_out m_reach_out;
-  const Deadline& m_deadline;
-  const Samples& m_samples;
+  Run_watch& m_watch;
   const Unfilled m_unfilled;
   Filling_stages<Flow, Visitor> m_stages;
   double m_thickness; // the one that is asked for, or that is to lead to the length asked for

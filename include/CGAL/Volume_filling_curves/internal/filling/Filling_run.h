@@ -10,28 +10,37 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/Filling_result.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/Thickness_fit.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/measure_filling.h>
+#include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
-#include <CGAL/Volume_filling_curves/internal/fingers/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/state/domain_hash.h>
-#include <CGAL/Volume_filling_curves/internal/state/run_facts.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Real_timer.h>
 
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -49,21 +58,24 @@ class Filling_run
   using Survey = Domain_survey<Traits, Domain, ConcurrencyTag>;
   using Flow = Curve_flow_3<Traits, Domain, ConcurrencyTag>;
   using Parameters = Filling_parameters<Point_3>;
+  using Unfilled = Unfilled_space<Network, typename Survey::Samples, ConcurrencyTag>;
   using Result = Filling_result<Point_3>;
 
 public:
-  // The timer has been started.
+  // Takes the unit of the domain and of all lengths, in the caller's unit, which the result has.
   Filling_run(Network& curves,
               const Domain& domain,
               const Parameters& parameters,
-              const Real_timer& timer,
-              Visitor& visitor)
+              Run_watch& watch,
+              Visitor& visitor,
+              double unit)
       : m_curves(curves),
         m_domain(domain),
         m_parameters(parameters),
-        m_deadline(timer, parameters.time_limit),
+        m_watch(watch),
         m_visitor(visitor),
-        m_survey(domain, parameters, curves.traits(), m_deadline),
+        m_unit(unit),
+        m_survey(domain, parameters, curves.traits(), m_watch, unit),
         m_fit(m_survey.thickness_fit()),
         m_saver(parameters, [this] { return facts(); })
   {}
@@ -72,18 +84,57 @@ public:
   {
     if(m_fit.thin_fraction > tolerated_unfilled_fraction) m_visitor.on_thin_domain(m_fit);
     if(m_curves.number_of_nodes() == 0) place_circles();
-    check_embedded(m_curves);
-    check_inside(m_curves, m_domain);
-    Result result = grow();
+    announce();
+    Result result = is_start_checked() ? grow() : stopped();
     report_parts(result);
     return result;
   }
 
 private:
+  void announce()
+  {
+    const double r = m_survey.thickness();
+    Run_progress& progress = m_watch.progress();
+    progress.thickness = r;
+    progress.default_thickness = m_survey.refused_thickness();
+    progress.expected_length = m_survey.size().length(r);
+    progress.expected_nodes = static_cast<std::size_t>(m_survey.size().number_of_nodes(r));
+    progress.expected_seconds = m_survey.size().seconds(r);
+    m_watch.report();
+  }
+
+  // Returns whether there was time for that.
+  bool is_start_checked()
+  {
+    try {
+      const Watched_scope scope(&m_watch);
+      check_start();
+      return true;
+    } catch(const Run_stopped&) {
+      return !m_circles.empty(); // a circle in a ball is embedded, and inside
+    }
+  }
+
   void place_circles()
   {
+    if(!(m_survey.widest_radius() > 0))
+      throw std::invalid_argument("the domain contradicts itself: points are inside, and all at "
+                                  "distance 0 from the boundary");
     m_circles = m_survey.circles();
     m_curves = Network(m_circles, CGAL::parameters::default_values(), m_curves.traits());
+  }
+
+  // A circle in a ball inside is inside.
+  void check_start() const
+  {
+    check_embedded(m_curves);
+    try {
+      check_inside(m_curves, m_domain);
+    } catch(const std::invalid_argument& error) {
+      if(m_circles.empty()) throw;
+      throw std::invalid_argument("the domain contradicts itself: in the widest ball inside, " +
+                                  std::string(error.what()));
+    }
   }
 
   // All that the run depends on. Fields are known by their values at the samples.
@@ -95,37 +146,73 @@ private:
     if(m_parameters.direction_field)
       for(const Point_3& p : m_survey.samples().points())
         for(const double coordinate : m_parameters.direction_field(p)) directions(coordinate);
-    return run_facts("fill", m_parameters,
-                     {{"curve", state_hash(m_curves)},
-                      {"domain", domain_hash(m_domain, m_curves.traits())},
-                      {"thickness field", to_hex(sha256(thicknesses.bytes()))},
-                      {"direction field", to_hex(sha256(directions.bytes()))}});
+    return run_fingerprint("fill", m_parameters,
+                           {{"curve", state_hash(m_curves)},
+                            {"domain", domain_hash(m_domain, m_curves.traits())},
+                            {"thickness field", to_hex(sha256(thicknesses.bytes()))},
+                            {"direction field", to_hex(sha256(directions.bytes()))}});
   }
 
   Result grow()
   {
     State_reader* const reader = m_saver.reader();
-    if(reader) (*reader)(m_curves);
+    if(reader) read_curve(*reader, m_curves, [this] { check_inside(m_curves, m_domain); });
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
     if(m_parameters.certificate) guard.start_recording();
     if(reader)
       (*reader)(guard);
     else if(m_parameters.start == Filling_start::TREE)
       reach_out(guard);
+    const Result result = let_flow(guard);
+    if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
+    return result;
+  }
+
+  // Steps are interrupted unless states are saved, which are taken between steps.
+  Result let_flow(Isotopy_guard_3<Traits, Domain>& guard)
+  {
+    try {
+      const Watched_scope scope(m_saver.is_saving() ? nullptr : &m_watch);
+      m_watch.begin(Run_stage::FLOWING);
+      return fill(guard);
+    } catch(const Run_stopped&) {
+      if(m_curves.has_garbage()) guard.collect_garbage();
+      return stopped();
+    }
+  }
+
+  Result fill(Isotopy_guard_3<Traits, Domain>& guard)
+  {
     Filler<Flow, typename Survey::Samples, Visitor> filler(
         guard, m_survey.samples(), m_survey.distances_to_boundary(), m_parameters,
-        start_thickness(), m_survey.widest_radius(), [&] { return reach_out(guard); }, m_deadline,
-        m_visitor, m_saver);
-    const Result result = filler();
-    if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
+        start_thickness(), m_survey.widest_radius(), [&] { return reach_out(guard); }, m_watch,
+        m_visitor, m_saver, m_record);
+    return filler();
+  }
+
+  // The result of a run that was stopped within a step, or before the first one.
+  Result stopped() const
+  {
+    Result result;
+    result.status = m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
+    result.thickness = start_thickness();
+    result.medial_radius = std::numeric_limits<double>::quiet_NaN();
+    result.gradient_norm = m_record.gradient_norm;
+    result.statistics = m_record.statistics;
+    const auto thickness = [this](const Point_3& p) { return m_survey.thickness_at(p); };
+    const Unfilled unfilled(m_survey.samples(), m_survey.distances_to_boundary(),
+                            m_parameters.wall);
+    measure_filling(result, unfilled, m_curves, thickness, m_watch);
     return result;
   }
 
   // Returns how many fingers have grown.
   std::size_t reach_out(Isotopy_guard_3<Traits, Domain>& guard) const
   {
+    const Watched_scope scope(nullptr); // fingers end by themselves
+    m_watch.begin(Run_stage::BRANCHING);
     const auto thickness = [this](const Point_3& p) { return m_survey.thickness_at(p); };
-    auto tree = finger_tree(guard, m_domain, thickness, m_parameters.random_seed, m_deadline);
+    auto tree = finger_tree(guard, m_domain, thickness, m_parameters.random_seed, m_watch);
     tree.follow(m_parameters.direction_field, m_parameters.direction_weight);
     tree.grow();
     return tree.number_of_fingers();
@@ -141,23 +228,42 @@ private:
   void report_parts(Result& result) const
   {
     result.parts = m_survey.number_of_wide_parts();
-    result.unreachable_parts = m_survey.number_of_wide_parts_without(m_curves);
+    if(m_circles.empty()) // otherwise each of them has a circle
+      result.unreachable_parts = m_survey.number_of_wide_parts_without(m_curves);
     result.thickness_fit = m_fit;
+    result.default_thickness = m_survey.refused_thickness();
     result.start = m_circles;
     const bool has_ended_early =
         result.status != Filling_status::PARTIAL && result.status != Filling_status::STALLED;
-    if(!has_ended_early && result.unfilled_fraction > tolerated_unfilled_fraction)
-      result.reason = unfilled_reason(result);
+    if(has_ended_early || !(result.unfilled_fraction > tolerated_unfilled_fraction))
+      return scale(result, m_unit, m_curves.traits());
+    const Missed_regions missed = missed_regions(result);
+    scale(result, m_unit, m_curves.traits());
+    result.reason = unfilled_reason(result, missed);
+  }
+
+  Missed_regions missed_regions(const Result& result) const
+  {
+    std::vector<Point_3> middles;
+    for(const auto& region : result.empty_regions) middles.push_back(region.point);
+    Neck_search<Network, Domain> necks(m_curves, m_domain, [this] { return m_watch.must_stop(); });
+    Missed_regions missed;
+    for(const Point_3& p : m_survey.points_in_parts_of(m_curves, middles))
+      ++(necks.is_behind_neck(to_vector(p), m_survey.thickness_at(p)) ? missed.behind_necks
+                                                                      : missed.others);
+    return missed;
   }
 
   Network& m_curves;
   const Domain& m_domain;
   const Parameters& m_parameters;
-  const Deadline m_deadline;
+  Run_watch& m_watch;
   Visitor& m_visitor;
+  const double m_unit;
   const Survey m_survey;
   const Thickness_fit m_fit;
   Run_saver m_saver;
+  Filling_record m_record;
   std::vector<std::vector<Point_3>> m_circles; // if the run starts from them
 };
 

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How a part of the growth of a curve goes, and when it ends. Found on the domains of the
+// A stage of the growth of a curve, and its end. Figures found on the domains of the
 // benchmarks (2026-11-23).
 struct Filling_stage
 {

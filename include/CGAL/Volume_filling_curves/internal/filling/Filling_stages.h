@@ -9,26 +9,34 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/state/Decisions.h>
+#include <CGAL/Volume_filling_curves/internal/state/Replay_log.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
-#include <CGAL/Volume_filling_curves/internal/step/Idle_steps.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// The figures of a flow after its last complete step.
+struct Filling_record
+{
+  Curve_flow_statistics statistics;
+  double gradient_norm = std::numeric_limits<double>::quiet_NaN();
+};
 
 // The stages of a filling, one after another, each with parameters of its own, until they have
 // settled or the run is to end. A run that resumes takes the same way, with the same decisions,
@@ -46,15 +54,17 @@ public:
   Filling_stages(Guard& guard,
                  const Parameters& parameters,
                  double thickness,
-                 const Deadline& deadline,
+                 Run_watch& watch,
                  Visitor& visitor,
-                 Run_saver& saver)
+                 Run_saver& saver,
+                 Filling_record& record)
       : m_parameters(parameters),
-        m_deadline(deadline),
+        m_watch(watch),
         m_guard(guard),
         m_flow(guard, with_thickness(parameters, thickness), saver.reader()),
         m_visitor(visitor),
-        m_saver(saver)
+        m_saver(saver),
+        m_record(record)
   {
     if(State_reader* const reader = m_saver.reader())
       (*reader)(m_resumed_stage, m_decisions);
@@ -68,7 +78,7 @@ public:
   const std::optional<Filling_status>& end() const { return m_end; }
 
   // whether there is time for another step, or for what takes as long
-  bool is_time_left() const { return m_deadline.leaves(m_seconds_of_step); }
+  bool is_time_left() const { return m_watch.leaves(m_seconds_of_step); }
 
   // Returns what is decided between stages, by this run or the one that it goes on with.
   template <typename Decide>
@@ -91,6 +101,7 @@ public:
     while(!(m_end = end_between_steps()) &&
           !m_lengths.has_settled(stage.window, stage.change_of_length)) {
       m_idle_steps.note(step());
+      note();
       m_lengths.add(m_flow.length());
       m_flow.set_max_displacement(m_displacement *= stage.cooling);
       m_visitor.on_iteration(m_flow);
@@ -98,6 +109,22 @@ public:
   }
 
 private:
+  void note()
+  {
+    m_record.statistics = m_flow.statistics();
+    m_record.gradient_norm = m_flow.gradient_norm();
+    m_watch.note_fraction(static_cast<double>(m_record.statistics.iterations) /
+                          expected_iterations());
+    m_watch.note(m_flow);
+  }
+
+  // A tree of fingers opens, settles and is refined in 21; a circle grows in 150 to 500.
+  double expected_iterations() const
+  {
+    const double all = m_parameters.start == Filling_start::TREE ? 21 : 300;
+    return (std::min)(all, static_cast<double>(m_parameters.number_of_iterations));
+  }
+
   // Goes on in the middle of a stage.
   void resume(const Thickness_field& field)
   {
@@ -144,6 +171,7 @@ private:
 
   std::optional<Filling_status> end_before_step()
   {
+    if(m_watch.is_interrupted()) return Filling_status::INTERRUPTED;
     if(m_flow.statistics().iterations >= m_parameters.number_of_iterations || !is_time_left())
       return Filling_status::LIMIT;
     if(m_idle_steps.are_too_many()) return Filling_status::STALLED;
@@ -152,12 +180,13 @@ private:
   }
 
   const Parameters& m_parameters;
-  const Deadline& m_deadline;
+  Run_watch& m_watch;
   Guard& m_guard;
   Flow m_flow;
   Visitor& m_visitor;
   Run_saver& m_saver;
-  Decisions m_decisions;
+  Filling_record& m_record;
+  Replay_log m_decisions;
   std::size_t m_stage = 0, m_resumed_stage = 0; // from 1; 0 if the run has started anew
   std::optional<Filling_status> m_end;
   double m_seconds_of_step = 0; // the last one took

@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/depth.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +29,9 @@ namespace internal {
 // of 1.5 times half their own, rods up to 1.2 times (2026-11-22).
 constexpr double needed_width = 0.8;
 
-// How much of a domain is too thin for a thickness? Around each of some samples, of all samples
-// that are not far the one with most room is taken, and its ball climbs to more room; if that does
-// not get to the width that a curve needs, the sample lies in walls that are too thin. Takes hardly
+// The share of a domain that is too thin for a thickness. For each of some samples, the nearby
+// sample with the largest ball is chosen, and the ball ascends; if it stays smaller than a curve
+// needs, the sample lies in walls that are too thin. Takes hardly
 // any query of the domain where it is wide, and up to some hundred for each of the samples where it
 // is not.
 template <typename Samples, typename Thickness>
@@ -41,13 +41,13 @@ class Thin_walls
 
 public:
   // Takes the distances of the samples to the boundary, those up to `needed_width` times the
-  // largest thickness at least, and the thickness as a function of the point. After the deadline no
-  // further samples are looked at.
+  // largest thickness at least, and the thickness as a function of the point. Once the run is to
+  // stop no further samples are looked at.
   Thin_walls(const Samples& samples,
              const std::vector<double>& distances,
              const Thickness& thickness,
-             const Deadline& deadline)
-      : m_samples(samples), m_thickness(thickness), m_deadline(deadline)
+             Run_watch& watch)
+      : m_samples(samples), m_thickness(thickness), m_watch(watch)
   {
     std::vector<std::size_t> order(distances.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -62,7 +62,7 @@ public:
   {
     const std::size_t n = (std::min)(number_of_probes, m_samples.points().size());
     std::size_t thin = 0, all = 0;
-    for(; all < n && (all == 0 || !m_deadline.has_passed()); ++all) {
+    for(; all < n && (all == 0 || !m_watch.must_stop()); ++all) {
       const Point_3& p = m_samples.points()[all];
       if(!has_room(to_vector(p), scale * m_thickness(p))) ++thin;
     }
@@ -74,7 +74,7 @@ public:
   double fitting_scale() const
   {
     int too_large = 0, small = halvings;
-    while(small - too_large > 1 && !m_deadline.has_passed()) {
+    while(small - too_large > 1 && !m_watch.must_stop()) {
       const int middle = (too_large + small) / 2;
       (fraction(scale(middle)) > tolerated_unfilled_fraction ? too_large : small) = middle;
     }
@@ -89,8 +89,8 @@ private:
   static constexpr double hopeful = 0.6;
   static constexpr std::size_t number_of_probes = 300;
   static constexpr int halvings = 32;        // of the square of the thickness, at most
-  static constexpr double last_step = 0.1;   // of the climb, in units of r
-  static constexpr double least_gain = 1e-3; // of a radius, relative, so that the climb ends
+  static constexpr double last_step = 0.1;   // of the ascend, in units of r
+  static constexpr double least_gain = 1e-3; // of a radius, relative, so that the ascend ends
 
   struct Ball
   {
@@ -98,7 +98,7 @@ private:
     double radius;
   };
 
-  static double scale(int k) { return std::pow(0.5, k / 2.); }
+  static double scale(int k) { return std::sqrt(std::ldexp(1., -k)); }
 
   bool has_room(const Vector& p, double r) const
   {
@@ -111,13 +111,13 @@ private:
       near = std::find_if(near + 1, m_balls.end(), is_near);
     if(near != m_balls.end() && ball.radius < hopeful * needed) return false;
     for(double step = r / 2; step > last_step * r && ball.radius < needed;)
-      if(!climb(ball, p, step, reach * r)) step /= 2;
+      if(!ascend(ball, p, step, reach * r)) step /= 2;
     return ball.radius >= needed;
   }
 
   // Moves the ball to more room, along an axis or a diagonal of space, never out of itself; returns
   // whether there is any.
-  bool climb(Ball& ball, const Vector& p, double step, double farthest) const
+  bool ascend(Ball& ball, const Vector& p, double step, double farthest) const
   {
     for(int k = 0; k < 27; ++k) {
       const Vector offset(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
@@ -140,7 +140,7 @@ private:
 
   const Samples& m_samples;
   const Thickness& m_thickness;
-  const Deadline& m_deadline;
+  Run_watch& m_watch;
   std::vector<Ball> m_balls; // around the samples, the largest first
 };
 

@@ -9,15 +9,15 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/fingers/Free_ways.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
-#include <CGAL/Volume_filling_curves/internal/support/Deadline.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
 #include <CGAL/tags.h>
 
@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Where a curve has not got to in a domain, found by samples of it. Near linear in their number.
+// The part of a domain that a curve has not reached, by samples. Near linear in their number.
 template <typename Network, typename Samples, typename ConcurrencyTag = Sequential_tag>
 class Unfilled_space
 {
@@ -47,6 +47,8 @@ public:
   Unfilled_space(const Samples& samples, const Distances& boundary_distances, Wall wall)
       : m_samples(samples), m_boundary_distances(boundary_distances), m_wall(wall)
   {}
+
+  const Samples& samples() const { return m_samples; }
 
   // returns the distances of the samples to a curve
   std::vector<double> distances(const Network& curve) const
@@ -113,21 +115,22 @@ public:
     return places;
   }
 
-  // returns ways from places to the curve. After the deadline no further ones are looked for.
+  // returns ways from places to the curve. Once the run is to stop no further ones are looked for.
   Thinned_paths ways_to(const std::vector<Point_3>& places,
                         const Network& curve,
                         double thickness,
-                        const Deadline& deadline) const
+                        Run_watch& watch) const
   {
     Thinned_paths paths(cell_of_paths * thickness);
     if(places.empty()) return paths;
     const Distance_to_curve tree(curve);
-    Free_ways ways(m_samples.domain(), m_samples.traits(), most_cells);
+    Path_search ways(m_samples.domain(), m_samples.traits(), most_cells);
     for(const Point_3& place : places)
       for(double cell = cell_of_paths; cell >= least_cell; cell /= 2) {
         const auto is_near = [&](const Vector& p) {
-          return tree.distance(p) < 2 * cell_of_paths * thickness || deadline.has_passed();
+          return tree.distance(p) < 2 * cell_of_paths * thickness || watch.must_stop();
         };
+        if(watch.must_stop()) return paths;
         if(!ways.flood(to_vector(place), cell * thickness, is_near)) continue;
         for(const Vector& p : ways.cells()) paths.add(p);
         break;

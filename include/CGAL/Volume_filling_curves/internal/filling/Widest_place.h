@@ -44,7 +44,7 @@ public:
     const Deepest_point<Domain> deepest(domain, samples, distances, limit);
     m_center = to_vector(samples[deepest.number()]);
     m_radius = deepest.distance();
-    climb();
+    ascend();
   }
 
   const Vector& center() const { return m_center; }
@@ -69,6 +69,8 @@ private:
   static constexpr double radius_of_circle = 0.5;             // in units of the ball's, at most
   static constexpr double first_step = 0.5, last_step = 0.01; // in units of the radius
 
+  static constexpr int max_steps = 10000; // a domain that calls itself ever wider has no end
+
   bool try_center(const Vector& x)
   {
     const Point_3 p = to_point(x, m_traits);
@@ -80,9 +82,10 @@ private:
     return true;
   }
 
-  void climb()
+  void ascend()
   {
-    for(double step = first_step; step > last_step;)
+    double step = first_step;
+    for(int k = 0; k < max_steps && step > last_step; ++k)
       if(!try_neighbors(step * m_radius)) step /= 2;
   }
 

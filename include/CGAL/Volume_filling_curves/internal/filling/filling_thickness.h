@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
 #include <cstddef>
 
@@ -22,8 +22,8 @@ namespace internal {
 // The thickness that a curve fills a domain with, or starts from if it is a length that is asked
 // for.
 
-// Of the volume of a domain that counts as filled, at most that share is farther than 2 r from the
-// curve.
+// The largest share of the volume farther than 2 r from the curve with which a domain counts as
+// filled.
 constexpr double tolerated_unfilled_fraction = 0.01;
 
 // Throws std::invalid_argument if a domain with a box of that size cannot be filled.

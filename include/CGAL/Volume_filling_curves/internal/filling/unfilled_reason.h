@@ -9,10 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Filling_result.h>
-#include <CGAL/Volume_filling_curves/Thickness_fit.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/text/counted.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
+#include <cstddef>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -38,20 +40,28 @@ inline std::string too_thin(const Thickness_fit& fit)
          " % of the volume, r = " + rounded(fit.fitting_thickness) + " would fit";
 }
 
+// The empty regions in those parts of the inside that hold a curve.
+struct Missed_regions
+{
+  std::size_t behind_necks = 0; // proved to be
+  std::size_t others = 0;
+};
+
 template <typename Point_3>
-std::string unfilled_reason(const Filling_result<Point_3>& result)
+std::string unfilled_reason(const Filling_result<Point_3>& result, const Missed_regions& missed)
 {
   std::string reason;
   const auto add = [&](const std::string& text) { reason += (reason.empty() ? "" : "; ") + text; };
   if(result.status == Filling_status::STALLED) add("no step could be certified any more");
   if(result.unreachable_parts > 0)
     add("no curve was started in " + std::to_string(result.unreachable_parts) + " of " +
-        std::to_string(result.parts) + " parts of the inside");
+        counted(result.parts, "part") + " of the inside");
   if(result.thickness_fit.thin_fraction > tolerated_unfilled_fraction)
     add(too_thin(result.thickness_fit));
-  if(result.empty_regions.size() > result.unreachable_parts)
-    add("the curve did not get through a neck to " +
-        std::to_string(result.empty_regions.size() - result.unreachable_parts) + " empty regions");
+  if(missed.behind_necks > 0)
+    add("the curve did not get through a neck narrower than r to " +
+        counted(missed.behind_necks, "empty region"));
+  if(missed.others > 0) add("the curve did not reach " + counted(missed.others, "empty region"));
   return reason.empty() ? "gaps between strands or along the boundary are wide" : reason;
 }
 

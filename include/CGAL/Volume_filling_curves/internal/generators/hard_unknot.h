@@ -13,9 +13,9 @@
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
 #include <CGAL/Volume_filling_curves/internal/generators/regular_polygon.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/cube_root.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -46,7 +46,7 @@ public:
       const std::size_t v = m_random.index(m_curve.number_of_nodes());
       const Vector direction = m_random.direction(); // before the distance, with every compiler
       const Vector target =
-          to_vector(m_curve.point(v)) + reach * std::cbrt(m_random.real()) * direction;
+          to_vector(m_curve.point(v)) + reach * cube_root(m_random.real()) * direction;
       if(target.squaredNorm() < 1) m_guard.move_node(v, to_point(target, m_curve.traits()));
     }
   }

@@ -9,12 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <cmath>
 #include <cstddef>
@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What the generators make: closed polygons, one per component, and what they share: spreading
-// nodes evenly along a finely sampled curve, and turning it by a random rotation.
+// Closed polygons, one per component, as generators make them, and their common steps: spreading
+// nodes evenly along a finely sampled curve, and a random rotation.
 using Polygon = std::vector<Vector>;
 using Polygons = std::vector<Polygon>;
 

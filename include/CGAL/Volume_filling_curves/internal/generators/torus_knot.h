@@ -53,7 +53,7 @@ inline Polygons torus_knot(int p, int q, std::size_t number_of_nodes, std::uint6
     }
   // parallel strands are this far apart where the torus is narrowest
   const double across = p / tube_radius, along = q / (core_radius - tube_radius);
-  const double strand_distance = 2 * CGAL_PI / std::hypot(across, along);
+  const double strand_distance = 2 * CGAL_PI / std::sqrt(across * across + along * along);
   Polygons result = equally_spaced(curves, number_of_nodes, 0.75 * strand_distance);
   turn_randomly(result, seed);
   return result;

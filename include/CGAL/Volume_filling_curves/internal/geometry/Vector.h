@@ -118,6 +118,23 @@ private:
   double m_coordinates[3] = {0, 0, 0};
 };
 
+// The vector times the power of two that makes its largest coordinate about 1, which is exact.
+inline Vector in_own_units(const Vector& v)
+{
+  const double largest = v.cwiseAbs().maxCoeff();
+  if(!(largest > 0) || !std::isfinite(largest)) return v;
+  const int exponent = -std::ilogb(largest);
+  return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent), std::ldexp(v.z(), exponent)};
+}
+
+// The norm, where the squares of the coordinates may underflow or overflow.
+inline double stable_norm(const Vector& v)
+{
+  const double largest = v.cwiseAbs().maxCoeff();
+  if(!(largest > 0) || !std::isfinite(largest)) return largest;
+  return std::ldexp(in_own_units(v).norm(), std::ilogb(largest));
+}
+
 template <typename Point_3>
 Vector to_vector(const Point_3& p)
 {

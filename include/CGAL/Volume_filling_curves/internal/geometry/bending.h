@@ -11,6 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,31 +21,45 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The vector times the power of two that makes its largest coordinate about 1, which is exact.
-inline Vector in_own_units(const Vector& v)
+// The angle in [0, pi/4] of tangent t in [0, 1]. The library's functions differ in their last bits
+// between platforms, and bends decide when a run ends. So the angle is halved until the Taylor
+// series, whose first omitted term is below 1e-17 there, takes IEEE operations only.
+inline double arc_tangent(double t)
 {
-  const double largest = v.cwiseAbs().maxCoeff();
-  if(!(largest > 0) || !std::isfinite(largest)) return v;
-  const int exponent = -std::ilogb(largest);
-  return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent), std::ldexp(v.z(), exponent)};
+  constexpr double small = 0.2;
+  double factor = 1;
+  for(; t > small; factor *= 2) t /= 1 + std::sqrt(1 + t * t);
+  double sum = 0;
+  for(int k = 21; k > 0; k -= 2) sum = 1. / k - t * t * sum;
+  return factor * t * sum;
 }
 
-// The angle between two consecutive edges, in [0, pi]. atan2 is accurate for straight and for
-// folded corners alike, where acos loses half of the digits. The edges are scaled, lest products
-// underflow and overflow: a knot of size 1e-100 would look straight.
-inline double turning_angle(const Vector& in, const Vector& out)
+// The tangent of half of the angle between two consecutive edges, in [0, infinity]. It is accurate
+// for straight and for folded corners alike, where the cosine loses half of the digits. The edges
+// are scaled, lest products underflow and overflow: a knot of size 1e-100 would look straight.
+inline double half_turn_tangent(const Vector& in, const Vector& out)
 {
   const Vector u = in_own_units(in), v = in_own_units(out);
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  const double sine = u.cross(v).norm(), cosine = u.dot(v);
+  if(sine == 0) return cosine < 0 ? std::numeric_limits<double>::infinity() : 0;
+  const double norm = std::sqrt(u.squaredNorm() * v.squaredNorm());
+  return cosine > 0 ? sine / (norm + cosine) : (norm - cosine) / sine;
+}
+
+// The angle between two consecutive edges, in [0, pi].
+inline double turning_angle(const Vector& in, const Vector& out)
+{
+  const double t = half_turn_tangent(in, out);
+  return t <= 1 ? 2 * arc_tangent(t) : CGAL_PI - 2 * arc_tangent(1 / t);
 }
 
 // The radius of the arc that is tangent to both edges at a corner and touches the shorter one in
 // its middle (Rawdon 1998); infinite if straight, 0 if folded.
 inline double bend_radius(const Vector& in, const Vector& out)
 {
-  const double angle = turning_angle(in, out);
-  if(!(angle > 0)) return std::numeric_limits<double>::infinity();
-  return (std::min)(in.norm(), out.norm()) / (2 * std::tan(angle / 2));
+  const double t = half_turn_tangent(in, out);
+  if(!(t > 0)) return std::numeric_limits<double>::infinity();
+  return (std::min)(in.norm(), out.norm()) / (2 * t);
 }
 
 } // namespace internal

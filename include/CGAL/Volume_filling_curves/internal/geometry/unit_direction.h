@@ -10,10 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/text/point_text.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
 
-#include <array>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 namespace CGAL {
@@ -25,14 +24,10 @@ namespace internal {
 template <typename Field, typename Point_3>
 Vector unit_direction(const Field& field, const Point_3& p)
 {
-  const std::array<double, 3> given = field(p);
+  const Field_vector given = field(p);
   const Vector v(given[0], given[1], given[2]);
-  if(!v.allFinite()) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << "direction_field is not finite at (" << p.x() << ", " << p.y() << ", " << p.z() << ')';
-    throw std::invalid_argument(text.str());
-  }
+  if(!v.allFinite())
+    throw std::invalid_argument("direction_field is not finite at " + point_text(p));
   const double size = v.cwiseAbs().maxCoeff(); // squares must neither overflow nor underflow
   return size > 0 ? (v / size).normalized() : Vector();
 }

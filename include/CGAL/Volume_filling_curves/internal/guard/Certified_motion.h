@@ -35,7 +35,9 @@ class Certified_motion
 public:
   using Rounds = typename Network_observer<Network>::Rounds;
 
-  explicit Certified_motion(const Limits& limits) : m_limits(limits) {}
+  explicit Certified_motion(const Limits& limits, Run_watch* watch = nullptr)
+      : m_limits(limits), m_watch(watch)
+  {}
 
   // returns whether the curve keeps its clearance where the part `fraction` of the motion ends
   bool keeps_clearance(double fraction) const
@@ -81,7 +83,7 @@ private:
   bool holds_for_all(std::size_t n, const Predicate& predicate) const
   {
     std::atomic<bool> holds{true};
-    for_each_block<ConcurrencyTag>(n, block, [&](std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block, m_watch, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end && holds.load(std::memory_order_relaxed); ++k)
         if(!predicate(k)) holds.store(false, std::memory_order_relaxed);
     });
@@ -97,6 +99,7 @@ private:
   }
 
   const Limits& m_limits;
+  Run_watch* m_watch; // none if null; it ends a search by Run_stopped
 };
 
 } // namespace internal

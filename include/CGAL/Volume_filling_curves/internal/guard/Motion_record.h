@@ -113,6 +113,8 @@ public:
   void serialize(Archive& archive)
   {
     archive(m_writer, m_numbers, m_next_number);
+    if constexpr(Archive::is_reading)
+      archive.require(m_numbers.size() == m_curve.number_of_nodes());
   }
 
 private:

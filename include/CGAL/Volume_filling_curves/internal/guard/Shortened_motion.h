@@ -43,8 +43,9 @@ class Shortened_motion
 public:
   using Rounds = typename Certified_motion<Limits, ConcurrencyTag>::Rounds;
 
-  explicit Shortened_motion(const Limits& limits)
+  explicit Shortened_motion(const Limits& limits, Run_watch* watch = nullptr)
       : m_limits(limits),
+        m_watch(watch),
         m_start(limits.template positions<ConcurrencyTag>(0)),
         m_end(limits.template positions<ConcurrencyTag>(1)),
         m_swept(limits.curve(), m_start, m_end, false),
@@ -57,7 +58,7 @@ public:
     Indices blocked = blocked_nodes();
     if(blocked.empty()) return one_round();
     // strands that travel together, farther than their distance, fail in one round
-    const Certified_motion<Limits, ConcurrencyTag> whole(m_limits);
+    const Certified_motion<Limits, ConcurrencyTag> whole(m_limits, m_watch);
     if(whole.keeps_clearance(1)) {
       Rounds rounds = whole.certify(1);
       if(!rounds.positions.empty()) return rounds;
@@ -129,7 +130,7 @@ private:
   Indices failing(std::size_t n, const Test& passes) const
   {
     std::vector<Indices> found((n + block - 1) / block);
-    for_each_block<ConcurrencyTag>(n, block, [&](std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block, m_watch, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
         if(!passes(k)) found[begin / block].push_back(static_cast<Index>(k));
     });
@@ -197,6 +198,7 @@ private:
   }
 
   const Limits& m_limits;
+  Run_watch* m_watch; // none if null; it ends a search by Run_stopped
   const std::vector<Point_3> m_start;
   std::vector<Point_3> m_end;
   const Swept m_swept;

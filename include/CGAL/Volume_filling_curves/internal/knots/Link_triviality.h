@@ -9,10 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Linking_numbers.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Separating_plane.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,13 +11,14 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/search/overlapping_boxes.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -40,13 +41,15 @@ class Linking_numbers
 public:
   using Matrix = std::vector<std::vector<int>>;
 
-  explicit Linking_numbers(const Network& curve)
+  explicit Linking_numbers(const Network& curve, Run_watch* watch = nullptr)
       : m_curve(curve),
+        m_watch(watch),
         m_orientation(curve.traits().orientation_3_object()),
         m_viewpoint(to_point(Vector(0, 0, 0), curve.traits()))
   {}
 
   // Returns nothing if every viewpoint is degenerate, which components that meet can bring about.
+  // \throws Run_stopped if the watch, if there is one, says so
   std::optional<Matrix> operator()()
   {
     const std::size_t n = m_curve.number_of_components();
@@ -54,6 +57,7 @@ public:
     if(n < 2) return matrix;
     for(int attempt = 0; attempt < max_viewpoints; ++attempt) {
       for(auto& numbers : matrix) numbers.assign(n, 0);
+      check(m_watch);
       look_from(attempt);
       if(!count_crossings(matrix)) continue;
       for(auto& numbers : matrix)
@@ -75,7 +79,7 @@ private:
     for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
       box.extend(to_vector(m_curve.point(v)));
     const Vector sizes = box.sizes();
-    const double distance = view_distance * std::hypot(sizes.x(), sizes.y(), sizes.z());
+    const double distance = view_distance * stable_norm(sizes);
     m_eye = (box.min() + box.max()) / 2 + distance * m_frame.third;
     m_viewpoint = to_point(m_eye, m_curve.traits());
   }
@@ -84,7 +88,9 @@ private:
   bool count_crossings(Matrix& matrix) const
   {
     bool is_generic = true;
+    unsigned pairs = 0;
     const auto count = [&](std::size_t e, std::size_t f) {
+      check_sometimes(m_watch, pairs);
       const std::size_t a = m_curve.component(m_curve.source(e));
       const std::size_t b = m_curve.component(m_curve.source(f));
       if(a == b || !m_curve.is_closed(a) || !m_curve.is_closed(b)) return;
@@ -128,6 +134,7 @@ private:
   }
 
   const Network& m_curve;
+  Run_watch* m_watch; // none if null
   const typename Network::Traits::Orientation_3 m_orientation;
   Frame m_frame; // whose third row points from the curve to the eye
   Vector m_eye;

@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
 #include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What is proved of curves on their way. A proof holds for good, since they change by isotopies
-// only; so each is found once.
+// Proofs about curves that move. Curves change by isotopies only, so a proof, once found, holds for
+// good.
 template <typename Network>
 class Unknottedness
 {

@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/internal/curve/turning.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <array>
@@ -41,15 +42,20 @@ public:
       m_edges[e].nodes = {static_cast<Index>(curve.source(e)), static_cast<Index>(curve.target(e))};
   }
 
-  std::size_t operator()(const std::vector<Vector>& projection)
+  // \throws Run_stopped if the watch, if there is one, says so
+  std::size_t operator()(const std::vector<Vector>& projection, Run_watch* watch = nullptr)
   {
+    check(watch);
     if(!lay_out_grid(projection)) return 0;
     list_edges();
     std::size_t crossings = 0;
-    for(std::size_t cell = 0; cell + 1 < m_first.size(); ++cell)
+    unsigned visits = 0;
+    for(std::size_t cell = 0; cell + 1 < m_first.size(); ++cell) {
+      check_sometimes(watch, visits);
       for(std::size_t i = m_first[cell]; i < m_first[cell + 1]; ++i)
         for(std::size_t j = m_first[cell]; j < i; ++j)
           if(do_cross_in(cell, m_edges[m_listed[i]], m_edges[m_listed[j]])) ++crossings;
+    }
     return crossings;
   }
 

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Where an edge, or a group of edges, lies along its component: an interval of a quantity that
+// The interval of an edge, or a group of edges, along its component, in terms of a quantity that
 // grows along the curve, such as the arc length or the angle turned so far. With it "too close
 // along the curve to count" is decided for single edges, and in one go for two groups of edges.
 struct Curve_interval

@@ -50,7 +50,7 @@ public:
   }
 
   // returns the least of `bound` and the doubly critical distance
-  double operator()(double bound) const
+  double operator()(double bound, Run_watch* watch = nullptr) const
   {
     const Least_pair_distance pairs(m_curve, m_spans, m_unit);
     const auto distance = [&](std::size_t e, std::size_t f) {
@@ -59,7 +59,7 @@ public:
       if(a.is_comparable(b) && m_spans.reach(a, b) < least_turning) return infinity;
       return shortest_critical_chord(e, f);
     };
-    return pairs.least(m_unit * bound, least_turning, distance) / m_unit;
+    return pairs.least(m_unit * bound, least_turning, distance, watch) / m_unit;
   }
 
 private:

@@ -48,13 +48,14 @@ public:
         if(m_spans.of_edge[e].component == Curve_interval::null) m_neighbors[e] = search(e);
   }
 
-  double operator()() const
+  double operator()(Run_watch* watch = nullptr) const
   {
     const Least_pair_distance pairs(m_curve, m_spans, m_unit);
-    const double least = pairs.least(
-        std::numeric_limits<double>::infinity(), m_neighborhood, [&](std::size_t e, std::size_t f) {
-          return are_neighbors(e, f) ? std::numeric_limits<double>::infinity() : distance(e, f);
-        });
+    const auto distance_of_others = [&](std::size_t e, std::size_t f) {
+      return are_neighbors(e, f) ? std::numeric_limits<double>::infinity() : distance(e, f);
+    };
+    const double least = pairs.least(std::numeric_limits<double>::infinity(), m_neighborhood,
+                                     distance_of_others, watch);
     return least / m_unit;
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/measures/Curve_interval.h>
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -42,11 +43,16 @@ public:
   /* returns the least of `bound` and of `distance(e, f)` over all pairs of edges.
    * Pieces of the curve with a `reach()` below `neighborhood` are passed over.
    * \pre distance(e, f) is not below the distance of the boxes of e and f
+   * \throws Run_stopped if the watch, if there is one, says so
    */
   template <typename Distance>
-  double least(double bound, double neighborhood, const Distance& distance) const
+  double least(double bound,
+               double neighborhood,
+               const Distance& distance,
+               Run_watch* watch = nullptr) const
   {
-    Query<Distance> query(m_spans, m_tree, neighborhood, distance, bound);
+    check(watch);
+    Query<Distance> query(m_spans, m_tree, neighborhood, distance, bound, watch);
     Nearest_pair_descent(m_tree, query).run();
     return query.least();
   }
@@ -62,12 +68,14 @@ private:
           const Box_tree& tree,
           double neighborhood,
           const Distance& distance,
-          double bound)
+          double bound,
+          Run_watch* watch)
         : m_spans(spans),
           m_tree(tree),
           m_neighborhood(neighborhood),
           m_distance(distance),
-          m_least(bound)
+          m_least(bound),
+          m_watch(watch)
     {}
 
     double least() const { return m_least; }
@@ -83,6 +91,7 @@ private:
 
     void visit(const Part& a, const Part& b)
     {
+      check_sometimes(m_watch, m_visits);
       m_tree.for_each_pair(a, b, [&](std::size_t e, std::size_t f) {
         if(squared_distance(m_tree.box(e), m_tree.box(f)) < bound())
           m_least = (std::min)(m_least, m_distance(e, f));
@@ -92,7 +101,7 @@ private:
   private:
     Curve_interval span(const Part& part) const
     {
-      return m_spans.of_edge[m_tree.first(part)].hull(m_spans.of_edge[m_tree.last(part)]);
+      return m_spans.of_edge[m_tree.first(part)].hull(m_spans.of_edge[m_tree.end(part) - 1]);
     }
 
     static double squared_distance(const Bbox_3& a, const Bbox_3& b)
@@ -110,6 +119,8 @@ private:
     double m_neighborhood;
     const Distance& m_distance;
     double m_least;
+    Run_watch* m_watch;
+    unsigned m_visits = 0;
   };
 
   template <typename Network>

@@ -48,7 +48,9 @@ inline Frame viewing_frame(std::size_t k)
 
 // With a stride k of every k-th direction only.
 template <typename ConcurrencyTag = Sequential_tag, typename Network>
-double average_crossing_number(const Network& curve, std::size_t stride = 1)
+double average_crossing_number(const Network& curve,
+                               std::size_t stride = 1,
+                               Run_watch* watch = nullptr)
 {
   constexpr std::size_t block = 10; // directions that share the memory of a counter
   const Vector_field points = coordinates(curve);
@@ -62,7 +64,7 @@ double average_crossing_number(const Network& curve, std::size_t stride = 1)
         const Vector x = row(points, v);
         projection[v] = {frame.first.dot(x), frame.second.dot(x), 0};
       }
-      crossings[k] = count(projection);
+      crossings[k] = count(projection, watch);
     }
   });
   return static_cast<double>(std::accumulate(crossings.begin(), crossings.end(), std::size_t(0))) /

@@ -36,6 +36,8 @@ inline bool is_in_range(double x, Range range)
   switch(range) {
   case Range::POSITIVE:
     return is_positive(x);
+  case Range::UP_TO_ONE:
+    return x > 0 && x <= 1;
   case Range::NOT_NEGATIVE:
     return x == 0 || is_positive(x);
   case Range::NOT_NEGATIVE_OR_NEVER:
@@ -51,6 +53,8 @@ const char* demand(Range range)
   switch(range) {
   case Range::POSITIVE:
     return std::is_integral_v<Value> ? "must be positive" : "must be positive and finite";
+  case Range::UP_TO_ONE:
+    return "must be positive and at most 1";
   case Range::NOT_NEGATIVE:
     return "must be finite and not negative";
   case Range::NOT_NEGATIVE_OR_NEVER:
@@ -87,15 +91,19 @@ void check_parameters(const Parameters& p)
              parameter_table<Parameters>());
 }
 
+inline std::string not_larger_than(const std::string& owner, double size)
+{
+  std::ostringstream demand;
+  demand.imbue(std::locale::classic());
+  demand << "must not be larger than " << owner << ", whose box has a diagonal of " << size;
+  return demand.str();
+}
+
 // Throws std::invalid_argument if the thickness is larger than what it is the thickness of.
 inline void check_thickness(double thickness, double size, const std::string& owner)
 {
-  if(thickness > size) {
-    std::ostringstream demand;
-    demand.imbue(std::locale::classic());
-    demand << "must not be larger than " << owner << ", whose box has a diagonal of " << size;
-    refuse_value(internal_np::thickness_t(), thickness, demand.str());
-  }
+  if(thickness > size)
+    refuse_value(internal_np::thickness_t(), thickness, not_larger_than(owner, size));
 }
 
 } // namespace internal

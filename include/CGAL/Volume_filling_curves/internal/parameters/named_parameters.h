@@ -9,10 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <functional>
 #include <tuple>
@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How named parameters fill a struct: by its table. What a function takes is a Signature: the
+// Named parameters fill a struct by its table. The parameters of a function are its Signature: the
 // members of a struct, tags that are no members, such as the visitor, and members that mean nothing
 // to it. A named parameter that a function does not take, or whose value has a type that it cannot
 // use, is refused at compile time.

@@ -9,21 +9,23 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/Finger_parameters.h>
-#include <CGAL/Volume_filling_curves/Simplification_parameters.h>
-#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Finger_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Simplification_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
+#include <functional>
 #include <tuple>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What reading, checking and refusing parameters rest on: for each struct of parameters a table
+// The basis of reading, checking and refusing parameters: for each struct of parameters a table
 // with a row per member, which says by which named parameter it is set and which values it may
 // have. The names of the rows are those of the members.
 
@@ -31,6 +33,7 @@ enum class Range
 {
   ANY,
   POSITIVE,             // and finite
+  UP_TO_ONE,            // and positive
   NOT_NEGATIVE,         // and finite
   NOT_NEGATIVE_OR_NEVER // or infinite
 };
@@ -60,7 +63,7 @@ constexpr auto parameter_table(const Curve_flow_parameters*)
       parameter<thickness_t>(&P::thickness, Range::NOT_NEGATIVE),
       parameter<number_of_directions_t>(&P::number_of_directions, Range::POSITIVE),
       parameter<max_radius_t>(&P::max_radius, Range::POSITIVE),
-      parameter<spacing_t>(&P::spacing, Range::POSITIVE),
+      parameter<spacing_t>(&P::spacing, Range::UP_TO_ONE),
       parameter<screening_t>(&P::screening, Range::POSITIVE),
       parameter<medial_weight_t>(&P::medial_weight, Range::POSITIVE),
       parameter<coupling_t>(&P::coupling, Range::NOT_NEGATIVE),
@@ -79,7 +82,8 @@ constexpr auto parameter_table(const Curve_run_parameters* p)
           parameter<number_of_iterations_t>(&P::number_of_iterations),
           parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER),
           parameter<random_seed_t>(&P::random_seed), parameter<certificate_t>(&P::certificate),
-          parameter<checkpoint_t>(&P::checkpoint), parameter<resume_from_t>(&P::resume_from)));
+          parameter<progress_t>(&P::progress), parameter<checkpoint_t>(&P::checkpoint),
+          parameter<resume_from_t>(&P::resume_from), parameter<build_name_t>(&P::build_name)));
 }
 
 constexpr auto parameter_table(const Untangling_parameters* p)
@@ -121,7 +125,8 @@ constexpr auto parameter_table(const Finger_parameters<Point_3>*)
                          parameter<direction_field_t>(&P::direction_field),
                          parameter<direction_weight_t>(&P::direction_weight, Range::NOT_NEGATIVE),
                          parameter<random_seed_t>(&P::random_seed),
-                         parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER));
+                         parameter<time_limit_t>(&P::time_limit, Range::NOT_NEGATIVE_OR_NEVER),
+                         parameter<progress_t>(&P::progress));
 }
 
 constexpr auto parameter_table(const Simplification_parameters*)
@@ -130,7 +135,19 @@ constexpr auto parameter_table(const Simplification_parameters*)
   using P = Simplification_parameters;
   return std::make_tuple(parameter<max_distance_t>(&P::max_distance, Range::NOT_NEGATIVE_OR_NEVER),
                          parameter<clearance_t>(&P::clearance, Range::NOT_NEGATIVE),
-                         parameter<certificate_t>(&P::certificate));
+                         parameter<certificate_t>(&P::certificate),
+                         parameter<progress_t>(&P::progress));
+}
+
+// The parameters of functions without a status, see watched().
+struct Progress_parameters
+{
+  std::function<bool(const Run_progress&)> progress;
+};
+
+constexpr auto parameter_table(const Progress_parameters*)
+{
+  return std::make_tuple(parameter<internal_np::progress_t>(&Progress_parameters::progress));
 }
 
 template <typename Parameters>

@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/Simplification_parameters.h>
-#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Simplification_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -29,9 +29,9 @@ using Untangle_signature = Signature<Untangling_parameters,
 using Untangle_in_domain_signature =
     Signature<Untangling_parameters, Tag_list<internal_np::visitor_t>>;
 
-using Untangle_in_mesh_signature =
-    Signature<Untangling_parameters,
-              Tag_list<internal_np::visitor_t, internal_np::vertex_point_map_t>>;
+using Untangle_in_mesh_signature = Signature<
+    Untangling_parameters,
+    Tag_list<internal_np::visitor_t, internal_np::vertex_point_map_t, internal_np::check_mesh_t>>;
 
 using Untangle_polylines_signature = Signature<Untangling_parameters,
                                                Tag_list<internal_np::visitor_t,
@@ -49,6 +49,7 @@ using Untangle_polylines_in_domain_signature = Signature<Untangling_parameters,
 using Untangle_polylines_in_mesh_signature = Signature<Untangling_parameters,
                                                        Tag_list<internal_np::visitor_t,
                                                                 internal_np::vertex_point_map_t,
+                                                                internal_np::check_mesh_t,
                                                                 internal_np::point_map_t,
                                                                 internal_np::closure_t,
                                                                 internal_np::origins_t>>;
@@ -67,14 +68,15 @@ template <typename Point_3>
 using Fill_mesh_with_polylines_signature = Signature<Filling_parameters<Point_3>,
                                                      Tag_list<internal_np::visitor_t,
                                                               internal_np::vertex_point_map_t,
+                                                              internal_np::check_mesh_t,
                                                               internal_np::point_map_t,
                                                               internal_np::closure_t,
                                                               internal_np::origins_t>>;
 
 template <typename Point_3>
-using Fill_mesh_signature =
-    Signature<Filling_parameters<Point_3>,
-              Tag_list<internal_np::visitor_t, internal_np::vertex_point_map_t>>;
+using Fill_mesh_signature = Signature<
+    Filling_parameters<Point_3>,
+    Tag_list<internal_np::visitor_t, internal_np::vertex_point_map_t, internal_np::check_mesh_t>>;
 
 template <typename Point_3>
 using Finger_signature = Signature<Finger_parameters<Point_3>>;

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What Isotopy_guard_3 is to a network this is to the polygon of a search: each change is carried
+// The guard of a search's polygon, as Isotopy_guard_3 is that of a network: each change is carried
 // out if and only if it is an elementary move, by the same criteria, and keeps the clearance.
 class Polygon_guard
 {

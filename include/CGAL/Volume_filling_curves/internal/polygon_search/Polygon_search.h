@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Elementary_operation.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_chain.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <algorithm>
 #include <atomic>
@@ -30,7 +30,7 @@ namespace internal {
 // and what the best of them did is done again through a guard, which certifies it once more. The
 // first to reach the goal, counted in moves, is the best; if none does, the one that gets to the
 // fewest edges. Hence the result depends on the seed, but not on threads and their timing. The time
-// that a search takes has a heavy tail, so that several of them end earlier than one does, on
+// that a search takes has a heavy ray, so that several of them end earlier than one does, on
 // threads of their own.
 template <typename Guard, typename ConcurrencyTag>
 class Polygon_search

@@ -22,7 +22,7 @@ namespace internal {
 
 // A search for the fewest edges of a curve: a random walk, which starts again where it started when
 // it gets nowhere, until it has done so several times or for long in vain, or the goal is reached.
-// What led to the fewest edges is remembered; the memory that this takes is bounded.
+// The chain remembers the changes that led to the fewest edges, in bounded memory.
 class Search_chain
 {
   using Operations = Polygon_walk::Operations;

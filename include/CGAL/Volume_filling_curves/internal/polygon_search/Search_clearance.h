@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What a search keeps clear, so that it hands over a curve that can move: edges without a common
+// The clearance of a search, which must hand over a curve that can move: edges without a common
 // node get no closer than a distance, unless they were closer, and corners get no sharper than 2
 // degrees, unless they were sharper. Stricter than Clearance_rule, whose halves add up over
 // millions of moves. In double arithmetic, and no part of any proof.
@@ -78,7 +78,7 @@ private:
   double m_distance = 0;
 };
 
-// What that means for the triangle abc of a change, in the words of elementary_move.h: the edges
+// The same for the triangle abc of a change, in the words of elementary_move.h: the edges
 // ab, bc become one edge ac.
 struct Clearance_of_shortcut
 {

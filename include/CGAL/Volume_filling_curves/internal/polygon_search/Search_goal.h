@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
 #include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_polygon.h>

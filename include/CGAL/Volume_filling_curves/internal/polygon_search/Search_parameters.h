@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How a Search_chain and its walk go about it. Lengths are in units of the mean length of an edge,
-// and rates are probabilities per move; the moves that are left over shake a node. Found with
+// The parameters of a Search_chain and its walk. Lengths are in units of the mean length of an
+// edge, and rates are probabilities per move; the moves that are left over shake a node. Found with
 // benchmark_search on Haken's, Ochiai's and Petronio and Zanellati's unknots, 2026-11-21: rates may
 // vary by a factor of two. In first trials, with other rates and 6 seeds, one search for Ochiai's
 // fourth unknot got stuck without a clearance, and with 0.01 Haken's took four times as long.

@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
-#include <CGAL/Volume_filling_curves/parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How polylines are to be read, by the named parameters that every function on polylines takes.
+// The conventions of polylines, from the named parameters of every function that takes polylines.
 
 // the map that gives the points
 template <typename Polylines, typename NamedParameters>

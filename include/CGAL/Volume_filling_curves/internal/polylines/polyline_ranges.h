@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What a type is, for functions that take one polyline, or a range of polylines, or something else.
+// Kinds of types, for functions that take one polyline, a range of polylines, or something else.
 // A point may be a range itself, of numbers: neither an array of three numbers nor a matrix is a
 // polyline.
 

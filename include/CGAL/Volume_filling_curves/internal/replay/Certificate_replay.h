@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/replay/Replayed_curve.h>
 #include <CGAL/Volume_filling_curves/internal/replay/rational_geometry.h>
 #include <CGAL/Volume_filling_curves/internal/replay/separating_directions.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <array>
 #include <cstddef>
@@ -47,8 +48,9 @@ public:
   // With an enclosure no operation may take the curve out of it.
   Certificate_replay(const std::vector<Position>& points,
                      const std::vector<std::array<std::uint64_t, 2>>& edges,
-                     const Enclosure* enclosure = nullptr)
-      : m_curve(points, edges), m_enclosure(enclosure)
+                     const Enclosure* enclosure = nullptr,
+                     Run_watch* watch = nullptr)
+      : m_curve(points, edges), m_enclosure(enclosure), m_watch(watch)
   {}
 
   const Replayed_curve& curve() const { return m_curve; }
@@ -57,6 +59,7 @@ public:
   void require_embedded()
   {
     for(const std::size_t e : m_curve.edges()) {
+      check(m_watch);
       const std::size_t a = m_curve.source(e), b = m_curve.target(e);
       if(a == b || point(a) == point(b)) refuse("edge ", e, " has no length");
       Extent box;
@@ -105,6 +108,7 @@ private:
     std::vector<std::size_t> stack(1, start);
     is_known[start] = true;
     while(!stack.empty()) {
+      check(m_watch);
       const std::size_t v = stack.back();
       stack.pop_back();
       for(const std::size_t e : m_curve.edges_at(v)) {
@@ -232,6 +236,7 @@ private:
 
   Replayed_curve m_curve;
   const Enclosure* m_enclosure; // null for none
+  Run_watch* m_watch;           // likewise
 };
 
 } // namespace replay

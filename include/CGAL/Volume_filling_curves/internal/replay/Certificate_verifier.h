@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/certificate/Canonical_curve.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Certificate_reader.h>
 #include <CGAL/Volume_filling_curves/internal/replay/Certificate_replay.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>
 #include <string>
@@ -29,17 +30,19 @@ class Certificate_verifier
   using Kind = Certificate_operation::Kind;
 
 public:
-  // With an enclosure the curve must not leave it.
-  explicit Certificate_verifier(std::string_view bytes, const Enclosure* enclosure = nullptr)
-      : m_reader(bytes), m_enclosure(enclosure)
+  // With an enclosure the curve must not leave it. The replay is under a watch, if there is one.
+  explicit Certificate_verifier(std::string_view bytes,
+                                const Enclosure* enclosure = nullptr,
+                                Run_watch* watch = nullptr)
+      : m_reader(bytes), m_enclosure(enclosure), m_watch(watch)
   {}
 
-  // returns whether the certificate leads from one curve to the other
+  // returns whether the certificate leads from one curve to the other. \throws Run_stopped
   bool operator()(const Canonical_curve& start, const Canonical_curve& end)
   {
     try {
       check_start(start);
-      Certificate_replay replay(start.points(), start.edges(), m_enclosure);
+      Certificate_replay replay(start.points(), start.edges(), m_enclosure, m_watch);
       replay.require_embedded();
       replay.require_inside();
       run(replay);
@@ -78,6 +81,7 @@ private:
   void run(Certificate_replay& replay)
   {
     for(;;) {
+      check(m_watch);
       m_current = m_number_of_operations + 1;
       const Certificate_operation operation = m_reader.operation();
       if(operation.kind == Kind::END) break;
@@ -119,6 +123,7 @@ private:
 
   Certificate_reader m_reader;
   const Enclosure* m_enclosure; // null for none
+  Run_watch* m_watch;           // likewise
   std::string m_subject, m_message;
   std::size_t m_current = 0, m_number_of_operations = 0;
 };

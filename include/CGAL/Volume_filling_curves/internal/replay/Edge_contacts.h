@@ -21,8 +21,8 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// What the edges of a replayed curve meet. Exact: what double arithmetic cannot prove is decided
-// with rational numbers. Borrows the curve.
+// Contacts of the edges of a replayed curve. Exact: rational numbers decide where double arithmetic
+// cannot. Borrows the curve.
 class Edge_contacts
 {
   using Triangle = std::array<Position, 3>;

@@ -18,7 +18,7 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// What a replayed curve must not leave.
+// The enclosure that a replayed curve must not leave.
 class Enclosure
 {
 public:

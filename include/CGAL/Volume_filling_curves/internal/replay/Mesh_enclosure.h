@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/replay/Enclosure.h>
 #include <CGAL/Volume_filling_curves/internal/replay/rational_geometry.h>
+#include <CGAL/Volume_filling_curves/internal/replay/ray_crossing.h>
 #include <CGAL/Volume_filling_curves/internal/replay/separating_directions.h>
 #include <CGAL/Volume_filling_curves/internal/support/cgal_compatibility.h>
 
@@ -26,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -54,13 +54,17 @@ public:
     m_tree.build();
   }
 
-  // By a segment to a point outside, which crosses the surface an odd number of times. Where it
-  // meets an edge or a vertex another one is taken.
+  // A ray from a point inside crosses the surface an odd number of times.
   bool is_inside(const Position& p) const override
   {
-    for(std::size_t k = 0; is_in_extent(p); ++k)
-      if(const auto is_odd = is_crossed_oddly(p, point_outside(k))) return *is_odd;
-    return false;
+    if(!is_in_extent(p)) return false;
+    const std::array<Position, 2> ray = {p, {m_extent.upper[0], p[1], p[2]}};
+    bool is_odd = false;
+    const bool is_on_surface = finds_near(box_of(ray), [&](const Triangle& face) {
+      is_odd = is_odd != does_ray_cross(p, face);
+      return !are_surely_apart({p, p}, face) && do_meet_exactly(p, p, face);
+    });
+    return is_odd && !is_on_surface;
   }
 
   bool is_triangle_inside(const Triangle& triangle) const override
@@ -122,52 +126,6 @@ private:
     Extent extent;
     extent.add(p);
     return m_extent.meets(extent);
-  }
-
-  // beyond the largest x, each in another direction
-  Position point_outside(std::size_t k) const
-  {
-    constexpr double golden_ratio = 0.6180339887498949;
-    Position q = m_extent.upper;
-    const double size = q[0] - m_extent.lower[0];
-    q[0] += size;
-    for(std::size_t i = 1; i < 3; ++i) {
-      const double x = golden_ratio * static_cast<double>(3 * k + i);
-      q[i] -= (x - std::floor(x)) * (q[i] - m_extent.lower[i]);
-    }
-    return q;
-  }
-
-  // Returns none if that cannot be told, false if p is on the surface.
-  std::optional<bool> is_crossed_oddly(const Position& p, const Position& q) const
-  {
-    const std::array<Position, 2> segment = {p, q};
-    bool is_odd = false, is_on_surface = false;
-    const bool is_undecided = finds_near(box_of(segment), [&](const Triangle& face) {
-      if(are_surely_apart(segment, face) || !do_meet_exactly(p, q, face)) return false;
-      is_on_surface = is_on_surface || do_meet_exactly(p, p, face);
-      is_odd = !is_odd;
-      return !is_on_surface && !is_crossing_proper(p, q, face);
-    });
-    if(is_on_surface) return false;
-    return is_undecided ? std::nullopt : std::optional<bool>(is_odd);
-  }
-
-  // Whether a segment that meets a face meets neither its edges nor its plane in an end.
-  static bool is_crossing_proper(const Position& p, const Position& q, const Triangle& face)
-  {
-    return is_volume_nonzero(face[0], face[1], face[2], p) &&
-           is_volume_nonzero(face[0], face[1], p, q) && is_volume_nonzero(face[1], face[2], p, q) &&
-           is_volume_nonzero(face[2], face[0], p, q);
-  }
-
-  static bool is_volume_nonzero(const Position& a,
-                                const Position& b,
-                                const Position& c,
-                                const Position& d)
-  {
-    const Rational_vector o = rational(a);
-    return dot(cross(rational(b) - o, rational(c) - o), rational(d) - o) != 0;
   }
 
   // Triangles meet if and only if an edge of one of them meets the other.

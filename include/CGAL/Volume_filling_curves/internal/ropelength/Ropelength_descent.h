@@ -11,13 +11,13 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/ropelength/Rollback.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope_contacts.h>
-#include <CGAL/Volume_filling_curves/internal/ropelength/Way_back.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/rope_motion.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -46,14 +46,22 @@ public:
       : m_guard(guard), m_radius(radius), m_way(guard), m_rope(guard.curve(), radius)
   {}
 
-  // Calls go_on() after each certified motion, and stops if that returns false. Returns whether it
-  // came to an end.
+  // Calls go_on() after each certified motion, and stops if that returns false, or if the guard's
+  // watch says so, which is asked in each iteration. Returns whether it came to an end.
   template <typename Function>
   bool operator()(const Function& go_on)
   {
-    const bool is_complete = tighten(go_on);
+    bool is_complete = false;
+    try {
+      is_complete = tighten(go_on);
+    } catch(const Run_stopped&) { // the curve is where a motion was certified last
+      m_is_stopped = true;
+    }
     return m_way.return_to_least_ropelength() && is_complete;
   }
+
+  // whether it was the watch that ended it
+  bool is_stopped() const { return m_is_stopped; }
 
 private:
   static constexpr double coarse_edge = 0.7, fine_edge = 0.3; // the mean, at most, in radii
@@ -135,7 +143,8 @@ private:
   template <typename Function>
   bool relax(const Function& go_on)
   {
-    const double weakening_of_block = std::pow(weakening, block);
+    double weakening_of_block = 1;
+    for(int k = 0; k < block; ++k) weakening_of_block *= weakening;
     for(double strength = strongest_pull; strength > weakest_pull; strength *= weakening_of_block)
       if(!make_block(strength, go_on, weakening)) return false;
     return true;
@@ -165,10 +174,20 @@ private:
   template <typename Function>
   bool iterate(double strength, const Function& go_on)
   {
+    check_time();
     pull(m_rope, strength, m_workspace);
     m_contacts.push_apart(m_rope);
-    unbend(m_rope);
+    straighten(m_rope);
     return !has_moved_far() || carry_out(go_on);
+  }
+
+  // The way back takes its share of the time.
+  void check_time() const
+  {
+    Run_watch* const watch = m_guard.watch();
+    if(watch == nullptr) return;
+    watch->check();
+    if(watch->is_interrupted() || !watch->leaves(m_way.seconds_back())) throw Run_stopped();
   }
 
   bool has_moved_far() const
@@ -198,12 +217,13 @@ private:
 
   Guard& m_guard;
   double m_radius;
-  Way_back<Guard, ConcurrencyTag> m_way;
+  Rollback<Guard, ConcurrencyTag> m_way;
   Rope m_rope;
   Rope_contacts m_contacts;
   std::vector<Vector> m_certified; // where the curve is
   std::vector<Vector> m_workspace;
   Random_source m_random{0}; // the distortions are the same in each run
+  bool m_is_stopped = false;
 };
 
 } // namespace internal

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What moves the nodes of a rope on their own, without contacts: its tension, and its stiffness
+// The motion of a rope's nodes apart from contacts, by its tension, and by its stiffness
 // where it bends more tightly than its radius allows. Linear.
 
 // The tightest bend's turn, and what a polygon needs more: a ring of 12 edges 2 %.
@@ -59,7 +59,7 @@ inline void pull(Rope& rope, double strength, std::vector<Vector>& before)
 // Opens corners until the arc that is tangent to both edges and touches the shorter one in its
 // middle has radius 1: then |ahead - behind| = 2 sin(angle / 2), where tan(angle / 2) is half of
 // the shorter edge. A node goes a third of the excess, its neighbors a sixth each.
-inline void unbend(Rope& rope)
+inline void straighten(Rope& rope)
 {
   for(std::size_t v = 0; v < rope.size(); ++v) {
     const std::size_t u = rope.previous[v], w = rope.next[v];

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -26,12 +27,13 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A CGAL AABB tree over boxes that come in an order in space, as those of the edges of a curve do.
-// So nothing has to be sorted: every node holds consecutive boxes, and half of them go to either
-// child. (Splitting at the median of the longest axis, CGAL's default, takes longer than all
-// queries.) A leaf of CGAL's tree is a run of boxes, which lie next to each other in an array.
-// Building takes O(n log n) unions of boxes, 17 ns per box for 100,000 (kernel_broad_phase,
-// 2026-11-22). Queries walk over parts: Nearest_pair_descent.
+// A CGAL AABB tree over boxes that come in an order in space: that of the edges along a curve, or a
+// `Surface_area_order`. So nothing has to be sorted: every node holds consecutive runs of boxes,
+// half of which go to either child. (To split at the median of the longest axis, CGAL's default,
+// takes longer than all queries for pairs of edges.) A leaf of CGAL's tree is a run, whose boxes
+// lie next to each other in an array. Building takes O(n log n) unions of boxes, 17 ns per box for
+// 100,000 (kernel_broad_phase). Queries walk over parts: `Nearest_pair_descent`,
+// `Nearest_first_descent`.
 class Box_tree
 {
   using Kernel = CGAL::Simple_cartesian<double>;
@@ -78,26 +80,27 @@ public:
     std::size_t m_first, m_size; // in runs
   };
 
+  Box_tree() = default;
+
+  // Takes boxes that come in an order in space, as along a curve, in runs of the same length.
   explicit Box_tree(Boxes boxes) : m_boxes(std::move(boxes))
   {
-    m_hulls.reserve((m_boxes.size() + run_length - 1) / run_length);
-    for(std::size_t k = 0; k < m_boxes.size(); ++k)
-      if(k % run_length == 0)
-        m_hulls.push_back(m_boxes[k]);
-      else
-        m_hulls.back() += m_boxes[k];
-    m_tree.insert(m_hulls.cbegin(), m_hulls.cend());
-    m_tree.custom_build(
-        [](auto first, auto beyond) {
-          Bbox_3 hull = *first->hull;
-          for(++first; first != beyond; ++first) hull += *first->hull;
-          return hull;
-        },
-        [](auto, auto, const Bbox_3&) {}); // keeps the order
+    const std::size_t n = m_boxes.size();
+    for(std::size_t k = 0; k < n; k += run_length_along_curves)
+      m_run_ends.push_back(static_cast<std::uint32_t>((std::min)(k + run_length_along_curves, n)));
+    build();
   }
 
-  Box_tree(const Box_tree&) = delete; // the tree points at the hulls
-  Box_tree& operator=(const Box_tree&) = delete;
+  // likewise, with the places where runs end; a run may be empty
+  Box_tree(Boxes boxes, std::vector<std::uint32_t> run_ends)
+      : m_boxes(std::move(boxes)), m_run_ends(std::move(run_ends))
+  {
+    build();
+  }
+
+  // The tree points at the hulls, which stay where they are if their vector is moved.
+  Box_tree(Box_tree&&) = default;
+  Box_tree& operator=(Box_tree&&) = default;
 
   bool is_empty() const { return m_boxes.empty(); }
   const Bbox_3& box(std::size_t k) const { return m_boxes[k]; }
@@ -118,12 +121,9 @@ public:
     return {part(p.m_node->left_child(), p.m_first, half), right};
   }
 
-  // the boxes of a part are first(p), ..., last(p)
-  std::size_t first(const Part& p) const { return p.m_first * run_length; }
-  std::size_t last(const Part& p) const
-  {
-    return (std::min)((p.m_first + p.m_size) * run_length, m_boxes.size()) - 1;
-  }
+  // the boxes of a part are first(p), ..., end(p) - 1
+  std::size_t first(const Part& p) const { return p.m_first == 0 ? 0 : m_run_ends[p.m_first - 1]; }
+  std::size_t end(const Part& p) const { return m_run_ends[p.m_first + p.m_size - 1]; }
 
   // Calls f(i, j), i < j, for all pairs of boxes in a part, or of one in a part and one in a later
   // part.
@@ -131,12 +131,32 @@ public:
   void for_each_pair(const Part& a, const Part& b, const Function& f) const
   {
     const bool is_same = a.m_first == b.m_first;
-    for(std::size_t j = first(b); j <= last(b); ++j)
-      for(std::size_t i = first(a); i < (is_same ? j : last(a) + 1); ++i) f(i, j);
+    for(std::size_t j = first(b); j < end(b); ++j)
+      for(std::size_t i = first(a); i < (is_same ? j : end(a)); ++i) f(i, j);
   }
 
 private:
-  static constexpr std::size_t run_length = 4; // 3 and 6 are as fast, 2 and 8 slower by a tenth
+  // 3 and 6 are as fast, 2 and 8 slower by a tenth
+  static constexpr std::size_t run_length_along_curves = 4;
+
+  void build()
+  {
+    m_hulls.reserve(m_run_ends.size());
+    std::size_t k = 0;
+    for(const std::uint32_t end : m_run_ends) {
+      Bbox_3 hull;
+      for(; k < end; ++k) hull += m_boxes[k];
+      m_hulls.push_back(hull);
+    }
+    m_tree.insert(m_hulls.cbegin(), m_hulls.cend());
+    m_tree.custom_build(
+        [](auto first, auto beyond) {
+          Bbox_3 hull = *first->hull;
+          for(++first; first != beyond; ++first) hull += *first->hull;
+          return hull;
+        },
+        [](auto, auto, const Bbox_3&) {}); // keeps the order
+  }
 
   static Part part(const Node& node, std::size_t first, std::size_t size)
   {
@@ -146,6 +166,7 @@ private:
   Part run(std::size_t k) const { return {nullptr, m_hulls[k], k, 1}; }
 
   Boxes m_boxes;
+  std::vector<std::uint32_t> m_run_ends;
   Boxes m_hulls; // of the runs
   Tree m_tree;
 };

@@ -12,8 +12,9 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
-#include <CGAL/Volume_filling_curves/internal/search/Surface_area_tree.h>
+#include <CGAL/Volume_filling_curves/internal/search/Surface_area_order.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -28,26 +29,27 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How far is a point from a curve? The edges are kept as pairs of points in the order of the leaves
-// of a tree. Built in O(n log n) time; a query takes O(log n) near the curve.
+// The distance of a point to a curve. The edges are kept as pairs of points in the order of the
+// leaves of a tree. Built in O(n log n) time; a query takes O(log n) near the curve.
 class Distance_to_curve
 {
 public:
   template <typename Network>
   explicit Distance_to_curve(const Network& curve)
   {
-    const auto segment = [&](std::size_t e) -> Segment {
-      return {to_vector(curve.point(curve.source(e))), to_vector(curve.point(curve.target(e)))};
-    };
+    Segments segments;
     std::vector<Bbox_3> boxes;
+    segments.reserve(curve.number_of_edges());
     boxes.reserve(curve.number_of_edges());
     for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
-      const auto [p, q] = segment(e);
+      segments.push_back(
+          {to_vector(curve.point(curve.source(e))), to_vector(curve.point(curve.target(e)))});
+      const auto& [p, q] = segments.back();
       boxes.push_back(to_bbox(Box(p.cwiseMin(q), p.cwiseMax(q))));
     }
-    m_tree = Surface_area_tree(boxes);
-    m_segments.reserve(boxes.size());
-    for(const std::size_t e : m_tree.order()) m_segments.push_back(segment(e));
+    const Surface_area_order order(boxes);
+    m_tree = Box_tree(order.sorted(boxes), order.run_ends());
+    m_segments = order.sorted(segments);
   }
 
   // returns the distance of p to the curve, infinity if there are no edges
@@ -77,7 +79,7 @@ private:
     }
   };
 
-  Surface_area_tree m_tree;
+  Box_tree m_tree;
   Segments m_segments;
 };
 

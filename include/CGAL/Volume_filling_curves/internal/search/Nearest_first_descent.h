@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/search/Surface_area_tree.h>
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -45,31 +45,33 @@ inline double squared_distance_to_box(const Vector& p, const Bbox_3& box)
 template <typename Query>
 class Nearest_first_descent
 {
+  using Part = Box_tree::Part;
+
 public:
-  Nearest_first_descent(const Surface_area_tree& tree, Query& query) : m_tree(tree), m_query(query)
-  {}
+  Nearest_first_descent(const Box_tree& tree, Query& query) : m_tree(tree), m_query(query) {}
 
   void run()
   {
-    if(!m_tree.is_empty() && m_query.entry(m_tree.root().box) < m_query.bound())
-      descend(m_tree.root());
+    if(m_tree.is_empty()) return;
+    const Part root = m_tree.root();
+    if(m_query.entry(root.hull()) < m_query.bound()) descend(root);
   }
 
 private:
-  using Node = Surface_area_tree::Node;
-
-  void descend(const Node& node)
+  void descend(const Part& part)
   {
-    for(std::size_t i = 0; i < node.number_of_boxes; ++i) m_query.visit(node.first + i);
-    if(node.number_of_boxes > 0) return;
-    const Node* const children = m_tree.children(node);
-    const double entries[] = {m_query.entry(children[0].box), m_query.entry(children[1].box)};
-    const int nearer = entries[1] < entries[0];
-    for(const int k : {nearer, 1 - nearer})
+    if(part.number_of_runs() == 1) {
+      for(std::size_t i = m_tree.first(part); i < m_tree.end(part); ++i) m_query.visit(i);
+      return;
+    }
+    const auto children = m_tree.children(part);
+    const double entries[] = {m_query.entry(children[0].hull()), m_query.entry(children[1].hull())};
+    const std::size_t nearer = entries[1] < entries[0] ? 1 : 0;
+    for(const std::size_t k : {nearer, 1 - nearer})
       if(entries[k] < m_query.bound()) descend(children[k]);
   }
 
-  const Surface_area_tree& m_tree;
+  const Box_tree& m_tree;
   Query& m_query;
 };
 

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What queries for pairs of boxes that overlap have in common.
+// The common part of queries for pairs of overlapping boxes.
 struct Overlap_query
 {
   double bound() const { return 1; }

@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What else than other nodes limits medial spheres: nothing.
+// No boundary: only other nodes limit medial spheres.
 struct No_boundary_limit
 {};
 
-// What the boundary of a domain leaves of medial spheres. To cover the domain, the curve must come
+// Medial spheres limited by the boundary of a domain. To cover the domain, the curve must come
 // within r of all of it: only the centers must lie inside. To keep clear of the boundary as of
 // another strand (section 3.2 of the paper), the spheres must.
 template <typename Network, typename Domain_boundary>

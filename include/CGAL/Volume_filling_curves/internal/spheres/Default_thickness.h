@@ -34,11 +34,16 @@ template <typename Network, typename ConcurrencyTag>
 class Default_thickness
 {
 public:
-  Default_thickness(const Network& curve, std::size_t number_of_directions)
-      : m_curve(curve), m_x(coordinates(curve)), m_number_of_directions(number_of_directions)
+  Default_thickness(const Network& curve,
+                    std::size_t number_of_directions,
+                    Run_watch* watch = nullptr)
+      : m_curve(curve),
+        m_x(coordinates(curve)),
+        m_number_of_directions(number_of_directions),
+        m_watch(watch)
   {}
 
-  // Returns a length, 0 for a curve without extent.
+  // Returns a length, 0 for a curve without extent. \throws Run_stopped
   double operator()()
   {
     const double diagonal = box_diagonal();
@@ -104,8 +109,9 @@ private:
     for(double cap = start_cap();; cap *= 2) {
       if(2 * cap > largest) cap = largest;
       const std::vector<double> caps(static_cast<std::size_t>(m_samples.rows()), cap);
-      const Medial_spheres spheres = Medial_sphere_search(ConcurrencyTag(), m_samples, caps,
-                                                          1.)(m_circles, m_number_of_directions);
+      Medial_sphere_search search(ConcurrencyTag(), m_samples, caps, 1., No_boundary_limit(),
+                                  m_watch);
+      const Medial_spheres spheres = search(m_circles, m_number_of_directions);
       std::vector<double> radii;
       for(std::size_t c = 0; c < m_circles.size(); ++c)
         for(std::size_t l = 0; l < m_number_of_directions; ++l)
@@ -140,6 +146,7 @@ private:
   const Network& m_curve;
   Vector_field m_x, m_samples;
   std::size_t m_number_of_directions;
+  Run_watch* m_watch; // none if null
   std::vector<Node_circle> m_circles;
 };
 

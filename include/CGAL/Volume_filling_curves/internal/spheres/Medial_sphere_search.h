@@ -38,9 +38,9 @@ namespace internal {
 // of them is found before the nodes. None of this changes the result: the spheres of a node are the
 // same bits if it is asked for alone.
 //
-// Where r_max is much larger than the thickness, as while a curve fills a volume, most spheres are
-// not: they are sought with a small cap first, which is doubled for the nodes with a sphere that
-// reaches it.
+// If r_max is much larger than the thickness, as while a curve fills a volume, most spheres are
+// still small: they are sought with a small cap first, which is doubled for the nodes with a sphere
+// that reaches it.
 template <typename ConcurrencyTag, typename BoundaryLimit = No_boundary_limit>
 class Medial_sphere_search
 {
@@ -49,20 +49,23 @@ class Medial_sphere_search
 
 public:
   // Takes the positions of the nodes, the thickness at each, and the cap of the radii in units of
-  // the thickness.
+  // the thickness. The search is under a watch, if there is one.
   Medial_sphere_search(ConcurrencyTag,
                        const Vector_field& x,
                        const std::vector<double>& thickness,
                        double max_radius,
-                       const BoundaryLimit& boundary_limit = BoundaryLimit())
+                       const BoundaryLimit& boundary_limit = BoundaryLimit(),
+                       Run_watch* watch = nullptr)
       : m_x(x),
         m_thickness(thickness),
         m_max_radius(max_radius),
         m_boundary_limit(boundary_limit),
+        m_watch(watch),
         m_neighborhoods(x)
   {}
 
   // Takes the circles of all nodes, in the order of the nodes. \pre number_of_directions > 0
+  // \throws Run_stopped
   Medial_spheres operator()(std::vector<Node_circle> circles, std::size_t number_of_directions)
   {
     m_spheres = Medial_spheres(std::move(circles), number_of_directions);
@@ -131,14 +134,15 @@ private:
   // Finds the radii of some circles that are below a cap, in units of the thickness.
   void find_radii(const Circles& circles, double last_cap, double cap)
   {
-    for_each_block<ConcurrencyTag>(circles.size(), block, [&](std::size_t begin, std::size_t end) {
+    const auto find_in_block = [&](std::size_t begin, std::size_t end) {
       Workspace work{Support_function(m_spheres.directions()),
                      Moving_neighborhood(m_neighborhoods),
                      {},
                      {},
                      {}};
       for(; begin < end; ++begin) find_radii(circles[begin], last_cap, cap, work);
-    });
+    };
+    for_each_block<ConcurrencyTag>(circles.size(), block, m_watch, find_in_block);
   }
 
   void find_radii(std::size_t c, double last_cap, double cap, Workspace& work)
@@ -218,6 +222,7 @@ private:
   const std::vector<double>& m_thickness;
   double m_max_radius;
   BoundaryLimit m_boundary_limit;
+  Run_watch* m_watch; // none if null
   Node_neighborhoods m_neighborhoods;
   Medial_spheres m_spheres;
 };

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_neighborhoods.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/Node_sieve.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_prefilter.h>
 
 #include <cstddef>
 
@@ -60,7 +60,7 @@ private:
   const Node_neighborhoods& m_all;
   Vector m_center, m_last;
   double m_radius = -1;
-  Node_sieve m_ball;
+  Node_prefilter m_ball;
   Node_list m_sifted;
 };
 

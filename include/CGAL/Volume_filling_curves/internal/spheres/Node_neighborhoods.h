@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Search_traits_3.h>
@@ -79,7 +80,20 @@ private:
   using Traits = CGAL::Search_traits_adapter<Index,
                                              CGAL::Pointer_property_map<Point>::type,
                                              CGAL::Search_traits_3<Kernel>>;
-  using Splitter = CGAL::Sliding_midpoint<Traits>;
+
+  // Building a tree of a million nodes takes a second.
+  struct Splitter : CGAL::Sliding_midpoint<Traits>
+  {
+    using CGAL::Sliding_midpoint<Traits>::Sliding_midpoint;
+
+    template <typename Separator, typename Points>
+    void operator()(Separator& separator, Points& points, Points& others) const
+    {
+      check_run();
+      CGAL::Sliding_midpoint<Traits>::operator()(separator, points, others);
+    }
+  };
+
   using Tree = CGAL::Kd_tree<Traits, Splitter>;
 
   static constexpr unsigned bucket_size = 20;

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What turns the search for the medial spheres of node i into arithmetic: under inversion at the
+// The search for the medial spheres of node i, turned into arithmetic: under inversion at the
 // node another node j, at d_j = node_j - node_i, goes to the image 2 d_j / |d_j|^2, and the sphere
 // with its center in direction x_l is free as long as
 //   1 / R >= max over j of x_l . 2 d_j / |d_j|^2,

@@ -9,11 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/thickness_at.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -27,9 +25,7 @@ std::vector<double> node_thicknesses(const Network& curve, double thickness, con
 {
   std::vector<double> result(curve.number_of_nodes(), thickness);
   if(!field) return result;
-  for(std::size_t v = 0; v < result.size(); ++v) result[v] = field(curve.point(v));
-  if(!std::all_of(result.begin(), result.end(), is_positive))
-    throw std::invalid_argument("thickness is not positive and finite everywhere");
+  for(std::size_t v = 0; v < result.size(); ++v) result[v] = thickness_at(field, curve.point(v));
   return result;
 }
 

@@ -9,12 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
-#include <CGAL/Volume_filling_curves/Run_checkpoint.h>
 #include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
-#include <CGAL/Volume_filling_curves/internal/state/run_facts.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 
 #include <functional>
 #include <optional>

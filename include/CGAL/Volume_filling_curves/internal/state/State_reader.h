@@ -44,6 +44,13 @@ public:
 
   bool is_at_end() const { return m_rest.empty(); }
 
+  // Throws Run_state_error if what was read does not fit together. A checksum does not keep anybody
+  // from writing another one below other bytes.
+  static void require(bool condition)
+  {
+    if(!condition) throw Run_state_error("the state contradicts itself");
+  }
+
 private:
   template <typename Object>
   void read(Object& object)

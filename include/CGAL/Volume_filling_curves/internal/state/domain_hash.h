@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
-#include <CGAL/Volume_filling_curves/internal/state/run_facts.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 
 #include <cstddef>
 #include <string>

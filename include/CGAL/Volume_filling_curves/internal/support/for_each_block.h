@@ -9,6 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -28,24 +30,39 @@ namespace internal {
 
 // Calls f(begin, end) for consecutive blocks of at most `block` indices that cover [0, n), in
 // parallel if asked to. The blocks depend on n only, so that whatever f writes per index or per
-// block is the same for every number of threads.
+// block is the same for every number of threads. Throws Run_stopped before a block if the thread is
+// in a run that is to stop, see Watched_scope: f must leave nothing half done.
 template <typename ConcurrencyTag, typename Function>
 void for_each_block(std::size_t n, std::size_t block, const Function& f)
 {
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+  Run_watch* const watch = Watched_scope::current();
+  const auto run_block = [&](std::size_t begin) {
+    if(watch) watch->check();
+    f(begin, (std::min)(n, begin + block));
+  };
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(is_parallel) {
     using Blocks = tbb::blocked_range<std::size_t>;
     const auto run = [&](const Blocks& blocks) {
-      for(std::size_t b = blocks.begin(); b != blocks.end(); ++b)
-        f(b * block, (std::min)(n, (b + 1) * block));
+      for(std::size_t b = blocks.begin(); b != blocks.end(); ++b) run_block(b * block);
     };
     if(n > block) return tbb::parallel_for(Blocks(0, (n + block - 1) / block), run);
   }
 #else
   static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
 #endif
-  for(std::size_t begin = 0; begin < n; begin += block) f(begin, (std::min)(n, begin + block));
+  for(std::size_t begin = 0; begin < n; begin += block) run_block(begin);
+}
+
+// The same under a watch, if there is one. \throws Run_stopped between two blocks
+template <typename ConcurrencyTag, typename Function>
+void for_each_block(std::size_t n, std::size_t block, Run_watch* watch, const Function& f)
+{
+  for_each_block<ConcurrencyTag>(n, block, [&](std::size_t begin, std::size_t end) {
+    check(watch);
+    f(begin, end);
+  });
 }
 
 // Calls f(i) for each i < n, in parallel if asked to; for loops over nodes or edges that take some

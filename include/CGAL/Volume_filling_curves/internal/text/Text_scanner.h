@@ -9,6 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -153,8 +155,8 @@ inline bool is_underflow(std::string_view number)
   const std::string_view exponent = number.substr((std::min)(e + 1, number.size()));
   const bool has_sign = !exponent.empty() && (exponent[0] == '+' || exponent[0] == '-');
   long long shift = 0;
-  const auto [end, error] = std::from_chars(exponent.data() + (has_sign ? 1 : 0),
-                                            exponent.data() + exponent.size(), shift);
+  const auto [end, error] = number_from_text(exponent.data() + (has_sign ? 1 : 0),
+                                             exponent.data() + exponent.size(), shift);
   const bool is_negative = has_sign && exponent[0] == '-';
   const long long enough = 1LL << 60; // beyond what the places of a text can make up for
   if(error == std::errc::result_out_of_range || shift > enough) return is_negative;
@@ -168,7 +170,7 @@ inline bool parse_number(std::string_view word, double& number)
   const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
   const char* const first = word.data() + (has_plus ? 1 : 0);
   const char* const last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(first, last, number);
+  const auto [end, error] = number_from_text(first, last, number);
   if(error == std::errc::result_out_of_range) {
     const double magnitude = is_underflow(word) ? 0. : std::numeric_limits<double>::infinity();
     number = std::copysign(magnitude, word[0] == '-' ? -1. : 1.);
@@ -188,9 +190,7 @@ inline bool is_set(std::string_view word)
 template <typename Integer>
 bool parse_integer(std::string_view word, Integer& number)
 {
-  const char* const last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(word.data(), last, number);
-  return error == std::errc() && end == last;
+  return parse_all(word, number);
 }
 
 } // namespace internal

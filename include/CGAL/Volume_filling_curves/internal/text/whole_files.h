@@ -72,7 +72,7 @@ inline std::error_code write_and_close(std::FILE* file, std::string_view content
   return is_written && !is_closed ? last_system_error() : error;
 }
 
-// Where a file of this name is written: behind all links, also those that lead to no file yet.
+// The path that a file of this name is written to: behind all links, even dangling ones.
 inline std::filesystem::path behind_links(std::filesystem::path path, std::error_code& error)
 {
   namespace fs = std::filesystem;

@@ -10,8 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
-#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
-#include <CGAL/Volume_filling_curves/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/turning.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
@@ -23,17 +21,23 @@
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Suspected_unknot.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/looseness.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/result_without_flow.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Where in a run a flow starts.
+// The place of a flow in a run.
 struct Flow_start
 {
   double thickness;              // 0 if it is to be measured
@@ -42,6 +46,7 @@ struct Flow_start
   bool makes_round;              // a single unknot
   std::size_t patience = 1000;   // iterations on a plateau, of what looks like an unknot
   bool is_last = true;           // or else a search follows if it stalls
+  bool can_be_thicker = false;   // if that suits the curve, in a flow that follows
 };
 
 // Runs the flow until the curve is proved simple, tight, or does not get anywhere.
@@ -69,22 +74,12 @@ public:
   Untangling_result operator()()
   {
     m_run.visitor.on_start(m_flow);
-    std::optional<Untangling_status> status = status_between_steps();
-    while(!status) {
-      turn_tails();
-      const bool did_move = m_flow.step();
-      m_run.visitor.on_iteration(m_flow);
-      const double length = m_flow.length() - m_run.tails.length();
-      m_has_stalled =
-          m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.tails.hold();
-      update_coarse_phase(did_move);
-      status = status_between_steps();
+    Untangling_status status = flow();
+    try {
+      complete(status);
+    } catch(const Run_stopped&) { // as far as that has come
     }
-    if(m_coarse_phase.is_on()) flow_coarsely(false);
-    if constexpr(!Guard::Domain_boundary::is_bounded)
-      if(can_lower_ropelength(*status)) status = lower_ropelength(*status);
-    if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve())) finish();
-    return result(*status);
+    return result(status);
   }
 
   // Writes or reads what the run depends on between two steps, see State_writer, but for the flow.
@@ -92,10 +87,43 @@ public:
   void serialize(Archive& archive)
   {
     archive(m_unknottedness, m_stall_monitor, m_has_stalled, m_iterations_to_proof,
-            m_suspected_unknot, m_number_of_turns, m_are_tails_turning, m_coarse_phase);
+            m_suspected_unknot, m_number_of_turns, m_are_rays_turning, m_coarse_phase);
   }
 
 private:
+  Untangling_status flow()
+  {
+    try {
+      std::optional<Untangling_status> status = status_between_steps();
+      for(; !status; status = status_between_steps()) step();
+      return *status;
+    } catch(const Run_stopped&) { // within a step
+      return unless_proved(m_run.status_when_stopped());
+    }
+  }
+
+  // A step that has begun is completed if states are saved: there are none within a step.
+  void step()
+  {
+    if(m_run.saver.is_saving()) m_run.guard.set_watch(nullptr);
+    turn_rays();
+    const bool did_move = m_flow.step();
+    m_run.watch.note(m_flow);
+    m_run.visitor.on_iteration(m_flow);
+    const double length = m_flow.length() - m_run.rays.length();
+    m_has_stalled = m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.rays.hold();
+    update_coarse_phase(did_move);
+    m_run.guard.set_watch(&m_run.watch);
+  }
+
+  void complete(Untangling_status& status)
+  {
+    if(m_coarse_phase.is_on()) flow_coarsely(false);
+    if constexpr(!Guard::Domain_boundary::is_bounded)
+      if(can_lower_ropelength(status)) status = lower_ropelength(status);
+    if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve())) finish();
+  }
+
   // To ask again, as a run does that resumes, changes nothing.
   std::optional<Untangling_status> status_between_steps()
   {
@@ -121,12 +149,16 @@ private:
   std::optional<Untangling_status> status_before_step()
   {
     m_unknottedness.update(m_flow.curve());
-    const bool is_tight = is_converged();
-    if(m_unknottedness.is_proved() && (is_tight || can_stop_at_proof()))
+    const bool is_at_rest = is_smooth();
+    if(m_unknottedness.is_proved() && (is_at_rest || can_stop_at_proof()))
       return Untangling_status::UNKNOTTED;
-    if(is_tight && !is_suspicious()) return Untangling_status::CONVERGED;
+    const bool is_slack = is_at_rest && is_loose(m_flow, m_run.parameters.tolerance);
+    m_is_too_thin = is_slack && is_too_thin();
+    if(m_is_too_thin) return Untangling_status::STALLED;
+    if(is_at_rest && !is_slack && !is_suspicious()) return Untangling_status::CONVERGED;
     if(is_at_limit()) return unless_proved(Untangling_status::LIMIT);
-    if(!m_run.visitor.go_further(m_flow)) return Untangling_status::INTERRUPTED;
+    if(m_run.watch.is_interrupted() || !m_run.visitor.go_further(m_flow))
+      return Untangling_status::INTERRUPTED;
     return std::nullopt;
   }
 
@@ -134,7 +166,7 @@ private:
   {
     return m_start.iterations_before + m_flow.statistics().iterations >=
                m_run.parameters.number_of_iterations ||
-           m_run.is_time_over();
+           m_run.watch.is_time_over();
   }
 
   bool can_stop_at_proof()
@@ -171,12 +203,23 @@ private:
                : status;
   }
 
-  // While tails turn, the curve goes on flowing.
-  bool is_converged()
+  // Whether the curve is smooth on the scale of the thickness. While rays turn, it flows on.
+  bool is_smooth()
   {
     if(m_coarse_phase.is_on() || m_flow.gradient_norm() >= m_run.parameters.tolerance) return false;
-    if(!m_are_tails_turning) m_are_tails_turning = !m_run.tails.can_turn_outwards();
-    return !m_are_tails_turning || m_number_of_turns == most_turns;
+    if(!m_are_rays_turning) m_are_rays_turning = !m_run.rays.can_turn_outwards();
+    return !m_are_rays_turning || m_number_of_turns == most_turns;
+  }
+
+  // Whether a loose curve is not worth the way: loops of radius r / gradient have to shrink, by the
+  // largest displacement at a time. Where the thickness may be chosen, a larger one is faster.
+  bool is_too_thin() const
+  {
+    const std::size_t most = m_run.parameters.number_of_iterations;
+    const std::size_t done = m_start.iterations_before + m_flow.statistics().iterations;
+    return m_start.can_be_thicker || m_flow.gradient_norm() * m_run.parameters.max_displacement *
+                                             static_cast<double>(most - (std::min)(most, done)) <
+                                         1;
   }
 
   void begin_coarsely()
@@ -208,14 +251,14 @@ private:
     m_flow.set_spacing(is_coarse ? coarse_spacing : asked.spacing);
   }
 
-  // Where the ends are close together, a knot settles around a tail.
-  void turn_tails()
+  // Where the ends are close together, a knot settles around a ray.
+  void turn_rays()
   {
-    if(!m_are_tails_turning || m_number_of_turns == most_turns) return;
+    if(!m_are_rays_turning || m_number_of_turns == most_turns) return;
     ++m_number_of_turns;
-    if(m_run.tails.turn_outwards(clearance_of_tails * m_flow.thickness()))
-      m_flow.set_parameters(m_flow.parameters()); // takes note of where the tails are
-    m_are_tails_turning = !m_run.tails.can_turn_outwards();
+    if(m_run.rays.turn_outwards(clearance_of_rays * m_flow.thickness()))
+      m_flow.set_parameters(m_flow.parameters()); // takes note of where the rays are
+    m_are_rays_turning = !m_run.rays.can_turn_outwards();
   }
 
   // Where on its way a curve is proved to be an unknot depends on details, while its length falls
@@ -259,7 +302,7 @@ private:
   {
     const bool is_at_end = status == Untangling_status::CONVERGED ||
                            (status == Untangling_status::STALLED && m_start.is_last);
-    return m_run.parameters.lower_ropelength && is_at_end && !is_at_limit() &&
+    return m_run.parameters.lower_ropelength && is_at_end && !m_is_too_thin && !is_at_limit() &&
            m_flow.curve().number_of_components() > 0 && is_closed_everywhere(m_flow.curve()) &&
            !has_pinned_node(m_flow.curve());
   }
@@ -268,6 +311,7 @@ private:
   // descent has no state of its own: a run that is cut short resumes where it began.
   Untangling_status lower_ropelength(Untangling_status status_of_flow)
   {
+    m_run.watch.begin(Run_stage::TIGHTENING);
     Untangling_status status = status_of_flow;
     State_writer start;
     if(m_run.saver.is_saving()) write_state(start);
@@ -275,19 +319,24 @@ private:
                                                                       m_flow.thickness() / 2);
     m_is_ropelength_lowered = descend([&] {
       m_flow.note_step();
+      m_run.watch.note(m_flow);
       m_run.visitor.on_iteration(m_flow);
       m_unknottedness.update(m_flow.curve());
       if(m_unknottedness.is_proved())
         status = Untangling_status::UNKNOTTED;
       else if(is_at_limit())
         status = Untangling_status::LIMIT;
-      else if(!m_run.visitor.go_further(m_flow))
+      else if(m_run.watch.is_interrupted() || !m_run.visitor.go_further(m_flow))
         status = Untangling_status::INTERRUPTED;
       return status == status_of_flow;
     });
-    m_flow.update();
+    if(descend.is_stopped() && status == status_of_flow) status = m_run.status_when_stopped();
     if(is_cut_short(status))
       m_run.saver.offer(true, [&](State_writer& writer) { writer.append(start.bytes()); });
+    try {
+      m_flow.update();
+    } catch(const Run_stopped&) { // the gradient is that of the motion before
+    }
     return status;
   }
 
@@ -299,6 +348,8 @@ private:
     result.is_round = m_is_round;
     result.is_ropelength_lowered = m_is_ropelength_lowered;
     result.thickness = m_flow.thickness();
+    if(m_is_too_thin)
+      result.fitting_thickness = fitting_thickness(m_flow, m_run.parameters.tolerance);
     result.gradient_norm = m_flow.gradient_norm();
     result.statistics = m_flow.statistics();
     return result;
@@ -306,9 +357,9 @@ private:
 
   static constexpr std::size_t most_iterations_to_settle = 50;
   static constexpr std::size_t most_turns = 300;
-  static constexpr double clearance_of_tails = 0.1; // in units of the thickness
-  static constexpr double coarse_spacing = 0.5;     // likewise
-  static constexpr double coarse_step = 2.5;        // of the largest displacement asked for
+  static constexpr double clearance_of_rays = 0.1; // in units of the thickness
+  static constexpr double coarse_spacing = 0.5;    // likewise
+  static constexpr double coarse_step = 2.5;       // of the largest displacement asked for
 
   Untangling_run<Guard, Visitor> m_run;
   Flow m_flow;
@@ -316,18 +367,27 @@ private:
   Unknottedness<Network> m_unknottedness;
   Stall_monitor m_stall_monitor;
   Coarse_phase m_coarse_phase;
-  bool m_has_stalled = false;
+  bool m_has_stalled = false, m_is_too_thin = false;
   std::optional<std::size_t> m_iterations_to_proof;
   Suspected_unknot m_suspected_unknot;
   std::size_t m_number_of_turns = 0;
-  bool m_are_tails_turning = false, m_is_round = false, m_is_ropelength_lowered = false;
+  bool m_are_rays_turning = false, m_is_round = false, m_is_ropelength_lowered = false;
 };
 
 template <typename Flow, typename Guard, typename Visitor>
 Untangling_result untangle_by_flow(const Untangling_run<Guard, Visitor>& run,
                                    const Flow_start& start)
 {
-  return Flow_untangler<Flow, Visitor>(run, start)();
+  run.watch.progress().iterations = 0; // no more of the search
+  run.watch.begin(Run_stage::FLOWING);
+  try {
+    return Flow_untangler<Flow, Visitor>(run, start)();
+  } catch(const Run_stopped&) { // before the first step
+    Untangling_result result = result_without_flow(run.guard.curve(), run.status_when_stopped());
+    result.thickness = start.thickness;
+    result.gradient_norm = std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
 }
 
 } // namespace internal

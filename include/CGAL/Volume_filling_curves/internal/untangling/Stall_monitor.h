@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/step/Idle_steps.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,19 +9,20 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
-#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
-#include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Curve_simplifier.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_search.h>
-#include <CGAL/Volume_filling_curves/internal/remeshing/Curve_simplifier.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/result_without_flow.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <cstddef>
 #include <limits>
@@ -57,17 +58,19 @@ public:
 
   Untangling_result operator()()
   {
-    // with tails the search might take the curve out of their sphere
-    if(m_run.parameters.strategy == Untangling_strategy::FLOW || m_run.tails.are_needed())
-      return flow();
+    // with rays the search might take the curve out of their sphere
+    if(m_run.parameters.strategy == Untangling_strategy::FLOW || m_run.rays.are_needed())
+      return fitting_flow();
     Untangling_status status = m_is_flowing ? Untangling_status::CONVERGED : prepare_flow();
     while(m_run.parameters.strategy == Untangling_strategy::AUTO &&
           status == Untangling_status::CONVERGED) {
-      const Untangling_result last = flow();
-      if(last.status != Untangling_status::STALLED || !can_search_again()) return last;
+      const Untangling_result last = fitting_flow();
+      if(last.status != Untangling_status::STALLED || last.fitting_thickness > 0 ||
+         !can_search_again())
+        return last;
       status = prepare_flow();
     }
-    return result(status);
+    return completed(result_without_flow(m_curve, status));
   }
 
   // Writes or reads what the run depends on between searches and flows, see State_writer.
@@ -114,19 +117,25 @@ private:
   // unknot is proved later, by the flow or the result.
   Untangling_status search_and_adopt()
   {
-    const double start = m_run.timer.time();
+    m_run.watch.begin(Run_stage::SEARCHING);
+    const double start = m_run.watch.seconds();
     const Network coarse = simplified(m_curve);
+    const double seconds_to_simplify = m_run.watch.seconds() - start;
+    if(m_run.watch.must_stop()) return m_run.status_when_stopped();
     Search polygon_search(coarse, m_search_parameters, m_run.parameters.number_of_chains,
                           m_seeds.bits());
     Untangling_status status = run(polygon_search, start);
     const bool is_flow_next = m_run.parameters.strategy == Untangling_strategy::AUTO;
     const bool has_jammed = m_searches > 0;
-    if(!is_flow_next || has_jammed || is_simpler(polygon_search, coarse)) adopt(polygon_search);
+    if(is_time_left(seconds_to_simplify) &&
+       (!is_flow_next || has_jammed || is_simpler(polygon_search, coarse)))
+      adopt(polygon_search);
     ++m_searches;
     m_sweeps += polygon_search.progress().sweeps;
     m_search_parameters.patience_factor *= patience_growth;
-    m_seconds_of_searches += m_run.timer.time() - start;
-    if(is_flow_next && m_run.is_time_over()) return Untangling_status::LIMIT;
+    m_seconds_of_searches += m_run.watch.seconds() - start;
+    if(m_run.watch.is_interrupted()) return Untangling_status::INTERRUPTED;
+    if(is_flow_next && m_run.watch.is_time_over()) return Untangling_status::LIMIT;
     return status;
   }
 
@@ -135,21 +144,36 @@ private:
     Untangling_status status = Untangling_status::CONVERGED;
     const bool is_alone = m_run.parameters.strategy == Untangling_strategy::SEARCH;
     polygon_search.run([&] {
+      note(polygon_search.progress());
       if(is_alone && is_at_limit(polygon_search))
         status = Untangling_status::LIMIT;
-      else if(!m_run.visitor.on_search(polygon_search.progress()))
+      else if(m_run.watch.is_interrupted() || !m_run.visitor.on_search(polygon_search.progress()))
         status = Untangling_status::INTERRUPTED;
       return status == Untangling_status::CONVERGED &&
-             (is_alone || !is_share_used_up(m_run.timer.time() - start));
+             (is_alone || !is_share_used_up(m_run.watch.seconds() - start));
     });
     return status;
+  }
+
+  void note(const Search_progress& search) const
+  {
+    m_run.watch.progress().iterations = m_sweeps + search.sweeps;
+    m_run.watch.progress().nodes = search.edges;
+    m_run.watch.must_stop();
   }
 
   // Of the search alone a sweep is an iteration.
   bool is_at_limit(const Search& polygon_search) const
   {
-    return m_run.timer.time() + polygon_search.seconds_to_apply() >= m_run.parameters.time_limit ||
+    return !m_run.watch.leaves(polygon_search.seconds_to_apply()) ||
            m_sweeps + polygon_search.progress().sweeps >= m_run.parameters.number_of_iterations;
+  }
+
+  // A run that is at its end can only complete what takes a moment.
+  bool is_time_left(double seconds) const
+  {
+    return (!m_run.watch.is_interrupted() && !m_run.watch.is_time_over()) ||
+           seconds < Run_watch::moment;
   }
 
   bool can_search_again() const { return m_searches < max_searches && !is_share_used_up(0); }
@@ -160,16 +184,16 @@ private:
            share_of_searches * m_run.parameters.time_limit;
   }
 
-  static void simplify(Guard& guard)
+  static void simplify(Guard& guard, Run_watch* watch)
   {
-    Curve_simplifier<Guard>(guard, std::numeric_limits<double>::infinity()).run();
+    Curve_simplifier<Guard>(guard, std::numeric_limits<double>::infinity()).run(watch);
     guard.collect_garbage();
   }
 
-  static Network simplified(Network curve)
+  Network simplified(Network curve) const
   {
     Guard guard(curve);
-    simplify(guard);
+    simplify(guard, &m_run.watch);
     return curve;
   }
 
@@ -177,27 +201,53 @@ private:
   // even out a crooked polygon takes longer than to undo crossings: for a random polygon of 300
   // edges in a ball, searched from 1943 crossings down to 821, 568 iterations and 12 seconds, and
   // 217 and 4.5 without it; a tight curve of 292 crossings comes back with 329 (2026-11-22).
-  // Tangled knots keep about a tenth.
+  // Tangled knots keep about a tenth. A ribbon has few crossings, but is thousands of its own
+  // widths long.
   bool is_simpler(const Search& polygon_search, const Network& coarse) const
   {
     constexpr double most_crossings_left = 1. / 3;
     constexpr std::size_t stride = 10; // of a hundred directions; 1 ms for a thousand nodes
-    return polygon_search.has_reached_goal() ||
-           average_crossing_number(polygon_search.uncertified_result(coarse), stride) <
-               most_crossings_left * average_crossing_number(m_curve, stride);
+    if(polygon_search.has_reached_goal()) return true;
+    const Network found = polygon_search.uncertified_result(coarse);
+    return average_crossing_number(found, stride) <
+               most_crossings_left * average_crossing_number(m_curve, stride) ||
+           is_far_shorter(found);
+  }
+
+  bool is_far_shorter(const Network& found) const
+  {
+    constexpr double most_widths_left = 0.1;
+    try {
+      return length_in_widths(found) < most_widths_left * length_in_widths(m_curve);
+    } catch(const Run_stopped&) { // it does not matter any more
+      return false;
+    }
+  }
+
+  // The length over the distance that strands keep. \throws Run_stopped
+  double length_in_widths(const Network& curve) const
+  {
+    const std::size_t directions = m_run.parameters.number_of_directions;
+    const double width =
+        Default_thickness<Network, ConcurrencyTag>(curve, directions, &m_run.watch)();
+    return width > 0 ? total_length(curve) / width : std::numeric_limits<double>::infinity();
   }
 
   // Does to the curve what was done to its copy. A search shrinks a curve by orders of magnitude,
-  // which is undone.
+  // which is undone, if there is time.
   void adopt(const Search& polygon_search)
   {
+    m_follows_search = true;
     const double length = total_length(m_curve);
     const Clearance_scope<Guard> scope(m_run.guard, 0);
-    simplify(m_run.guard);
-    polygon_search.apply(m_run.guard, [&] { return !m_run.is_time_over(); });
+    simplify(m_run.guard, nullptr);
+    polygon_search.apply(m_run.guard, [&] { return !m_run.watch.must_stop(); });
     m_run.guard.collect_garbage();
-    if(!has_pinned_node(m_curve)) rescale_to_length(m_run.guard, length);
-    m_follows_search = true;
+    if(has_pinned_node(m_curve)) return;
+    try {
+      rescale_to_length(m_run.guard, length);
+    } catch(const Run_stopped&) { // the size of the curve means nothing then
+    }
   }
 
   bool is_ring() const
@@ -205,11 +255,26 @@ private:
     return m_curve.number_of_components() == 1 && unknot_proof(m_curve, 0) != Unknot_proof::NONE;
   }
 
+  // A thickness that was measured may be too small: strands that lie side by side all along, as in
+  // a ribbon, say nothing about the size of the curve. Then another flow has one that suits.
+  Untangling_result fitting_flow()
+  {
+    Untangling_result result = flow();
+    while(can_be_thicker() && result.fitting_thickness > 0) {
+      m_thickness = result.fitting_thickness;
+      result = flow();
+    }
+    return result;
+  }
+
+  bool can_be_thicker() const { return m_run.parameters.thickness == 0; }
+
   Untangling_result flow()
   {
     Flow_start start{m_thickness, m_statistics.iterations, m_follows_search, m_searches > 0};
     if(m_searches > 0 && m_searches < max_searches) start.patience = 0; // a search gets on faster
     start.is_last = m_searches == 0 || !can_search_again();
+    start.can_be_thicker = can_be_thicker();
     note_flow(true);
     const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
     note_flow(false);
@@ -223,20 +288,6 @@ private:
     State_writer writer;
     if(is_flowing) writer(*this);
     m_run.state_of_strategy = writer.bytes();
-  }
-
-  // Of a curve that did not flow, or not at last. What is proved is proved of the curve as it
-  // stands.
-  Untangling_result result(Untangling_status status)
-  {
-    Untangling_result result;
-    Unknottedness<Network> unknottedness;
-    unknottedness.update(m_curve);
-    unknottedness.write(m_curve, result);
-    result.status = unknottedness.is_proved() && status != Untangling_status::INTERRUPTED
-                        ? Untangling_status::UNKNOTTED
-                        : status;
-    return completed(result);
   }
 
   Untangling_result completed(Untangling_result result) const

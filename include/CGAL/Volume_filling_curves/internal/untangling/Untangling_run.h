@@ -9,12 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Tails.h>
-
-#include <CGAL/Real_timer.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
 #include <string>
 
@@ -22,31 +22,35 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What all strategies of a run share; the public function makes it.
+// The state that all strategies of a run share; the public function makes it.
 template <typename Guard, typename Visitor>
 struct Untangling_run
 {
   Guard& guard;
-  Tails<Guard>& tails;
+  Closing_rays<Guard>& rays;
   const Untangling_parameters& parameters;
-  const Real_timer& timer; // has been started
+  Run_watch& watch; // of the guard as well
   Visitor& visitor;
   Run_saver& saver;
   std::string state_of_strategy = {}; // while a flow runs
 
-  bool is_time_over() const { return timer.time() >= parameters.time_limit; }
+  // How a run ended that the watch has stopped.
+  Untangling_status status_when_stopped() const
+  {
+    return watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
+  }
 
   // Writes what every state of the run begins with.
   void write_state(State_writer& writer) const
   {
-    writer(guard.curve(), guard, tails);
+    writer(guard.curve(), guard, rays);
     writer.append(state_of_strategy);
   }
 };
 
 template <typename Guard, typename Visitor>
 Untangling_run(
-    Guard&, Tails<Guard>&, const Untangling_parameters&, const Real_timer&, Visitor&, Run_saver&)
+    Guard&, Closing_rays<Guard>&, const Untangling_parameters&, Run_watch&, Visitor&, Run_saver&)
     -> Untangling_run<Guard, Visitor>;
 
 } // namespace internal

@@ -10,11 +10,11 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
-#include <CGAL/Volume_filling_curves/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -42,28 +42,49 @@ std::vector<Unknot_proof> unknot_proofs(const Network& curves)
 // crossings: tight curves have up to 5 % more of them than the same ones a bit loose. What is
 // proved of the second ones must be provable of the first ones.
 template <typename Network>
-bool is_tighter(const Network& first, const Network& second, Untangling_status status)
+bool is_tighter(const Network& first,
+                const Network& second,
+                Untangling_status status,
+                Run_watch& watch)
 {
   constexpr double most_crossings = 1.1; // of one, in units of the other's
+  watch.check();
   if(!(ropelength(first) < ropelength(second))) return false;
+  watch.check();
   const std::vector<Unknot_proof> proofs = unknot_proofs(first);
   if(status == Untangling_status::UNKNOTTED &&
      std::find(proofs.begin(), proofs.end(), Unknot_proof::NONE) != proofs.end())
     return false;
-  return average_crossing_number(first) <= most_crossings * average_crossing_number(second);
+  return average_crossing_number(first, 1, &watch) <=
+         most_crossings * average_crossing_number(second, 1, &watch);
+}
+
+// likewise; if the run must stop before that is known, they are not
+template <typename Network>
+bool is_known_to_be_tighter(const Network& first,
+                            const Network& second,
+                            Untangling_status status,
+                            Run_watch& watch)
+{
+  try {
+    return is_tighter(first, second, status, watch);
+  } catch(const Run_stopped&) {
+    return false;
+  }
 }
 
 // Puts the input in the place of the result if that is looser, with an empty record of changes.
-// Where a thickness was asked for, the result has it, and stays.
+// A result with a given thickness has that thickness, and stays.
 template <typename Network>
 void keep_tighter_input(Network&& input,
                         const Untangling_parameters& parameters,
+                        Run_watch& watch,
                         Network& curves,
                         Untangling_result& result)
 {
   if(parameters.strategy != Untangling_strategy::AUTO || parameters.thickness > 0 ||
      result.status == Untangling_status::INTERRUPTED || !is_closed_everywhere(input) ||
-     !is_tighter(input, curves, result.status))
+     !is_known_to_be_tighter(input, curves, result.status, watch))
     return;
   curves = std::move(input);
   result.is_input = true;

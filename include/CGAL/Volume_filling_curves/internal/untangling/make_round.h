@@ -11,19 +11,16 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
-#include <CGAL/Volume_filling_curves/internal/step/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
-
-#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -64,7 +61,7 @@ public:
   Vector_field nodes() const
   {
     const auto n = static_cast<double>(m_x.rows());
-    const double radius = m_length / (2 * n * std::sin(CGAL_PI / n));
+    const double radius = m_length / (2 * n * cos_sin(0.5 / n)[1]);
     Vector_field result(m_x.rows(), 3);
     for(Eigen::Index v = 0; v < m_x.rows(); ++v) {
       const auto [c, s] = cos_sin(turns(v));

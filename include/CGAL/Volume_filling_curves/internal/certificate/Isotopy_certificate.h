@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_ISOTOPY_CERTIFICATE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_ISOTOPY_CERTIFICATE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/certificate/text_form.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/Isotopy_guard_3.h
+ *
+ * \brief The class `Isotopy_certificate` is the record of a certified motion: everything that was
+ * done to a curve, one elementary move after another, such that anybody can verify it without
+ * trusting the program that has done it.
+ *
+ * It is a sequence of bytes, to be kept in a file: the hash of the curve at the start, all moves
+ * with the coordinates, and the hash of the curve at the end. The page \ref vfc_certificate_format
+ * describes it. There is a text form of the same content, for reading.
+ *
+ * `untangle()`, `fill()`, `simplify_curves()` and `Isotopy_guard_3` make certificates, and
+ * `verify_certificate()` verifies them.
+ */
+class Isotopy_certificate
+{
+public:
+  /// constructs a certificate of nothing, which is not valid for any curve.
+  Isotopy_certificate() = default;
+
+  /*!
+   * constructs a certificate from the content of a file, in binary or in text form. Of the binary
+   * form nothing is looked at; verifying it does that.
+   *
+   * \throws std::invalid_argument if the content is in text form and has an error, with the line in
+   * the message
+   */
+  explicit Isotopy_certificate(std::string content)
+      : m_bytes(internal::is_text_form(content) ? internal::from_text_form(content)
+                                                : std::move(content))
+  {}
+
+  /// returns the binary form, to be written to a file.
+  const std::string& bytes() const { return m_bytes; }
+
+  /*!
+   * returns the text form, about three times as long: one operation per line. Coordinates have 17
+   * significant digits.
+   *
+   * \throws std::invalid_argument if the bytes are not those of a certificate
+   */
+  std::string text() const { return internal::to_text_form(m_bytes); }
+
+private:
+  template <typename Traits, typename Domain>
+  friend class Isotopy_guard_3;
+
+  static Isotopy_certificate of_bytes(std::string bytes)
+  {
+    Isotopy_certificate certificate;
+    certificate.m_bytes = std::move(bytes);
+    return certificate;
+  }
+
+  std::string m_bytes;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CERTIFICATE_ISOTOPY_CERTIFICATE_H

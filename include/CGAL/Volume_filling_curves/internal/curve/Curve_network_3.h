@@ -1,0 +1,390 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_NETWORK_3_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_NETWORK_3_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_topology.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Editor_claim.h>
+#include <CGAL/Volume_filling_curves/internal/curve/network_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/Polyline_graph.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/matrix_conversions.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+namespace internal {
+template <typename Network>
+class Network_editor;
+template <typename Network>
+class Origin_interpolation;
+class State_reader;
+class State_writer;
+} // namespace internal
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/Curve_network_3.h
+ *
+ * \brief The class `Curve_network_3` stores polygonal curves in space: nodes joined by straight
+ * edges.
+ *
+ * Components may be closed or open, junctions (nodes with more than two edges) are allowed, and
+ * nodes can be pinned. Nodes are numbered from 0 along the curve, component after component.
+ *
+ * The network can be read by everybody, but once constructed its coordinates and its edges change
+ * only through `Isotopy_guard_3`, which certifies every change with exact predicates. (Assigning
+ * replaces the network by another one.) Functions that read a network, but for its own and those of
+ * the guard, expect that it has no garbage.
+ *
+ * Constructing, copying and renumbering take time linear in the number of nodes. Concurrent reading
+ * is safe.
+ *
+ * \tparam Traits_ a model of `CurveFlowTraits_3`, for example \cgal's kernel
+ * `CGAL::Exact_predicates_inexact_constructions_kernel`
+ */
+template <typename Traits_ = Curve_flow_traits_3<>>
+class Curve_network_3
+{
+  static_assert(internal::can_certify<Traits_>(),
+                "A kernel that stands for the traits needs exact predicates, and points whose "
+                "coordinates can be any double");
+
+  using Topology = internal::Curve_topology;
+
+public:
+  /// \name Types and Constants
+  /// @{
+
+  /// the traits class
+  using Traits = Traits_;
+
+  /// the type of points; their coordinates are of type `double`, or exactly representable by it
+  using Point_3 = typename Traits::Point_3;
+
+  /// the type of the indices of nodes, edges and components
+  using size_type = std::size_t;
+
+  /// the type of ranges of nodes' indices, a model of `ConstRange` with the value type `size_type`
+  using Node_range = internal::Present_range<internal::Is_present_node>;
+
+  /// the type of ranges of edges' indices, likewise
+  using Edge_range = internal::Present_range<internal::Is_present_edge>;
+
+  /// the type of ranges of indices that follow one another, likewise
+  using Index_range = internal::Index_range;
+
+  /// the type of ranges of positions, a model of `ConstRange` with the value type `Point_3`
+  using Point_range = internal::Point_range<Point_3>;
+
+  /// stands for "no node", for example as the origin of a node that was inserted.
+  static constexpr size_type null_node() { return Topology::null; }
+
+  /// @}
+
+  /// \name Construction
+  /// @{
+
+  /// constructs an empty network.
+  explicit Curve_network_3(const Traits& traits = Traits()) : m_traits(traits) {}
+
+  /*!
+   * constructs a network from points and edges, numbered along the curve.
+   *
+   * Closed components and paths whose edges follow one another keep that direction; others are
+   * given one. The i-th point becomes a node `v` with `origin(v) == i`; points without an edge are
+   * left out.
+   *
+   * \param points the nodes' positions, in the input's unit; coordinates are rounded to `double`
+   * \param edges pairs of indices of `points`
+   * \param traits the traits object
+   *
+   * \throws std::invalid_argument if an edge has an index that is out of range, joins a node with
+   * itself or occurs twice, or if a coordinate is not a number or beyond 1e150
+   * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
+   */
+  Curve_network_3(const std::vector<Point_3>& points,
+                  const std::vector<std::array<size_type, 2>>& edges,
+                  const Traits& traits = Traits())
+      : m_traits(traits), m_topology(points.size(), edges)
+  {
+    m_points.reserve(number_of_nodes());
+    for(size_type v = 0; v < number_of_nodes(); ++v) {
+      const internal::Vector point = internal::to_vector(points[origin(v)]);
+      internal::check_range(point, "point " + std::to_string(origin(v)));
+      m_points.push_back(internal::to_point(point, m_traits));
+    }
+  }
+
+  /*!
+   * constructs a network from a polyline, or from a range of polylines.
+   *
+   * By \cgal's habit a polyline is closed if its last point repeats the first, see `Closure`.
+   * Points are numbered in the order of the range, and `origin()` gives this number; a point that
+   * repeats the first at the end is no new one. A point that repeats the one before it is left out.
+   * If junctions are allowed, equal end points of polylines are one node; otherwise each polyline
+   * is a component, in this order.
+   *
+   * \tparam PolylineRange a model of `ConstRange` whose items are points, or ranges of points
+   * \tparam NamedParameters a sequence of named parameters
+   *
+   * \param polylines the polylines; coordinates are rounded to `double`
+   * \param np an optional sequence of named parameters among the ones listed below
+   * \param traits the traits object
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{point_map}
+   *     \cgalParamDescription{a property map that gives the points of the polylines}
+   *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is the type of the
+   *     polylines' items and whose value type has the members `x()`, `y()` and `z()`}
+   *     \cgalParamDefault{`CGAL::Identity_property_map`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{closure}
+   *     \cgalParamDescription{which polylines are closed}
+   *     \cgalParamType{`Closure`}
+   *     \cgalParamDefault{`Closure::IF_REPEATED`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{junctions}
+   *     \cgalParamDescription{whether polylines are joined where their ends meet}
+   *     \cgalParamType{`Junctions`}
+   *     \cgalParamDefault{`Junctions::FORBIDDEN`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
+   *
+   * \throws std::invalid_argument if a polyline has fewer than two distinct points, or three if it
+   * is closed, if a coordinate is not a number or beyond 1e150, or if two polylines are the
+   * same edge
+   * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
+   */
+  template <typename PolylineRange,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters,
+            typename = std::enable_if_t<internal::is_range_of_items<PolylineRange>>>
+  explicit Curve_network_3(const PolylineRange& polylines,
+                           const NamedParameters& np = parameters::default_values(),
+                           const Traits& traits = Traits())
+      : Curve_network_3(internal::graph_of_polylines(polylines, np), traits)
+  {}
+
+  /*!
+   * constructs a network from matrices, as libigl and polyscope speak of curves: as the constructor
+   * from points and edges does.
+   *
+   * \param points a matrix with one row x, y, z per point
+   * \param edges a matrix of an integral type with one row per edge, of two indices of `points`
+   * \param traits the traits object
+   *
+   * \pre `points` has three columns and `edges` two
+   *
+   * \throws std::invalid_argument and std::length_error as that constructor
+   */
+  template <typename Points, typename Edges>
+  Curve_network_3(const Eigen::MatrixBase<Points>& points,
+                  const Eigen::MatrixBase<Edges>& edges,
+                  const Traits& traits = Traits())
+      : Curve_network_3(
+            internal::rows_to_points(points, traits), internal::rows_to_edges(edges), traits)
+  {}
+
+  /// @}
+
+  /// \name Ranges
+  /// Elements that were removed are left out.
+  /// @{
+
+  /// returns the range of the nodes' indices.
+  Node_range nodes() const
+  {
+    return internal::present_range(internal::Is_present_node{&m_topology}, m_points.size());
+  }
+
+  /// returns the range of the indices of the nodes of component `c`, in the order of the curve.
+  ///
+  /// \pre the network has no garbage
+  Index_range nodes(size_type c) const
+  {
+    CGAL_precondition_msg(!has_garbage(), "the network has no garbage");
+    return internal::index_range(first_node(c), first_node(c + 1));
+  }
+
+  /// returns the range of the edges' indices.
+  Edge_range edges() const
+  {
+    return internal::present_range(internal::Is_present_edge{&m_topology},
+                                   number_of_edges() + number_of_removed_edges());
+  }
+
+  /// returns the range of the components' indices.
+  Index_range components() const { return internal::index_range(0, number_of_components()); }
+
+  /// returns the range of the nodes' positions.
+  Point_range points() const { return internal::point_range<Point_3>(nodes(), m_points); }
+
+  /// returns the box around all nodes; an empty one if there are none.
+  Bbox_3 bbox() const
+  {
+    Bbox_3 box;
+    for(const Point_3& point : points()) {
+      const internal::Vector p = internal::to_vector(point);
+      box += Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+    }
+    return box;
+  }
+
+  /// @}
+
+  /// \name Nodes
+  /// @{
+
+  /// returns the number of nodes, without removed ones. If the network has no garbage, the nodes
+  /// are those from 0 on, up to but without this number; otherwise `nodes()` tells them.
+  size_type number_of_nodes() const { return m_topology.number_of_nodes(); }
+
+  /// returns the number of nodes that were removed and still have an index, so that indices are
+  /// less than `number_of_nodes() + number_of_removed_nodes()`.
+  size_type number_of_removed_nodes() const { return m_topology.number_of_removed_nodes(); }
+
+  /// returns whether node `v` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
+  bool is_removed_node(size_type v) const { return m_topology.is_removed_node(v); }
+
+  /// returns the position of node `v`.
+  const Point_3& point(size_type v) const { return m_points[v]; }
+
+  /// returns the number of edges at node `v`: 2 inside a curve, 1 at an end, more at a junction.
+  size_type degree(size_type v) const { return m_topology.degree(v); }
+
+  /// returns the `k`-th edge at node `v`, with `k < degree(v)`.
+  size_type incident_edge(size_type v, size_type k) const { return m_topology.incident_edge(v, k); }
+
+  /// returns the `k`-th neighbor of node `v`, with `k < degree(v)`.
+  size_type neighbor(size_type v, size_type k) const
+  {
+    return m_topology.opposite(v, incident_edge(v, k));
+  }
+
+  /// returns the index that node `v` had in the input, or `null_node()` if it was inserted later.
+  /// `curve_origins()` gives every node a place in the input.
+  size_type origin(size_type v) const { return m_topology.origin(v); }
+
+  /// returns whether node `v` is pinned, that is, whether the flow leaves it where it is.
+  bool is_pinned(size_type v) const { return m_topology.is_pinned(v); }
+
+  /// pins node `v`, or frees it.
+  void set_pinned(size_type v, bool is_pinned = true) { m_topology.set_pinned(v, is_pinned); }
+
+  /// pins all nodes with one edge.
+  void pin_ends()
+  {
+    for(const size_type v : nodes())
+      if(degree(v) == 1) set_pinned(v);
+  }
+
+  /// @}
+
+  /// \name Edges
+  /// @{
+
+  /// returns the number of edges, without removed ones; likewise.
+  size_type number_of_edges() const { return m_topology.number_of_edges(); }
+
+  /// returns the number of edges that were removed and still have an index.
+  size_type number_of_removed_edges() const { return m_topology.number_of_removed_edges(); }
+
+  /// returns whether edge `e` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
+  bool is_removed_edge(size_type e) const { return m_topology.is_removed_edge(e); }
+
+  /// returns the first node of edge `e`.
+  size_type source(size_type e) const { return m_topology.source(e); }
+
+  /// returns the second node of edge `e`.
+  size_type target(size_type e) const { return m_topology.target(e); }
+
+  /// @}
+
+  /// \name Components
+  /// @{
+
+  /// returns the number of connected components. It never changes.
+  size_type number_of_components() const { return m_topology.number_of_components(); }
+
+  /// returns the component of node `v`. Components are numbered in the order of the input.
+  size_type component(size_type v) const { return m_topology.component(v); }
+
+  /// returns the first node of component `c`; the nodes of `c` are those from `first_node(c)` on,
+  /// up to but without `first_node(c + 1)`.
+  size_type first_node(size_type c) const { return m_topology.first_node(c); }
+
+  /// returns whether component `c` is a closed curve without ends and junctions.
+  bool is_closed(size_type c) const { return m_topology.is_closed(c); }
+
+  /// returns whether some node has more than two edges.
+  bool has_junction() const { return m_topology.has_junction(); }
+
+  /// @}
+
+  /// \name Numbering and Traits
+  /// @{
+
+  /// returns whether nodes were inserted or removed since the nodes were numbered.
+  bool has_garbage() const { return m_topology.has_garbage(); }
+
+  /// returns the traits object.
+  const Traits& traits() const { return m_traits; }
+
+  /// @}
+
+private:
+  friend class internal::Network_editor<Curve_network_3>;       // of the guard
+  friend class internal::Origin_interpolation<Curve_network_3>; // which reads
+  friend class internal::State_reader;                          // for runs that resume
+  friend class internal::State_writer;
+
+  Curve_network_3(const internal::Polyline_graph& graph, const Traits& traits)
+      : Curve_network_3(internal::to_points(graph.points(), traits), graph.edges(), traits)
+  {}
+
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    std::vector<internal::Vector> positions;
+    for(const Point_3& point : m_points) positions.push_back(internal::to_vector(point));
+    archive(m_topology, positions);
+    if constexpr(Archive::is_reading) {
+      archive.require(positions.size() == number_of_nodes());
+      for(const internal::Vector& x : positions) archive.require(internal::is_in_range(x));
+      m_points = internal::to_points(positions, m_traits);
+    }
+  }
+
+  Traits m_traits;
+  Topology m_topology;
+  std::vector<Point_3> m_points;
+  internal::Editor_claim m_editor_claim;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_NETWORK_3_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_INTERSECTING_FACES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_INTERSECTING_FACES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Which faces of a mesh meet elsewhere than in a common vertex or edge, by CGAL's search for
+// intersecting boxes and exact predicates. O(n log^2 n) unless many boxes intersect: 23 ms for
+// 20,000 faces.
+
+template <typename Mesh>
+using Face_pair = std::pair<typename Mesh::Face_index, typename Mesh::Face_index>;
+
+template <typename Mesh>
+std::array<typename Mesh::Vertex_index, 3> corners_of(const Mesh& mesh, typename Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+}
+
+// Where a surface touches itself in a vertex, faces of a mesh meet in a point but not in a vertex.
+// Such a pair is tried once more as a mesh of its own, in which they do. \pre no vertex is shared
+template <typename Mesh>
+bool do_only_touch(const Mesh& mesh, const Face_pair<Mesh>& pair)
+{
+  Mesh both;
+  auto first = corners_of(mesh, pair.first), second = corners_of(mesh, pair.second);
+  const auto before = first;
+  for(auto& v : first) v = both.add_vertex(mesh.point(v));
+  std::size_t common = 0;
+  for(auto& v : second) {
+    std::size_t i = 0;
+    while(i < 3 && mesh.point(before[i]) != mesh.point(v)) ++i;
+    v = i < 3 ? first[i] : both.add_vertex(mesh.point(v));
+    if(i < 3) ++common;
+  }
+  if(common == 0 || common == 3) return false;
+  both.add_face(first[0], first[1], first[2]);
+  // with a common edge only one of the two orientations fits
+  if(both.add_face(second[0], second[1], second[2]) == Mesh::null_face())
+    both.add_face(second[0], second[2], second[1]);
+  return !CGAL::Polygon_mesh_processing::does_self_intersect(both);
+}
+
+template <typename Mesh>
+bool share_a_vertex(const Mesh& mesh, const Face_pair<Mesh>& pair)
+{
+  const auto first = corners_of(mesh, pair.first), second = corners_of(mesh, pair.second);
+  return std::find_first_of(first.begin(), first.end(), second.begin(), second.end()) !=
+         first.end();
+}
+
+// The points of a mesh, as a property map by which CGAL's search ends when a run is to stop.
+template <typename Mesh>
+class Points_in_run
+{
+public:
+  using key_type = typename Mesh::Vertex_index;
+  using value_type = typename Mesh::Point;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+
+  explicit Points_in_run(const Mesh& mesh) : m_mesh(&mesh) {}
+
+  friend reference get(const Points_in_run& map, key_type v)
+  {
+    static thread_local unsigned accesses = 0; // a look at the clock takes as long as some
+    if(++accesses % 64 == 0) check_run();
+    return map.m_mesh->point(v);
+  }
+
+private:
+  const Mesh* m_mesh;
+};
+
+// there can be quadratically many pairs
+constexpr std::size_t most_pairs_of_faces = 1000000;
+
+struct Enough_pairs_of_faces
+{};
+
+// Returns the pairs, in order, up to a million of them. Vertices at the same place are the same
+// one. \pre no face is degenerate \param points a property map, which may throw to end the search
+template <typename Mesh, typename Points>
+std::vector<Face_pair<Mesh>> intersecting_faces(const Mesh& mesh, const Points& points)
+{
+  std::vector<Face_pair<Mesh>> pairs;
+  const auto add = [&](const Face_pair<Mesh>& pair) {
+    if(!share_a_vertex(mesh, pair) && do_only_touch(mesh, pair)) return;
+    pairs.push_back(std::minmax(pair.first, pair.second));
+    if(pairs.size() == most_pairs_of_faces) throw Enough_pairs_of_faces();
+  };
+  try {
+    CGAL::Polygon_mesh_processing::self_intersections(mesh,
+                                                      boost::make_function_output_iterator(add),
+                                                      CGAL::parameters::vertex_point_map(points));
+  } catch(const Enough_pairs_of_faces&) {
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+template <typename Mesh>
+Mesh_fault intersection_fault(const Mesh& mesh, const Face_pair<Mesh>& pair)
+{
+  const auto [u, v, w] = corners_of(mesh, pair.first);
+  return {"self-intersection",
+          "two faces intersect" +
+              near_text((std::min)({mesh.point(u), mesh.point(v), mesh.point(w)}))};
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_INTERSECTING_FACES_H

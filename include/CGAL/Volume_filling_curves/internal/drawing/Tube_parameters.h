@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DRAWING_TUBE_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DRAWING_TUBE_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The parameters of tube_mesh(): named ones, and a radius in one of several forms.
+
+struct Tube_parameters
+{
+  std::size_t number_of_sides = 16;
+};
+
+constexpr auto parameter_table(const Tube_parameters*)
+{
+  return std::make_tuple(
+      parameter<internal_np::number_of_sides_t>(&Tube_parameters::number_of_sides));
+}
+
+using Tube_signature = Signature<Tube_parameters, Tag_list<internal_np::vertex_point_map_t>>;
+
+template <typename NamedParameters>
+Tube_parameters tube_parameters(const NamedParameters& np)
+{
+  const auto parameters = get_parameters<Tube_signature>(np);
+  if(parameters.number_of_sides < 3)
+    refuse_value(internal_np::number_of_sides, parameters.number_of_sides, "must be at least 3");
+  return parameters;
+}
+
+// The radius is a number, a function of the node, or a property map.
+template <typename Radius>
+double radius_at(const Radius& radius, std::size_t v)
+{
+  using boost::get;
+  if constexpr(std::is_arithmetic_v<Radius>)
+    return static_cast<double>(radius);
+  else if constexpr(std::is_invocable_v<const Radius&, std::size_t>)
+    return static_cast<double>(radius(v));
+  else
+    return static_cast<double>(get(radius, v));
+}
+
+// \throws std::invalid_argument unless all are positive and finite
+template <typename Network, typename Radius>
+std::vector<double> radii_of_nodes(const Network& curve, const Radius& radius)
+{
+  std::vector<double> radii;
+  for(const std::size_t v : curve.nodes()) {
+    radii.push_back(radius_at(radius, v));
+    if(radii.back() > 0 && std::isfinite(radii.back())) continue;
+    std::ostringstream message;
+    message << "the radius at node " << v << " is " << radii.back()
+            << ", it must be positive and finite";
+    throw std::invalid_argument(message.str());
+  }
+  return radii;
+}
+
+template <typename Network>
+void refuse_junctions(const Network& curve)
+{
+  if(!curve.has_junction()) return;
+  for(const std::size_t v : curve.nodes())
+    if(curve.degree(v) > 2)
+      throw std::invalid_argument("node " + std::to_string(v) + " is a junction of " +
+                                  std::to_string(curve.degree(v)) +
+                                  " edges, around which there is no tube");
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DRAWING_TUBE_PARAMETERS_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_SIZE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_SIZE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <locale>
+#include <sstream>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The size of a filling, estimated before it begins. In the open a curve of thickness r has
+// the length 0.26 V / r^2; between walls that are closer than 2 r its strands lie side by side, 2 r
+// apart, and cover half of the walls' area A: A / (4 r). The larger one counts. The area is found
+// by the samples nearest to the boundary.
+class Filling_size
+{
+public:
+  // More than that takes some 30 GB.
+  static constexpr double most_nodes = 2e7;
+
+  // By default; that takes half a minute, and more in domains so thin that a curve with a larger
+  // thickness would not fit.
+  static constexpr double most_nodes_by_default = 2e5, most_nodes_of_thin_by_default = 2e6;
+
+  // Takes the distances of uniform samples to the boundary, and the length of edges in units of the
+  // thickness.
+  Filling_size(double volume, std::vector<double> distances, double spacing)
+      : m_volume(volume), m_edge(mean_edge * spacing)
+  {
+    if(distances.empty()) return;
+    const std::size_t outermost = distances.size() / 5;
+    const auto last = distances.begin() + static_cast<std::ptrdiff_t>(outermost);
+    std::nth_element(distances.begin(), last, distances.end());
+    const double share = static_cast<double>(outermost) / static_cast<double>(distances.size());
+    if(*last > 0) m_area = share * volume / *last;
+  }
+
+  double length(double thickness) const
+  {
+    return (std::max)(length_of_filling(m_volume, thickness), m_area / (4 * thickness));
+  }
+
+  double number_of_nodes(double thickness) const
+  {
+    return length(thickness) / (m_edge * thickness);
+  }
+
+  // with one thread, see run_filling
+  double seconds(double thickness) const { return seconds_per_node * number_of_nodes(thickness); }
+
+  // returns the thickness with which there are that many nodes
+  double thickness_with(double nodes) const
+  {
+    return (std::max)(std::cbrt(filling_density * m_volume / (m_edge * nodes)),
+                      std::sqrt(m_area / (4 * m_edge * nodes)));
+  }
+
+  // Throws std::invalid_argument if there would be more nodes than that. The message has the
+  // caller's lengths.
+  void check(double thickness, double most, double unit) const
+  {
+    const double nodes = number_of_nodes(thickness);
+    if(!(nodes > most)) return;
+    std::ostringstream demand;
+    demand.imbue(std::locale::classic());
+    demand.precision(3);
+    demand << "the curve would have some " << nodes << " nodes, and take "
+           << nodes * gigabytes_per_node << " GB; with " << unit * thickness_with(most)
+           << " it has " << most << ", the most that are allowed"
+           << (most < most_nodes ? " by default" : "");
+    refuse_value(internal_np::thickness_t(), unit * thickness, demand.str());
+  }
+
+private:
+  // In units of the shortest: on the domains of run_filling there are 3.6 to 3.7 nodes per r with
+  // edges of at least 0.2 r.
+  static constexpr double mean_edge = 1.37;
+  // The bunny with 949,000 nodes takes 131 s and 1.3 GB.
+  static constexpr double seconds_per_node = 1.5e-4, gigabytes_per_node = 1.4e-6;
+
+  double m_volume, m_edge, m_area = 0;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_SIZE_H

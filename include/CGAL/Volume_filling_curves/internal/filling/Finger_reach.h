@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_REACH_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_REACH_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/domain/depth.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_stations.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Lets a finger grow from one station to another: out of the edge that is placed best, with the
+// widest tip that the guard certifies.
+template <typename Guard, typename Domain>
+class Finger_reach
+{
+public:
+  Finger_reach(Guard& guard, const Domain& domain) : m_guard(guard), m_domain(domain) {}
+
+  // Returns whether there is a finger, of which the other station knows then.
+  bool operator()(const Finger_station& from, Finger_station& to)
+  {
+    return grow_out_of_best(from.edges, wide, to);
+  }
+
+  // Likewise, where there is no way for a wide one: a thin one, out of a piece of an edge. The
+  // first station knows of the pieces then.
+  bool squeeze(Finger_station& from, Finger_station& to)
+  {
+    for(std::size_t k = 0; k < from.edges.size(); ++k)
+      while(from.edges.size() < most_pieces && is_long(from.edges[k], from.thickness)) {
+        const std::size_t half = Finger<Guard>(m_guard, from.edges[k]).halve();
+        if(half == Finger<Guard>::none) break;
+        from.edges.push_back(half);
+      }
+    return grow_out_of_best(from.edges, thin, to);
+  }
+
+private:
+  // Half widths of tips, the first that has room, in units of the thickness.
+  using Half_widths = std::vector<double>;
+  inline static const Half_widths wide{0.7, 0.21, 0.1}, thin{0.1, 0.03};
+  // Likewise
+  static constexpr double room_of_tip = 0.2;
+  static constexpr double root_of_thin = 0.2; // the longest edge that a thin finger grows out of
+  static constexpr std::size_t most_pieces = 64;
+
+  bool is_long(std::size_t e, double thickness) const
+  {
+    return edge_vector(m_guard.curve(), e).norm() > root_of_thin * thickness;
+  }
+
+  bool grow_out_of_best(const std::vector<std::size_t>& edges,
+                        const Half_widths& half_widths,
+                        Finger_station& to)
+  {
+    std::vector<std::pair<double, std::size_t>> best_first;
+    for(const std::size_t e : edges)
+      best_first.push_back({Finger<Guard>::span(m_guard.curve(), e, to.position), e});
+    std::sort(best_first.begin(), best_first.end(), std::greater<>());
+    return std::any_of(best_first.begin(), best_first.end(), [&](const auto& edge) {
+      return edge.first > 0 && grow_out_of(edge.second, half_widths, to);
+    });
+  }
+
+  bool grow_out_of(std::size_t e, const Half_widths& half_widths, Finger_station& to)
+  {
+    const double free = room(to.position);
+    const auto has_room = [&](const Vector& x) {
+      return room(x) >= (std::min)(room_of_tip * to.thickness, free / 4);
+    };
+    Finger<Guard> finger(m_guard, e);
+    for(const double half_width : half_widths)
+      if(finger.grow(to.position, (std::min)(half_width * to.thickness, free / 2), has_room)) {
+        to.edges.push_back(finger.tip());
+        return true;
+      }
+    finger.withdraw();
+    return false;
+  }
+
+  // the distance to the boundary, 0 outside
+  double room(const Vector& x) const
+  {
+    return depth(m_domain, to_point(x, m_guard.curve().traits()));
+  }
+
+  Guard& m_guard;
+  const Domain& m_domain;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_REACH_H

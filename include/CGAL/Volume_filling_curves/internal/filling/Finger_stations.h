@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_STATIONS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_STATIONS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/filling/Well_spaced_points.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_neighborhoods.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A place that a curve goes through, or is to reach.
+struct Finger_station
+{
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  Vector position;
+  double thickness;
+  std::vector<std::size_t> edges; // of the curve, that fingers can grow out of
+  std::size_t component = none;
+
+  bool is_reached() const { return component != none; }
+};
+
+// The stations of a tree of fingers: stretches of the curves, which are its roots, well-spaced
+// points in the domain, and places on the way to those that are hard to get to. Near linear in
+// their number.
+template <typename Guard, typename Domain, typename Thickness>
+class Finger_stations
+{
+  using Network = typename Guard::Curve_network;
+  using Point_3 = typename Guard::Point_3;
+
+public:
+  // Takes the thickness at a point, and how far stations are apart, in units of it.
+  Finger_stations(Guard& guard, const Domain& domain, const Thickness& thickness, double spacing)
+      : m_guard(guard), m_domain(domain), m_thickness(thickness), m_spacing(spacing)
+  {
+    add_stretches_of_curves();
+  }
+
+  // Adds points of the domain. Once the run is to stop no more are found.
+  void add_places(std::size_t seed, Run_watch& watch)
+  {
+    std::vector<Vector> there;
+    for(const Finger_station& station : m_stations) there.push_back(station.position);
+    const auto distance = [this](const Point_3& p) { return m_spacing * m_thickness(p); };
+    Well_spaced_points<Domain, typename Network::Traits, decltype(distance)> points(
+        m_domain, distance, room_of_place / m_spacing, curve().traits(), watch);
+    try {
+      const Watched_scope scope(&watch);
+      for(const Vector& p : points(there, seed)) m_stations.push_back({p, thickness(p), {}});
+    } catch(const Run_stopped&) {
+    }
+    m_number_of_places = m_stations.size() - m_number_of_roots;
+    m_neighborhoods = std::make_unique<Node_neighborhoods>(positions());
+  }
+
+  // Adds a place on the way, which within() does not find.
+  std::size_t add_waypoint(const Vector& p)
+  {
+    m_stations.push_back({p, thickness(p), {}});
+    return m_stations.size() - 1;
+  }
+
+  Finger_station& operator[](std::size_t s) { return m_stations[s]; }
+  const Finger_station& operator[](std::size_t s) const { return m_stations[s]; }
+
+  // the indices of roots come first, those of places are next
+  std::size_t number_of_roots() const { return m_number_of_roots; }
+  std::size_t number_of_places() const { return m_number_of_places; }
+
+  bool is_place(std::size_t s) const
+  {
+    return s >= m_number_of_roots && s - m_number_of_roots < m_number_of_places;
+  }
+
+  // how far a station is from the next ones
+  double spacing(std::size_t s) const { return m_spacing * m_stations[s].thickness; }
+
+  // in the order of their indices
+  std::vector<std::size_t> within(double distance, const Vector& p)
+  {
+    m_neighborhoods->find(p, distance, m_near);
+    m_near.keep_within(p, distance);
+    std::vector<std::size_t> stations;
+    for(std::size_t k = 0; k < m_near.size(); ++k) stations.push_back(m_near.index(k));
+    std::sort(stations.begin(), stations.end());
+    return stations;
+  }
+
+private:
+  static constexpr double room_of_place = 0.5; // halved twice where it is narrow
+
+  const Network& curve() const { return m_guard.curve(); }
+
+  double thickness(const Vector& p) const { return m_thickness(to_point(p, curve().traits())); }
+
+  // The edges of each component, in stretches as long as stations are apart.
+  void add_stretches_of_curves()
+  {
+    halve_long_edges();
+    std::vector<std::size_t> last(curve().number_of_components(), Finger_station::none);
+    for(std::size_t e = 0; e < curve().number_of_edges(); ++e) {
+      const std::size_t c = curve().component(curve().source(e));
+      const Vector a = to_vector(curve().point(curve().source(e)));
+      const Vector b = to_vector(curve().point(curve().target(e)));
+      const Vector middle = (a + b) / 2;
+      const auto is_far = [&](const Finger_station& s) {
+        return (s.position - middle).norm() > m_spacing * s.thickness;
+      };
+      if(last[c] == Finger_station::none || is_far(m_stations[last[c]])) {
+        last[c] = m_stations.size();
+        m_stations.push_back({middle, thickness(middle), {}, c});
+      }
+      m_stations[last[c]].edges.push_back(e);
+    }
+    m_number_of_roots = m_stations.size();
+  }
+
+  // The halves of an edge keep its index and get a new last one.
+  void halve_long_edges()
+  {
+    for(std::size_t e = 0; e < curve().number_of_edges(); ++e)
+      while(is_long(e) && halve_edge(m_guard, e)) continue;
+  }
+
+  bool is_long(std::size_t e) const
+  {
+    const Vector a = to_vector(curve().point(curve().source(e)));
+    const Vector b = to_vector(curve().point(curve().target(e)));
+    return (b - a).norm() > m_spacing / 2 * thickness((a + b) / 2);
+  }
+
+  Vector_field positions() const
+  {
+    Vector_field x(static_cast<Eigen::Index>(m_stations.size()), 3);
+    for(std::size_t s = 0; s < m_stations.size(); ++s) set_row(x, s, m_stations[s].position);
+    return x;
+  }
+
+  Guard& m_guard;
+  const Domain& m_domain;
+  const Thickness& m_thickness;
+  const double m_spacing; // in units of the thickness
+  std::vector<Finger_station> m_stations;
+  std::size_t m_number_of_roots = 0, m_number_of_places = 0;
+  std::unique_ptr<Node_neighborhoods> m_neighborhoods; // of roots and places
+  Node_list m_near;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_STATIONS_H

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_TREE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_TREE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_connections.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_reach.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_stations.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Lets curves reach out all over a domain before they flow: fingers follow a random spanning tree
+// of well-spaced points, which starts from all places of the curves (Prim's algorithm). What comes
+// out is the outline of a tree where a small circle was, isotopic to it, at a cost that is
+// proportional to the number of points. Of several components the one that has got least of the
+// volume goes on first. Points that no straight finger got to, as beyond a neck, are led to along
+// ways that are looked for, by thin fingers.
+template <typename Guard, typename Domain, typename Thickness>
+class Finger_tree
+{
+  using Network = typename Guard::Curve_network;
+  using Traits = typename Network::Traits;
+  using Stations = Finger_stations<Guard, Domain, Thickness>;
+  using Connections = Finger_connections<Stations, Traits>;
+  using Ways = Path_search<Domain, Traits>;
+
+public:
+  // Takes the thickness at a point. Once the run is to stop nothing grows any more.
+  Finger_tree(Guard& guard,
+              const Domain& domain,
+              const Thickness& thickness,
+              std::size_t seed,
+              Run_watch& watch)
+      : m_guard(guard),
+        m_domain(domain),
+        m_thickness(thickness),
+        m_watch(watch),
+        m_random(seed),
+        m_reach_out(guard, domain)
+  {}
+
+  // Lets the tree prefer connections along a field, if there is one and the weight is not 0.
+  void follow(const typename Connections::Direction_field& field, double weight)
+  {
+    if(!field || !(weight > 0)) return;
+    m_direction_field = field;
+    m_detour = detour_over_weight * weight;
+    m_spacing = spacing_along_field;
+  }
+
+  // Grows all fingers, and numbers the curves again. The clearance of the guard does not hold for
+  // fingers: the flow makes room between their strands.
+  void grow()
+  {
+    const Clearance_scope<Guard> scope(m_guard, 0);
+    Stations& stations = m_stations.emplace(m_guard, m_domain, m_thickness, m_spacing);
+    m_connections.emplace(stations, m_random, m_guard.curve().traits());
+    m_connections->follow(m_direction_field, m_detour);
+    m_volumes.resize(m_guard.curve().number_of_components(), 0);
+    stations.add_places(m_random.bits(), m_watch);
+    for(std::size_t s = 0; s < stations.number_of_roots(); ++s) reach(s, stations[s].component);
+    for(std::size_t c = 0; c < m_volumes.size(); ++c) m_hungry.push({m_volumes[c], c});
+    feed_all();
+    lead_to_rest();
+    m_guard.collect_garbage();
+  }
+
+  // \pre grow() has been called
+  // of the places in the domain, those that the curves have been through from the start left out
+  std::size_t number_of_places() const { return m_stations->number_of_places(); }
+  std::size_t number_of_fingers() const { return m_number_of_fingers; }
+
+private:
+  // In units of the thickness.
+  static constexpr double spacing = 2.9; // of the stations: a finger is two strands
+  // Strands side by side leave longer gaps: with 2.9 the bunny ends with p99 1.43 (2026-11-22).
+  static constexpr double spacing_along_field = 2.65;
+  static constexpr double cells_of_ways[] = {0.5, 0.25, 0.125};
+  static constexpr double detour_over_weight = 20; // see m_detour; twice that changes little
+  // Of ways, in all: less time than the flow takes.
+  static constexpr std::size_t fewest_cells = 100000, cells_per_place = 200;
+  static constexpr std::size_t ways_to_try = 4; // from one flood
+  static constexpr std::size_t looked_at = 4;   // stations near a cell
+
+  // Takes note that a component has got to a station.
+  void reach(std::size_t s, std::size_t component)
+  {
+    (*m_stations)[s].component = component;
+    if(m_stations->is_place(s)) ++m_number_of_fingers;
+    const double distance = m_stations->spacing(s);
+    m_volumes[component] += distance * distance * distance;
+    m_connections->add_from(s);
+  }
+
+  void feed_all()
+  {
+    while(!m_hungry.empty() && !m_watch.must_stop()) feed_hungriest();
+  }
+
+  double fraction_done() const
+  {
+    return static_cast<double>(m_number_of_fingers) /
+           static_cast<double>(m_stations->number_of_places());
+  }
+
+  // Lets the component that has the least volume grow by a finger.
+  void feed_hungriest()
+  {
+    const std::size_t component = m_hungry.top().second;
+    m_hungry.pop();
+    while(const auto connection = m_connections->take(component)) {
+      if(m_watch.must_stop(fraction_done())) return;
+      Finger_station& to = (*m_stations)[connection->to];
+      if(!m_reach_out((*m_stations)[connection->from], to)) continue;
+      reach(connection->to, component);
+      return m_hungry.push({m_volumes[component], component});
+    }
+  }
+
+  // From the widest ways to the narrowest.
+  void lead_to_rest()
+  {
+    const std::size_t beyond = m_stations->number_of_roots() + m_stations->number_of_places();
+    Ways ways(m_domain, m_guard.curve().traits(),
+              fewest_cells + cells_per_place * m_stations->number_of_places());
+    for(const double cell : cells_of_ways)
+      for(std::size_t s = m_stations->number_of_roots(); s < beyond; ++s)
+        if(m_watch.must_stop())
+          return;
+        else if(!(*m_stations)[s].is_reached() && lead_to(s, cell, ways))
+          feed_all();
+  }
+
+  // Returns whether there is a finger to the station now.
+  bool lead_to(std::size_t s, double cell, Ways& ways)
+  {
+    std::size_t tries = 0;
+    ways.flood((*m_stations)[s].position, cell * (*m_stations)[s].thickness, [&](const Vector& p) {
+      for(const std::size_t t : reached_near(p)) {
+        if(!ways.sees((*m_stations)[t].position, p)) continue;
+        const double longest = Connections::reach * m_stations->spacing(t);
+        const auto way = ways.way_from((*m_stations)[t].position, longest);
+        if(go_along(way, t, s) || ++tries == ways_to_try) return true;
+      }
+      return m_watch.must_stop();
+    });
+    return (*m_stations)[s].is_reached();
+  }
+
+  // the nearest ones
+  std::vector<std::size_t> reached_near(const Vector& p)
+  {
+    const double distance = Connections::reach * m_spacing * thickness_at(p);
+    std::vector<std::pair<double, std::size_t>> nearest;
+    for(const std::size_t t : m_stations->within(distance, p))
+      if((*m_stations)[t].is_reached())
+        nearest.push_back({((*m_stations)[t].position - p).squaredNorm(), t});
+    std::sort(nearest.begin(), nearest.end());
+    nearest.resize((std::min)(nearest.size(), looked_at));
+    std::vector<std::size_t> stations;
+    for(const auto& [d, t] : nearest) stations.push_back(t);
+    return stations;
+  }
+
+  double thickness_at(const Vector& p) const
+  {
+    return m_thickness(to_point(p, m_guard.curve().traits()));
+  }
+
+  // Takes the places on the way, of which the station is the last.
+  bool go_along(const std::vector<Vector>& way, std::size_t from, std::size_t to)
+  {
+    const std::size_t component = (*m_stations)[from].component;
+    for(std::size_t k = 0; k < way.size(); ++k) {
+      const std::size_t next = k + 1 == way.size() ? to : m_stations->add_waypoint(way[k]);
+      Finger_station &here = (*m_stations)[from], &there = (*m_stations)[next];
+      if(!m_reach_out(here, there) && !m_reach_out.squeeze(here, there)) return false;
+      reach(next, component);
+      from = next;
+    }
+    m_hungry.push({m_volumes[component], component});
+    return true;
+  }
+
+  Guard& m_guard;
+  const Domain& m_domain;
+  const Thickness& m_thickness;
+  Run_watch& m_watch;
+  Random_source m_random;
+  Finger_reach<Guard, Domain> m_reach_out;
+  typename Connections::Direction_field
+      m_direction_field; // none if the tree is to follow no directions
+  double m_detour = 0;   // by how much more length across the field counts
+  double m_spacing = spacing;
+  std::size_t m_number_of_fingers = 0;
+
+  // of grow()
+  std::optional<Stations> m_stations;
+  std::optional<Connections> m_connections;
+  std::vector<double> m_volumes; // that each component has got
+
+  using Hunger = std::pair<double, std::size_t>; // a component's volume, and the component
+  std::priority_queue<Hunger, std::vector<Hunger>, std::greater<Hunger>> m_hungry;
+};
+
+template <typename Guard, typename Domain, typename Thickness>
+Finger_tree<Guard, Domain, Thickness> finger_tree(Guard& guard,
+                                                  const Domain& domain,
+                                                  const Thickness& thickness,
+                                                  std::size_t seed,
+                                                  Run_watch& watch)
+{
+  return {guard, domain, thickness, seed, watch};
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FINGER_TREE_H

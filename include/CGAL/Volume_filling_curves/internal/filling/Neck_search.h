@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_NECK_SEARCH_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_NECK_SEARCH_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Proof that a passage narrower than r keeps a curve from a place: a ball of radius r / 2 that
+// moves from there to within r of the curve would be found by a flood over the cells of a grid. A
+// flood that ends with nothing is the proof; one that takes too long proves nothing. Linear in the
+// number of cells visited, which is limited.
+template <typename Network, typename Domain>
+class Neck_search
+{
+  using Traits = typename Network::Traits;
+
+public:
+  // The search ends without a proof once `must_stop` returns true.
+  Neck_search(const Network& curve, const Domain& domain, std::function<bool()> must_stop)
+      : m_curve(curve),
+        m_paths(domain, curve.traits(), max_cells),
+        m_must_stop(std::move(must_stop))
+  {}
+
+  // returns whether every passage from the place to the curve is proved to be narrower than r.
+  // \pre the ball of radius r / 2 around the place lies inside
+  bool is_behind_neck(const Vector& place, double r)
+  {
+    const auto is_end = [&](const Vector& p) {
+      return m_cells_left-- <= 1 || m_curve.distance(p) < r || m_must_stop();
+    };
+    return m_cells_left > 0 && !m_paths.flood(place, max_cell * r, is_end);
+  }
+
+private:
+  // In units of r. A ball of radius r / 2 whose center is in a cell of size s leaves a room of
+  // r / 2 - 0.87 s at the center of the cell; the flood asks for 0.55 s.
+  static constexpr double max_cell = 0.35;
+  static constexpr std::size_t max_cells = 300000;
+
+  const Distance_to_curve m_curve;
+  Path_search<Domain, Traits> m_paths;
+  const std::function<bool()> m_must_stop;
+  std::size_t m_cells_left = max_cells;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_NECK_SEARCH_H

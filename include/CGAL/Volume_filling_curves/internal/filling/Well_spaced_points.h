@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WELL_SPACED_POINTS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WELL_SPACED_POINTS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Points inside a domain that keep a distance from one another, which may vary in space, and from
+// the boundary, and leave little room for more. Dart throwing (Cook 1986) over a finite set: from
+// candidates on a jittered grid, three to the distance along each axis, each that is left in random
+// order is taken and strikes out those within its distance. Near linear in their number.
+template <typename Domain, typename Traits, typename Distance>
+class Well_spaced_points
+{
+  using Point_3 = typename Traits::Point_3;
+  using Index = std::uint32_t;
+
+public:
+  // Takes the distance at a point, also to be kept from points that are there already, and what
+  // part of it is to be kept from the boundary. Once the run is to stop no more points are found.
+  Well_spaced_points(const Domain& domain,
+                     const Distance& distance,
+                     double room,
+                     const Traits& traits,
+                     Run_watch& watch)
+      : m_domain(domain), m_distance(distance), m_room(room), m_traits(traits), m_watch(watch)
+  {}
+
+  std::vector<Vector> operator()(const std::vector<Vector>& there, std::size_t seed)
+  {
+    Random_source random(seed);
+    find_candidates(random);
+    const Box_tree tree(boxes_of_runs());
+    m_is_struck_out.assign(m_candidates.size(), false);
+    for(const Vector& p : there) {
+      if(m_watch.must_stop()) return {};
+      strike_out_near(p, tree);
+    }
+    const std::vector<Index> order = shuffled(random);
+    std::vector<Vector> points;
+    for(const double room : {m_room, m_room / 2, m_room / 4}) // spikes come last
+      for(const Index k : order) {
+        if(m_watch.must_stop()) return points;
+        if(m_is_struck_out[k] || !has_room(m_candidates[k], room)) continue;
+        points.push_back(m_candidates[k]);
+        strike_out_near(m_candidates[k], tree);
+      }
+    return points;
+  }
+
+private:
+  static constexpr double candidates_along_distance = 3;
+  static constexpr int most_halvings = 20;      // of the box
+  static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
+
+  struct Cube
+  {
+    Vector low;
+    double side;
+  };
+
+  // Cubes around the box are divided down to the size that is asked for there, but not outside.
+  void find_candidates(Random_source& random)
+  {
+    const CGAL::Bbox_3 box = m_domain.bbox();
+    const Vector low(box.xmin(), box.ymin(), box.zmin());
+    const Vector sides(box.x_span(), box.y_span(), box.z_span());
+    double side = size_of_cube(low + sides / 2);
+    while(side < sides.maxCoeff()) side *= 2;
+    m_least_side = side * std::ldexp(1, -most_halvings);
+    divide({low, side}, random);
+  }
+
+  double size_of_cube(const Vector& p) const
+  {
+    return m_distance(to_point(p, m_traits)) / candidates_along_distance;
+  }
+
+  void divide(const Cube& cube, Random_source& random)
+  {
+    const double x = random.real(), y = random.real(), z = random.real();
+    const Vector p = cube.low + cube.side * Vector(x, y, z);
+    constexpr double slack = 1 + 1e-9;
+    if(cube.side <= slack * size_of_cube(p) || cube.side <= m_least_side)
+      add_candidate(p);
+    else if(!is_outside(cube) && !m_watch.must_stop())
+      for(int k = 0; k < 8; ++k)
+        divide({cube.low + cube.side / 2 * Vector(k % 2, k / 2 % 2, k / 4), cube.side / 2}, random);
+  }
+
+  // Candidates outside the domain's box only count: of a thin plate they are nearly all.
+  void add_candidate(const Vector& p)
+  {
+    m_is_kept.push_back(
+        CGAL::do_overlap(m_domain.bbox(), Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z())));
+    if(m_is_kept.back()) m_candidates.push_back(p);
+  }
+
+  bool is_outside(const Cube& cube) const
+  {
+    const Point_3 center = to_point(cube.low + cube.side / 2 * Vector::constant(1), m_traits);
+    return !m_domain.is_inside(center) && m_domain.distance(center) > 0.87 * cube.side;
+  }
+
+  bool has_room(const Vector& x, double room) const
+  {
+    const Point_3 p = to_point(x, m_traits);
+    return m_domain.is_inside(p) && m_domain.distance(p) >= room * m_distance(p);
+  }
+
+  // Candidates that follow one another lie near each other, as the cubes do.
+  std::vector<Bbox_3> boxes_of_runs() const
+  {
+    std::vector<Bbox_3> boxes((m_candidates.size() + run_length - 1) / run_length);
+    for(std::size_t k = 0; k < m_candidates.size(); ++k) {
+      const Vector& p = m_candidates[k];
+      boxes[k / run_length] += Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+    }
+    return boxes;
+  }
+
+  void strike_out_near(const Vector& p, const Box_tree& tree)
+  {
+    Strike query{*this, p, m_distance(to_point(p, m_traits))};
+    Nearest_first_descent<Strike>(tree, query).run();
+  }
+
+  // Strikes out the candidates within a distance of a point.
+  struct Strike
+  {
+    Well_spaced_points& points;
+    Vector center;
+    double distance;
+
+    double entry(const Bbox_3& box) const { return squared_distance_to_box(center, box); }
+
+    double bound() const
+    {
+      constexpr double slack = 1 + 1e-9; // for the rounding of distances to boxes
+      return slack * distance * distance;
+    }
+
+    void visit(std::size_t run)
+    {
+      const auto& candidates = points.m_candidates;
+      const std::size_t end = (std::min)((run + 1) * run_length, candidates.size());
+      for(std::size_t k = run * run_length; k < end; ++k)
+        if((candidates[k] - center).squaredNorm() <= distance * distance)
+          points.m_is_struck_out[k] = true;
+    }
+  };
+
+  // The numbers of the candidates in random order, none once the run is to stop.
+  std::vector<Index> shuffled(Random_source& random) const
+  {
+    constexpr Index none = (std::numeric_limits<Index>::max)();
+    std::vector<Index> order(m_is_kept.size());
+    Index number = 0;
+    for(std::size_t k = 0; k < order.size(); ++k) {
+      if(k % 65536 == 0 && m_watch.must_stop()) return {};
+      const std::size_t j = random.index(k + 1);
+      order[k] = order[j];
+      order[j] = m_is_kept[k] ? number++ : none;
+    }
+    order.erase(std::remove(order.begin(), order.end(), none), order.end());
+    return order;
+  }
+
+  const Domain& m_domain;
+  const Distance& m_distance;
+  const double m_room; // at the boundary, in units of the distance
+  const Traits m_traits;
+  Run_watch& m_watch;
+  double m_least_side = 0;
+  std::deque<Vector> m_candidates; // no vector, which takes thrice as much while it grows
+  std::vector<bool> m_is_kept;     // of all candidates, in the order of the cubes
+  std::vector<bool> m_is_struck_out;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WELL_SPACED_POINTS_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_ESTIMATES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_ESTIMATES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/assertions.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+namespace internal {
+
+// The length of a curve that fills a volume V with thickness r is this times V / r^2: 0.259 to
+// 0.269 on nine domains of run_filling (2026-11-21).
+constexpr double filling_density = 0.26;
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief returns about how long a curve is that fills a volume: \f$0.26\, V / r^2\f$, for planning
+ * how much time and material a filling takes before `fill()` is called.
+ *
+ * The factor was 0.259 to 0.269 on nine domains that are wide compared with the thickness; in
+ * narrow ones the curve is shorter.
+ *
+ * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
+ * \param thickness the thickness \f$r\f$, in the input's unit
+ *
+ * \pre `thickness` is positive
+ */
+[[nodiscard]] inline double length_of_filling(double volume, double thickness)
+{
+  CGAL_precondition_msg(thickness > 0, "`thickness` is positive");
+  return internal::filling_density * volume / (thickness * thickness);
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief returns about how thick a curve is that fills a volume and has a length, the thickness
+ * from which `fill()` starts if a length is asked for: \f$\sqrt{0.26\, V / L}\f$, see
+ * `length_of_filling()`.
+ *
+ * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
+ * \param length the length \f$L\f$, in the input's unit
+ *
+ * \pre `length` is positive
+ */
+[[nodiscard]] inline double thickness_of_filling(double volume, double length)
+{
+  CGAL_precondition_msg(length > 0, "`length` is positive");
+  return std::sqrt(internal::filling_density * volume / length);
+}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_ESTIMATES_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_LENGTH_UNIT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_LENGTH_UNIT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The unit of length of a filling. Terms of degree 6 overflow in a domain of the size 2^170 and
+// underflow in one of 2^-170. A run in such a domain therefore measures lengths in units of the
+// domain's box, by a power of two, so that nothing is rounded.
+
+template <typename Domain, typename = void>
+struct Is_scalable : std::false_type
+{};
+
+template <typename Domain>
+struct Is_scalable<Domain,
+                   std::enable_if_t<std::is_same_v<
+                       Domain,
+                       std::decay_t<decltype(std::declval<const Domain&>().scaled(double()))>>>>
+    : std::true_type
+{};
+
+inline double largest_coordinate_of(const CGAL::Bbox_3& box)
+{
+  double largest = 0;
+  for(int i = 0; i < 3; ++i)
+    largest = (std::max)({largest, std::abs((box.min)(i)), std::abs((box.max)(i))});
+  return largest;
+}
+
+[[noreturn]] inline void refuse_size(double size, const std::string& demand)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "the domain's box has a largest coordinate of " << size << ", but " << demand;
+  throw std::invalid_argument(text.str());
+}
+
+// Returns the unit for a domain with that box; 1 unless the domain is very large or very small.
+// \throws std::invalid_argument if it is larger or smaller than any domain may be
+template <typename Domain>
+double length_unit(const CGAL::Bbox_3& box)
+{
+  constexpr int largest_exponent = 128; // leaves 2^40 between the domain's size and that of edges
+  const double size = largest_coordinate_of(box);
+  if(!(size > 0) || !std::isfinite(size)) return 1; // the survey says what is wrong
+  const int exponent = std::ilogb(size);
+  if(std::abs(exponent) <= largest_exponent) return 1;
+  if(size > largest_coordinate || size < least_size)
+    refuse_size(size, "must be between 1e-150 and 1e150");
+  if(!Is_scalable<Domain>::value)
+    refuse_size(size, "must be between 1e-38 and 1e38 if the domain has no member function "
+                      "scaled(); scale it by a power of two, which changes no bits of the result");
+  return std::ldexp(1., exponent);
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_LENGTH_UNIT_H

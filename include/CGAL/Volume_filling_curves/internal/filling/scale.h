@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_SCALE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_SCALE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Lengths of a filling multiplied by a power of two, from the caller's unit to that of the run and
+// back. Exact.
+
+template <typename Traits>
+typename Traits::Point_3 scaled(const typename Traits::Point_3& p,
+                                double factor,
+                                const Traits& traits)
+{
+  return to_point(Vector(factor * to_vector(p)), traits);
+}
+
+template <typename Traits>
+void scale(Curve_network_3<Traits>& curve, double factor)
+{
+  Network_editor<Curve_network_3<Traits>> editor(curve);
+  for(const std::size_t v : curve.nodes())
+    editor.move_node(v, scaled(curve.point(v), factor, curve.traits()));
+}
+
+inline void scale(Thickness_fit& fit, double factor)
+{
+  fit.thickness *= factor;
+  fit.fitting_thickness *= factor;
+}
+
+inline void scale(Run_progress& progress, double factor)
+{
+  progress.length *= factor;
+  progress.thickness *= factor;
+  progress.default_thickness *= factor;
+  progress.expected_length *= factor;
+}
+
+template <typename Point_3, typename Traits>
+void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
+{
+  result.thickness *= factor;
+  result.default_thickness *= factor;
+  result.medial_radius *= factor;
+  scale(result.thickness_fit, factor);
+  for(auto& region : result.empty_regions) {
+    region.point = scaled(region.point, factor, traits);
+    region.radius *= factor;
+    region.volume *= factor * factor * factor;
+  }
+  for(auto& circle : result.start)
+    for(Point_3& p : circle) p = scaled(p, factor, traits);
+}
+
+template <typename Point_3, typename Traits>
+Filling_parameters<Point_3> scaled(Filling_parameters<Point_3> parameters,
+                                   double factor,
+                                   const Traits& traits)
+{
+  parameters.thickness *= factor;
+  parameters.length *= factor;
+  if(auto& field = parameters.thickness_field)
+    field = [field, factor, traits](const Point_3& p) {
+      return factor * field(scaled(p, 1 / factor, traits));
+    };
+  if(auto& field = parameters.direction_field)
+    field = [field, factor, traits](const Point_3& p) {
+      return field(scaled(p, 1 / factor, traits));
+    };
+  return parameters;
+}
+
+// A curve in other units as long as the scope exists.
+template <typename Network>
+class Scaled_scope
+{
+public:
+  Scaled_scope(Network& curve, double factor) : m_curve(curve), m_factor(factor)
+  {
+    scale(m_curve, m_factor);
+  }
+
+  ~Scaled_scope() { scale(m_curve, 1 / m_factor); }
+
+  Scaled_scope(const Scaled_scope&) = delete;
+  Scaled_scope& operator=(const Scaled_scope&) = delete;
+
+private:
+  Network& m_curve;
+  const double m_factor;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_SCALE_H

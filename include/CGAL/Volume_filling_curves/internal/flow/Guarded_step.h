@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_GUARDED_STEP_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_GUARDED_STEP_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Strand_separator.h>
+#include <CGAL/Volume_filling_curves/internal/flow/motion_outcome.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Moves a curve along a direction: as far as the step size tells, as far as the guard certifies,
+// and strands that hold one another apart. Remembers how the last steps went.
+template <typename Guard, typename ConcurrencyTag>
+class Guarded_step
+{
+public:
+  Guarded_step(Guard& guard, double largest_displacement)
+      : m_guard(guard), m_size(largest_displacement)
+  {}
+
+  // Forgets how the last steps went.
+  void start_anew(double largest_displacement) { m_size = Step_size(largest_displacement); }
+
+  void set_largest_displacement(double largest) { m_size.set_largest_displacement(largest); }
+
+  // Strands go that far apart after every step, in units of the least thickness.
+  void keep_apart(double distance) { m_separation = distance; }
+
+  // Nodes were renumbered, see Step_size.
+  void renumber(const std::vector<std::uint32_t>& former) { m_size.renumber(former); }
+
+  // Takes the positions of the nodes, the direction of each, and their thicknesses. Returns whether
+  // any node moved.
+  bool operator()(const Vector_field& positions,
+                  const Vector_field& direction,
+                  const Curve_flow_parameters& parameters,
+                  const std::vector<double>& thickness,
+                  Curve_flow_statistics& statistics)
+  {
+    if(direction.isZero(0)) return false;
+    const double scale =
+        parameters.time_step > 0 ? parameters.time_step : m_size.next(direction, thickness);
+    const Motion_outcome outcome = motion_outcome(
+        m_guard.template advance_nodes<ConcurrencyTag>(positions + scale * direction), direction);
+    m_size.note_fraction(outcome.mean_fraction);
+    if(outcome.is_shortened()) ++statistics.shortened_steps;
+    const bool is_separation_due = outcome.are_nodes_held || m_separation > 0;
+    const double unit = *std::min_element(thickness.begin(), thickness.end());
+    return (is_separation_due && separate_strands(unit, parameters.max_displacement * unit)) ||
+           outcome.has_moved();
+  }
+
+  // Writes or reads everything but for the guard, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_size, m_separation);
+  }
+
+private:
+  // Strands that hold one another go apart by more than an edge is long: at smaller distances the
+  // energy cannot tell them apart, and would bring them back together.
+  bool separate_strands(double least_thickness, double longest_way)
+  {
+    constexpr double separation_of_held_strands = 0.5;
+    const double distance = (std::max)(separation_of_held_strands, m_separation);
+    return Strand_separator<Guard, ConcurrencyTag>(m_guard, distance * least_thickness,
+                                                   longest_way)();
+  }
+
+  Guard& m_guard;
+  Step_size m_size;
+  double m_separation = 0; // in units of the least thickness
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_GUARDED_STEP_H

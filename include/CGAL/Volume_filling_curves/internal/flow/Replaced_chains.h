@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_REPLACED_CHAINS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_REPLACED_CHAINS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Remembers, while nodes of a curve are removed, which chain of former nodes each edge stands for,
+// and tells whether an edge is within some Frechet distance of a chain: whether points of the
+// edge, in their order along it, can be assigned to the nodes of the chain, none farther than
+// that. (Between nodes, the linear assignment is no farther, since distance is convex; Alt and
+// Godau 1995.) Linear in the number of nodes of the chain.
+template <typename Network>
+class Replaced_chains
+{
+  using Index = std::uint32_t;
+
+public:
+  explicit Replaced_chains(const Network& curve)
+      : m_curve(curve), m_points(curve.number_of_nodes()), m_neighbors(curve.number_of_nodes())
+  {
+    for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
+      m_points[v] = to_vector(curve.point(v));
+      for(std::size_t k = 0; k < 2 && curve.degree(v) == 2; ++k)
+        m_neighbors[v][k] = static_cast<Index>(curve.neighbor(v, k));
+    }
+    m_first.resize(curve.number_of_edges());
+    for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+      m_first[e] = {static_cast<Index>(curve.target(e)), static_cast<Index>(curve.source(e))};
+  }
+
+  // returns whether the edge between the neighbors of node v would be that close to the chain
+  // between them
+  bool is_shortcut_near(std::size_t v, double distance) const
+  {
+    const std::size_t a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
+    const Vector &start = m_points[a], to_end = m_points[c] - start;
+    double reached = 0;
+    const auto advance = [&](std::size_t w) {
+      return move_on(m_points[w] - start, to_end, distance, reached);
+    };
+    return holds_inside(m_curve.incident_edge(v, 0), a, v, advance) && advance(v) &&
+           holds_inside(m_curve.incident_edge(v, 1), v, c, advance);
+  }
+
+  // Two edges that are to become one: the far ends, and the chain's nodes next to these.
+  struct Union
+  {
+    std::array<std::size_t, 2> edges, ends;
+    std::array<Index, 2> first;
+  };
+
+  // returns the union of the two edges at node v, to be passed to `join()` once v has been removed
+  Union edges_at(std::size_t v) const
+  {
+    Union both;
+    for(std::size_t k = 0; k < 2; ++k) {
+      both.edges[k] = m_curve.incident_edge(v, k);
+      both.ends[k] = m_curve.neighbor(v, k);
+      both.first[k] = first_node(both.edges[k], both.ends[k]);
+    }
+    return both;
+  }
+
+  void join(const Union& both)
+  {
+    const std::size_t e = both.edges[m_curve.is_removed_edge(both.edges[0]) ? 1 : 0];
+    m_first[e] = both.first;
+    if(m_curve.source(e) != both.ends[0]) std::swap(m_first[e][0], m_first[e][1]);
+  }
+
+private:
+  Index first_node(std::size_t e, std::size_t end) const
+  {
+    return m_first[e][m_curve.source(e) == end ? 0 : 1];
+  }
+
+  // Calls f for the nodes inside the chain of edge e, from one end to the other, until it returns
+  // false. Returns whether it never did.
+  template <typename Function>
+  bool holds_inside(std::size_t e, std::size_t from, std::size_t to, const Function& f) const
+  {
+    std::size_t last = from, v = first_node(e, from);
+    while(v != to) {
+      if(!f(v)) return false;
+      const std::size_t next = m_neighbors[v][m_neighbors[v][0] == last ? 1 : 0];
+      last = v;
+      v = next;
+    }
+    return true;
+  }
+
+  // Whether point p is within the distance of a point of the segment from 0 to `end` that is not
+  // before the one reached so far; moves on to the first such one.
+  static bool move_on(const Vector& p, const Vector& end, double distance, double& reached)
+  {
+    const double length = end.norm();
+    const Vector direction = end / length;
+    const double along = p.dot(direction);
+    const double rest = distance * distance - (p - along * direction).squaredNorm();
+    if(!(rest >= 0)) return false;
+    reached = (std::max)(reached, along - std::sqrt(rest));
+    return reached <= (std::min)(length, along + std::sqrt(rest));
+  }
+
+  const Network& m_curve;
+  std::vector<Vector> m_points;
+  std::vector<std::array<Index, 2>> m_neighbors; // of former nodes with two
+  std::vector<std::array<Index, 2>> m_first;     // per edge, next to its source and its target
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_REPLACED_CHAINS_H

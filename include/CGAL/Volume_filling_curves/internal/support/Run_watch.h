@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_SUPPORT_RUN_WATCH_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_SUPPORT_RUN_WATCH_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <thread>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Leaves loops that cannot return early, see Run_watch::check(). It never leaves a public function.
+struct Run_stopped
+{};
+
+// The clock of a run, its limit of time, and the function that reports progress and may end the
+// run. Every loop that can last longer than some milliseconds asks must_stop(), in any thread; it
+// costs a look at the clock, some 25 ns. A run that is to stop never goes on again.
+class Run_watch
+{
+public:
+  using Progress_function = std::function<bool(const Run_progress&)>;
+
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  // Of a run that completes, within limits, what it has begun: in seconds, so that limits are kept
+  // within 0.3.
+  static constexpr double moment = 0.15;
+
+  // Starts the clock; the limit is in seconds. The run must stop so many seconds after the limit is
+  // reached, or the run interrupted, as the grace says. Who can end before asks is_time_over() and
+  // is_interrupted().
+  explicit Run_watch(double limit = never, Progress_function progress = nullptr, double grace = 0)
+      : m_limit(limit), m_grace(grace), m_report(std::move(progress))
+  {}
+
+  Run_watch(const Run_watch&) = delete;
+  Run_watch& operator=(const Run_watch&) = delete;
+
+  // of the clock
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  // returns whether the run is to end, and reports progress if it is time for that
+  bool must_stop()
+  {
+    if(m_is_stopped.load(std::memory_order_relaxed)) return true;
+    const double now = seconds();
+    if(now >= m_stop)
+      m_is_stopped = true;
+    else if(m_report && now >= m_next_report && is_own_thread())
+      report();
+    return m_is_stopped;
+  }
+
+  // likewise, and takes note of how much of the stage is done
+  bool must_stop(double fraction)
+  {
+    note_fraction(fraction);
+    return must_stop();
+  }
+
+  // Throws Run_stopped if the run is to end.
+  void check()
+  {
+    if(must_stop()) throw Run_stopped();
+  }
+
+  // likewise, every so many calls with a counter of the caller's, whose steps take nanoseconds
+  void check_sometimes(unsigned& counter)
+  {
+    constexpr unsigned calls = 256;
+    if(++counter % calls == 0) check();
+  }
+
+  bool is_time_over() const { return !leaves(0); }
+  bool is_interrupted() const { return m_is_interrupted; }
+
+  // returns whether what takes that many seconds ends in time
+  bool leaves(double seconds) const { return this->seconds() + seconds < m_limit; }
+
+  // Lets what comes after a stop take that many seconds more; nobody is asked again.
+  void grant(double seconds)
+  {
+    m_limit = (std::max)(m_limit, this->seconds() + seconds);
+    m_stop = m_limit;
+    m_is_stopped = false;
+  }
+
+  // The following are for the thread that has made the watch; others are ignored.
+
+  void begin(Run_stage stage)
+  {
+    if(!is_own_thread()) return;
+    m_progress.stage = stage;
+    m_progress.fraction = 0;
+    report();
+  }
+
+  void note_fraction(double fraction)
+  {
+    if(!is_own_thread()) return;
+    m_progress.fraction = (std::max)(m_progress.fraction, (std::min)(fraction, 1.));
+  }
+
+  // Takes note of a flow as it stands, and reports it.
+  template <typename Flow>
+  void note(const Flow& flow)
+  {
+    if(!is_own_thread()) return;
+    m_progress.iterations = flow.statistics().iterations;
+    m_progress.nodes = flow.curve().number_of_nodes();
+    m_progress.length = flow.length();
+    m_progress.gradient_norm = flow.gradient_norm();
+    report();
+  }
+
+  // to be changed before the next report
+  Run_progress& progress() { return m_progress; }
+
+  // Reports at once.
+  void report()
+  {
+    if(!m_report || m_is_interrupted) return;
+    m_progress.seconds = seconds();
+    if(!m_report(m_progress)) interrupt();
+    m_next_report = seconds() + seconds_between_reports;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  static constexpr double seconds_between_reports = 0.005;
+
+  void interrupt()
+  {
+    m_is_interrupted = true;
+    m_stop = (std::min)(m_stop.load(), seconds() + m_grace);
+    m_is_stopped = m_grace == 0;
+  }
+
+  bool is_own_thread() const { return std::this_thread::get_id() == m_thread; }
+
+  const Clock::time_point m_start = Clock::now();
+  const std::thread::id m_thread = std::this_thread::get_id();
+  double m_limit;
+  const double m_grace;
+  std::atomic<double> m_stop{m_limit + m_grace}; // when it must stop, in the seconds of the clock
+  const Progress_function m_report;              // none if nobody wants to know
+  std::atomic<bool> m_is_stopped{false}, m_is_interrupted{false};
+  double m_next_report = 0; // in the seconds of the clock; of the own thread
+  Run_progress m_progress;  // likewise
+};
+
+// The watch of the run that a thread is in: as long as the scope exists, loops over blocks that the
+// thread begins, in whatever thread they run then, and those that call check_run(), end with
+// Run_stopped once the run is to stop. A null watch suspends an outer scope.
+class Watched_scope
+{
+public:
+  explicit Watched_scope(Run_watch* watch) : m_outer(std::exchange(current(), watch)) {}
+  ~Watched_scope() { current() = m_outer; }
+
+  Watched_scope(const Watched_scope&) = delete;
+  Watched_scope& operator=(const Watched_scope&) = delete;
+
+  static Run_watch*& current()
+  {
+    thread_local Run_watch* watch = nullptr;
+    return watch;
+  }
+
+private:
+  Run_watch* m_outer;
+};
+
+// Throws Run_stopped if the thread is in a run that is to stop.
+inline void check_run()
+{
+  if(Run_watch* const watch = Watched_scope::current()) watch->check();
+}
+
+// Calls a function in the scope of a watch, and returns whether it came to its end.
+template <typename Function>
+bool does_in_time(Run_watch& watch, const Function& f)
+{
+  const Watched_scope scope(&watch);
+  try {
+    f();
+  } catch(const Run_stopped&) {
+    return false;
+  }
+  return true;
+}
+
+// Functions that can do without a watch take a null pointer for none, or for that of the thread.
+inline void check(Run_watch* watch)
+{
+  if(watch == nullptr) watch = Watched_scope::current();
+  if(watch != nullptr) watch->check();
+}
+
+inline void check_sometimes(Run_watch* watch, unsigned& counter)
+{
+  if(watch == nullptr) watch = Watched_scope::current();
+  if(watch != nullptr) watch->check_sometimes(counter);
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_SUPPORT_RUN_WATCH_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_TEXT_NUMBER_TEXT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_TEXT_NUMBER_TEXT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <clocale>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Doubles to text and back, independent of the locale. std::to_chars and std::from_chars do both,
+// but some standard libraries have them for integers only (libc++ before version 20). There the C
+// library takes their place, with its decimal point exchanged: the same text and the same bits.
+//
+// `append_number()` writes a number with so many significant digits, as "%.*g" does, or with as few
+// as give back the same double. `number_from_text()` reads one as std::from_chars does; a number
+// that is out of range leaves `number` as it was.
+
+constexpr int fewest_digits = 0;
+
+namespace c_library {
+
+inline std::string decimal_point()
+{
+  const std::lconv* const conventions = std::localeconv();
+  return conventions->decimal_point;
+}
+
+// \pre `format` takes a number of digits and a double
+inline std::string print(const char* format, int number_of_digits, double number)
+{
+  const std::size_t longest = 350; // of a double's digits before the point, and a few more
+  std::string text(longest, '\0');
+  const int length = std::snprintf(text.data(), text.size(), format, number_of_digits, number);
+  text.resize(static_cast<std::size_t>(length));
+  const std::string point = decimal_point();
+  const std::size_t place = text.find(point);
+  if(place != std::string::npos) text.replace(place, point.size(), ".");
+  return text;
+}
+
+// The shorter one of both notations, with as few digits as give back the same double.
+inline std::string shortest_text(double number)
+{
+  if(!std::isfinite(number)) return print("%.*g", 1, number);
+  const auto is_exact = [&](int digits) { // the point of the locale goes both ways
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
+    return std::strtod(text, nullptr) == number;
+  };
+  int digits = 1;
+  while(digits < std::numeric_limits<double>::max_digits10 && !is_exact(digits)) ++digits;
+  const std::string scientific = print("%.*e", digits - 1, number);
+  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  const std::string fixed = print("%.*f", (std::max)(0, digits - 1 - exponent), number);
+  return fixed.size() <= scientific.size() ? fixed : scientific;
+}
+
+inline void append_number(std::string& text, double number, int number_of_digits)
+{
+  text += number_of_digits == fewest_digits ? shortest_text(number)
+                                            : print("%.*g", number_of_digits, number);
+}
+
+// The beginning that may be a number of std::from_chars: strtod also takes blanks, a plus sign,
+// hexadecimal digits and the locale's own point.
+inline std::string_view beginning_of_number(std::string_view text)
+{
+  if(text.empty() || text[0] == '+') return {};
+  const auto may_belong = [](char c) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' ||
+           (is_letter && c != 'x' && c != 'X');
+  };
+  const auto end = std::find_if_not(text.begin(), text.end(), may_belong);
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
+inline std::from_chars_result number_from_text(const char* first, const char* last, double& number)
+{
+  const std::string point = decimal_point();
+  std::string text;
+  for(const char c :
+      beginning_of_number(std::string_view(first, static_cast<std::size_t>(last - first))))
+    c == '.' ? text += point : text += c;
+  char* end = nullptr;
+  errno = 0;
+  const double value = std::strtod(text.c_str(), &end);
+  const std::string read(text.c_str(), static_cast<const char*>(end));
+  if(read.empty()) return {first, std::errc::invalid_argument};
+  const bool has_point = read.find(point) != std::string::npos;
+  const char* const stop = first + read.size() - (has_point ? point.size() - 1 : 0);
+  if(errno == ERANGE && (value == 0 || std::isinf(value)))
+    return {stop, std::errc::result_out_of_range};
+  number = value;
+  return {stop, std::errc()};
+}
+
+} // namespace c_library
+
+#if defined(__cpp_lib_to_chars) && !defined(CGAL_VOLUME_FILLING_CURVES_NUMBERS_BY_C_LIBRARY)
+
+inline void append_number(std::string& text, double number, int number_of_digits)
+{
+  char buffer[32]; // sign, point, 17 digits, e-308
+  char* const last = buffer + sizeof buffer;
+  const auto result =
+      number_of_digits == fewest_digits
+          ? std::to_chars(buffer, last, number)
+          : std::to_chars(buffer, last, number, std::chars_format::general, number_of_digits);
+  text.append(buffer, result.ptr);
+}
+
+inline std::from_chars_result number_from_text(const char* first, const char* last, double& number)
+{
+  return std::from_chars(first, last, number);
+}
+
+#else
+
+using c_library::append_number;
+using c_library::number_from_text;
+
+#endif
+
+// With 17 digits, from which the very same double is read.
+inline void append_number(std::string& text, double number)
+{
+  append_number(text, number, std::numeric_limits<double>::max_digits10);
+}
+
+template <typename Integer>
+std::from_chars_result number_from_text(const char* first, const char* last, Integer& number)
+{
+  static_assert(std::is_integral_v<Integer>);
+  return std::from_chars(first, last, number);
+}
+
+// Returns whether all of the text is a number of that type.
+template <typename Number>
+bool parse_all(std::string_view text, Number& number)
+{
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = number_from_text(text.data(), last, number);
+  return error == std::errc() && end == last;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_TEXT_NUMBER_TEXT_H

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_CLOSING_RAYS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_CLOSING_RAYS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
+#include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Ray_directions.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Ray_turn.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/ray_nodes.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A knot in an open curve lasts only if no strand slips off an end. While they flow, components
+// whose ends are all pinned therefore have rays: pinned nodes that run straight from each end to
+// beyond a sphere around everything. As long as the curve stays inside, the type of the curve,
+// closed outside of the sphere, cannot change. The usual closure of an open knot goes from the ends
+// away from the mean of the nodes, and so do the rays, at first and on request. They vanish with
+// this object. Components with a free end have none: there a strand can slip off anyway.
+// Near-linear.
+template <typename Guard>
+class Closing_rays
+{
+  using Network = typename Guard::Curve_network;
+  using Point_3 = typename Guard::Point_3;
+
+public:
+  // Adds nothing yet.
+  explicit Closing_rays(Guard& guard) : m_guard(guard), m_curve(guard.curve()) { find_ends(); }
+
+  Closing_rays(const Closing_rays&) = delete;
+  Closing_rays& operator=(const Closing_rays&) = delete;
+  ~Closing_rays() { remove_rays(m_curve, m_guard.m_editor); }
+
+  bool are_needed() const { return !m_ends.empty(); }
+
+  // Adds the rays for a flow, and sets its thickness if none is given, since the measure must not
+  // see them. Does nothing if a length is not positive and finite: the flow will refuse it.
+  // \pre the curve is embedded and has no garbage
+  // \throws Run_stopped if the guard's watch ends the measuring
+  template <typename ConcurrencyTag>
+  void grow(Curve_flow_parameters& parameters)
+  {
+    if(!are_needed() || parameters.number_of_directions == 0) return;
+    if(parameters.thickness == 0)
+      parameters.thickness = Default_thickness<Network, ConcurrencyTag>(
+          m_curve, parameters.number_of_directions, m_guard.watch())();
+    if(!is_positive(parameters.thickness) || !is_positive(parameters.spacing)) return;
+    set_ball(parameters.thickness);
+    const std::vector<Point_3> tips = Ray_directions<Network>(m_curve, m_ends, m_ball).tips();
+    for(std::size_t k = 0; k < m_ends.size(); ++k) append(m_ends[k], tips[k]);
+    divide(largest_spacing * parameters.spacing * parameters.thickness);
+    m_guard.collect_garbage();
+  }
+
+  // Turns the rays by a small angle to where they point away from the mean of the nodes as they
+  // are now, as far as that is certified. Returns whether they moved. \pre there is no garbage
+  bool turn_outwards(double clearance)
+  {
+    const Clearance_scope<Guard> scope(m_guard, clearance);
+    const Vector center = own_mean();
+    bool have_moved = false;
+    for(const std::size_t tip : tips_of_rays(m_curve)) {
+      Vector_field x = coordinates(m_curve);
+      turn(tip, center, x);
+      have_moved |= m_guard.move_nodes(x, Step_size::least_fraction) > 0;
+    }
+    return have_moved;
+  }
+
+  // the length of all rays
+  double length() const { return m_length; }
+
+  // Tells whether the curve is inside the sphere, and a step farther in, so that it was all the
+  // time.
+  bool hold() const
+  {
+    if(m_length == 0) return true;
+    for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
+      if(!m_curve.is_pinned(v) &&
+         !((to_vector(m_curve.point(v)) - m_ball.center).norm() < m_inner_radius))
+        return false;
+    return true;
+  }
+
+  // Tells whether the usual closure of the curve as it stands has the type that it had: whether the
+  // rays could turn and point away from where the mean of the nodes is now, and meet nothing.
+  bool can_turn_outwards() const
+  {
+    Ray_turn<Network> test(m_curve, m_ball, own_mean());
+    for(const std::size_t tip : tips_of_rays(m_curve)) test.add_ray(nodes_from_tip(m_curve, tip));
+    return test();
+  }
+
+  // Writes or reads everything but the rays themselves, which are in the curve, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_ends, m_ball.center, m_ball.radius, m_inner_radius, m_length);
+    if constexpr(Archive::is_reading)
+      for(const std::size_t v : m_ends) archive.require(v < m_curve.number_of_nodes());
+  }
+
+private:
+  static constexpr double radius_over_size = 1.25, margin_over_thickness = 5;
+  static constexpr double largest_spacing = 1.5; // in units of the flow's, which splits from 2 on
+
+  void find_ends()
+  {
+    for(std::size_t c = 0; c < m_curve.number_of_components(); ++c) {
+      const std::size_t first = m_ends.size();
+      bool are_pinned = true;
+      for(std::size_t v = m_curve.first_node(c); v < m_curve.first_node(c + 1); ++v) {
+        if(m_curve.degree(v) != 1) continue;
+        are_pinned = are_pinned && m_curve.is_pinned(v);
+        m_ends.push_back(v);
+      }
+      if(!are_pinned) m_ends.resize(first);
+    }
+  }
+
+  void set_ball(double thickness)
+  {
+    const Vector_field x = coordinates(m_curve);
+    m_ball.center = centroid(x);
+    double size = 0;
+    for(Eigen::Index v = 0; v < x.rows(); ++v)
+      size = (std::max)(size, (row(x, v) - m_ball.center).norm());
+    const double margin = (std::min)(margin_over_thickness * thickness, 100 * size);
+    m_ball.radius = radius_over_size * size + margin;
+    m_inner_radius = m_ball.radius - (std::min)(thickness, margin / 2);
+  }
+
+  void append(std::size_t end, const Point_3& tip)
+  {
+    m_length += (to_vector(tip) - to_vector(m_curve.point(end))).norm();
+    m_guard.m_editor.append_leaf(end, tip);
+  }
+
+  // Leaves garbage.
+  void divide(double length)
+  {
+    const Clearance_scope<Guard> scope(m_guard, 0);
+    for(const std::size_t tip : tips_of_rays(m_curve))
+      divide(m_curve.incident_edge(tip, 0), length);
+  }
+
+  void divide(std::size_t e, double length)
+  {
+    if(edge_vector(m_curve, e).norm() <= length) return;
+    if(!halve_edge(m_guard, e)) return;
+    const std::size_t middle = m_curve.target(e);
+    m_guard.m_editor.set_pinned(middle);
+    divide(e, length);
+    divide(m_curve.incident_edge(middle, 1), length);
+  }
+
+  // the mean of the nodes of the curve itself
+  Vector own_mean() const
+  {
+    auto n = static_cast<double>(m_curve.number_of_nodes());
+    Vector sum;
+    for(const auto& p : m_curve.points()) sum += to_vector(p);
+    for(const std::size_t tip : tips_of_rays(m_curve)) {
+      std::vector<std::size_t> nodes = nodes_from_tip(m_curve, tip);
+      nodes.pop_back();
+      for(const std::size_t v : nodes) sum -= to_vector(m_curve.point(v));
+      n -= static_cast<double>(nodes.size());
+    }
+    return sum / n;
+  }
+
+  void turn(std::size_t tip, const Vector& center, Vector_field& x) const
+  {
+    constexpr double largest_tangent = 0.05;
+    std::vector<std::size_t> nodes = nodes_from_tip(m_curve, tip);
+    const Vector end = row(x, nodes.back());
+    nodes.pop_back();
+    const Vector old_direction = (row(x, tip) - end).normalized();
+    const Vector outwards = (end - center).normalized();
+    const double along = old_direction.dot(outwards);
+    const Vector across = outwards - along * old_direction;
+    const double tangent = across.norm() / along;
+    const Vector direction =
+        along > 0 && tangent < largest_tangent
+            ? outwards
+            : Vector((old_direction + largest_tangent * across.normalized()).normalized());
+    for(const std::size_t v : nodes) set_row(x, v, end + (row(x, v) - end).norm() * direction);
+  }
+
+  Guard& m_guard;
+  const Network& m_curve;
+  std::vector<std::size_t> m_ends; // as they were numbered at first
+  Ball m_ball;
+  double m_inner_radius = 0, m_length = 0;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_CLOSING_RAYS_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_CURVE_FLOW_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_CURVE_FLOW_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <cstddef>
+#include <ostream>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// The matrix that turns the gradient of the energy into the direction of a step. `L` is the
+/// Laplacian of the curve, `M` the diagonal matrix of the nodes' weights.
+enum class Preconditioner
+{
+  MEDIAL,       ///< `L`, coupled with weight beta / R along medial spheres, + lambda `M`
+  H1,           ///< `L` + lambda `M`
+  L2,           ///< lambda `M`
+  QUASI_NEWTON, ///< `L` + alpha `M`, the Hessian with the spheres held fixed
+  CONTACT       ///< `L` + lambda `M` + how strands at the same sphere resist coming closer
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// returns the name in plain English, for example "quasi-newton".
+inline const char* to_string(Preconditioner preconditioner)
+{
+  switch(preconditioner) {
+  case Preconditioner::MEDIAL:
+    return "medial";
+  case Preconditioner::H1:
+    return "h1";
+  case Preconditioner::L2:
+    return "l2";
+  case Preconditioner::QUASI_NEWTON:
+    return "quasi-newton";
+  case Preconditioner::CONTACT:
+    return "contact";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Preconditioner preconditioner)
+{
+  return out << to_string(preconditioner);
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// What the boundary of a domain is to the medial spheres of a curve inside.
+enum class Wall
+{
+  COVER,     ///< their centers lie inside: the curve settles at about r from the boundary
+  KEEP_CLEAR ///< they lie inside: the curve settles at about 2r from the boundary
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// returns the name in plain English, for example "keep clear".
+inline const char* to_string(Wall wall)
+{
+  switch(wall) {
+  case Wall::COVER:
+    return "cover";
+  case Wall::KEEP_CLEAR:
+    return "keep clear";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Wall wall)
+{
+  return out << to_string(wall);
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/Curve_flow_3.h
+ *
+ * \brief The parameters of a `Curve_flow_3`.
+ *
+ * Only the thickness is a length; everything else is in units of the thickness r or dimensionless,
+ * so that scaling the input scales the output and changes nothing else.
+ */
+struct Curve_flow_parameters
+{
+  /// The distance r that strands keep from the medial surface between them, in the input's unit.
+  /// 0 (default) stands for the `default_thickness()` of the input.
+  double thickness = 0;
+
+  /// The number N of medial spheres per node.
+  std::size_t number_of_directions = 16;
+
+  /// The largest radius of a medial sphere, in units of r. Below 1 the curve shrinks where it can.
+  double max_radius = 0.9;
+
+  /// The least length of an edge, in units of r, at most 1: with longer edges a curve cannot bend
+  /// as it has to. Edges longer than twice that are split.
+  /// `untangle()` and `fill()` take longer edges on their way.
+  double spacing = 0.2;
+
+  /// The weight lambda of `M` in the preconditioner, in units of 1 / r^2: the locality of the flow.
+  double screening = 0.3;
+
+  /// The weight alpha of the medial spheres in the energy, in units of 1 / r^2. With 3.36^2, the
+  /// value of the paper (section 3.3), the mean medial radius of a curve that fills a domain gets
+  /// to r while it grows, and settles at 0.93 r.
+  double medial_weight = 3.36 * 3.36;
+
+  /// The weight beta of the coupling along medial spheres in the preconditioner; only
+  /// `Preconditioner::MEDIAL` has it.
+  double coupling = 0.01;
+
+  /// The preconditioner. The default of `untangle()` is `Preconditioner::CONTACT`.
+  Preconditioner preconditioner = Preconditioner::MEDIAL;
+
+  /// What the boundary of the domain is to the medial spheres, if there is a domain.
+  Wall wall = Wall::COVER;
+
+  /// The largest displacement of a node in a step, in units of r. `untangle()` goes 2.5 times as
+  /// far while edges are longer.
+  double max_displacement = 0.5;
+
+  /// The time step tau of the paper, dimensionless, instead of the adaptive step, which is taken if
+  /// this is 0 (default).
+  double time_step = 0;
+
+  /// \cond SKIP_IN_MANUAL
+  // Writes or reads everything, see internal::State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(thickness, number_of_directions, max_radius, spacing, screening, medial_weight,
+            coupling, preconditioner, wall, max_displacement, time_step);
+  }
+  /// \endcond
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// What a `Curve_flow_3` has done so far.
+struct Curve_flow_statistics
+{
+  std::size_t iterations = 0;        ///< number of steps
+  std::size_t certified_changes = 0; ///< changes of a node that were certified and carried out
+  std::size_t refused_changes = 0;   ///< changes of a node that were refused
+  std::size_t shortened_steps = 0;   ///< steps that went only a part of the way, or nowhere
+  std::size_t refused_remeshing = 0; ///< collapses and splits that were refused
+  double seconds_medial_spheres = 0; ///< time spent on medial spheres
+  double seconds_direction = 0;      ///< time spent on the gradient and the preconditioner
+  double seconds_motion = 0;         ///< time spent on certified motion
+  double seconds_remeshing = 0;      ///< time spent on certified remeshing
+
+  /// adds the work of another flow.
+  Curve_flow_statistics& operator+=(const Curve_flow_statistics& other)
+  {
+    iterations += other.iterations;
+    certified_changes += other.certified_changes;
+    refused_changes += other.refused_changes;
+    shortened_steps += other.shortened_steps;
+    refused_remeshing += other.refused_remeshing;
+    seconds_medial_spheres += other.seconds_medial_spheres;
+    seconds_direction += other.seconds_direction;
+    seconds_motion += other.seconds_motion;
+    seconds_remeshing += other.seconds_remeshing;
+    return *this;
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  // Writes or reads everything, see internal::State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(iterations, certified_changes, refused_changes, shortened_steps, refused_remeshing,
+            seconds_medial_spheres, seconds_direction, seconds_motion, seconds_remeshing);
+  }
+  /// \endcond
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_CURVE_FLOW_PARAMETERS_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_POLYLINE_CONVENTIONS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_POLYLINE_CONVENTIONS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <ostream>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief tells which polylines are closed curves.
+ *
+ * The value of the named parameter `closure`, wherever polylines go in, and of a parameter of
+ * `IO::read_curve_network()`, which says what that means for a file. A last point that repeats the
+ * first is no new node of a closed curve.
+ */
+enum class Closure
+{
+  IF_REPEATED, ///< those whose last point repeats the first, by \cgal's habit
+  CLOSED,      ///< all of them, whether or not the last point repeats the first
+  OPEN         ///< none of them
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief tells whether a curve network may have junctions, that is, nodes with more than two edges.
+ *
+ * The value of the named parameter `junctions`, wherever polylines go in.
+ */
+enum class Junctions
+{
+  FORBIDDEN, ///< every component is a closed curve or an arc
+  ALLOWED    ///< any graph is welcome; equal end points of polylines are one node
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// returns the name in plain English, for example "if repeated".
+inline const char* to_string(Closure closure)
+{
+  switch(closure) {
+  case Closure::IF_REPEATED:
+    return "if repeated";
+  case Closure::CLOSED:
+    return "closed";
+  case Closure::OPEN:
+    return "open";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Closure closure)
+{
+  return out << to_string(closure);
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// returns the name in plain English, for example "forbidden".
+inline const char* to_string(Junctions junctions)
+{
+  switch(junctions) {
+  case Junctions::FORBIDDEN:
+    return "forbidden";
+  case Junctions::ALLOWED:
+    return "allowed";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Junctions junctions)
+{
+  return out << to_string(junctions);
+}
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_POLYLINE_CONVENTIONS_H

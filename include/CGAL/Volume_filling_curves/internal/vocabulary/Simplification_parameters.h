@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_SIMPLIFICATION_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_SIMPLIFICATION_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+
+#include <functional>
+#include <limits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+class Isotopy_certificate;
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/simplify_curves.h
+ *
+ * \brief The parameters of `simplify_curves()`.
+ *
+ * Each member can be set by the named parameter of the same name.
+ */
+struct Simplification_parameters
+{
+  /// The largest Fréchet distance between an edge of the result and the part of the input that it
+  /// stands for, in the input's unit. Infinite by default.
+  double max_distance = std::numeric_limits<double>::infinity();
+
+  /// The distance that edges without a common node keep, see `Isotopy_guard_3::set_clearance()`, in
+  /// the input's unit. 0 (default) for none.
+  double clearance = 0;
+
+  /// Receives the record of the run, as `Curve_run_parameters::certificate`.
+  Isotopy_certificate* certificate = nullptr;
+
+  /// Is called as `Curve_run_parameters::progress`. If it returns `false`, the nodes that have been
+  /// removed by then stay removed, and the others stay.
+  std::function<bool(const Run_progress&)> progress;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_SIMPLIFICATION_PARAMETERS_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_PARAMETERS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_PARAMETERS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+// The named parameters of this package and those of CGAL that its functions take, in one chain in
+// any order: `parameters::thickness(0.1).visitor(my_visitor).tolerance(1e-3)`. CGAL's class of
+// parameters knows CGAL's names only; this one derives from it and adds ours, so that CGAL's
+// machinery finds both. What they mean is said at the members of the structs that they fill, such
+// as Untangling_parameters.
+
+// Applies a macro to the name of each parameter: of those that are this package's, and of all.
+#define CGAL_VFC_OWN_PARAMETERS(X) \
+  X(build_name)                    \
+  X(certificate)                   \
+  X(check_mesh)                    \
+  X(checkpoint)                    \
+  X(clearance)                     \
+  X(closure)                       \
+  X(coupling)                      \
+  X(direction_field)               \
+  X(direction_weight)              \
+  X(junctions)                     \
+  X(keep_length)                   \
+  X(length)                        \
+  X(lower_ropelength)              \
+  X(max_displacement)              \
+  X(max_distance)                  \
+  X(max_radius)                    \
+  X(medial_weight)                 \
+  X(number_of_chains)              \
+  X(number_of_directions)          \
+  X(number_of_sides)               \
+  X(origins)                       \
+  X(preconditioner)                \
+  X(progress)                      \
+  X(resume_from)                   \
+  X(screening)                     \
+  X(spacing)                       \
+  X(start)                         \
+  X(stop_at_proof)                 \
+  X(strategy)                      \
+  X(thickness)                     \
+  X(time_limit)                    \
+  X(time_step)                     \
+  X(tolerance)                     \
+  X(wall)
+
+#define CGAL_VFC_PARAMETERS(X) \
+  CGAL_VFC_OWN_PARAMETERS(X)   \
+  X(number_of_iterations)      \
+  X(point_map)                 \
+  X(random_seed)               \
+  X(vertex_point_map)          \
+  X(visitor)
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+// The tags, each the type `name_t`.
+namespace internal_np {
+
+#define CGAL_VFC_PARAMETER(name) enum name##_t{name};
+CGAL_VFC_OWN_PARAMETERS(CGAL_VFC_PARAMETER)
+#undef CGAL_VFC_PARAMETER
+
+using CGAL::internal_np::number_of_iterations_t;
+using point_map_t = CGAL::internal_np::point_t;
+using CGAL::internal_np::random_seed_t;
+using vertex_point_map_t = CGAL::internal_np::vertex_point_t;
+using CGAL::internal_np::visitor_t;
+
+// The name that a message gives a parameter.
+#define CGAL_VFC_PARAMETER(name)          \
+  constexpr const char* name_of(name##_t) \
+  {                                       \
+    return #name;                         \
+  }
+CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
+#undef CGAL_VFC_PARAMETER
+
+} // namespace internal_np
+
+/// \cond SKIP_IN_MANUAL
+template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
+  using Pack::Pack;
+
+#define CGAL_VFC_PARAMETER(name)                                               \
+  template <typename Value>                                                    \
+  auto name(const Value& value) const                                          \
+  {                                                                            \
+    return Named_parameters<Value, internal_np::name##_t, Pack>(value, *this); \
+  }
+  CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
+#undef CGAL_VFC_PARAMETER
+};
+/// \endcond
+
+/// The named parameters of this package, and those of \cgal that its functions take.
+namespace parameters {
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_VFC_PARAMETER(name)                                  \
+  template <typename Value>                                       \
+  auto name(const Value& value)                                   \
+  {                                                               \
+    return Named_parameters<Value, internal_np::name##_t>(value); \
+  }
+CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
+#undef CGAL_VFC_PARAMETER
+/// \endcond
+
+/// returns an empty set of parameters.
+inline auto default_values()
+{
+  return CGAL::parameters::default_values();
+}
+
+} // namespace parameters
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#undef CGAL_VFC_OWN_PARAMETERS
+#undef CGAL_VFC_PARAMETERS
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_PARAMETERS_H
