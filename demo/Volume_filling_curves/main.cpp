@@ -9,9 +9,14 @@
 #include "batch/run_batch.h"
 #include "commands/commands.h"
 #include "options/Command_line.h"
+#include "options/complaint.h"
+#include "options/option_groups.h"
+#include "reports/versions.h"
 #include "session/errors.h"
 #include "session/interruption.h"
 #include "session/run_command.h"
+
+#include "commit.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -64,32 +69,10 @@ int run(const Command_line& command_line)
   return run_command(session, run_all);
 }
 
-std::string complaint_about_command(const std::vector<std::string>& arguments)
-{
-  if(arguments.empty()) return "a command is missing; vfc --help lists them";
-  return "there is no command '" + arguments.front() + "'; vfc --help lists them";
-}
-
-// In the order in which they were given; the error itself has them reversed (CLI11 2.1).
-std::string complaint_about_rest(const CLI::App& program)
-{
-  std::string complaint = "not expected:";
-  for(const std::string& argument : program.remaining(true)) complaint += ' ' + argument;
-  return complaint;
-}
-
-std::string complaint(const CLI::ParseError& error,
-                      const CLI::App& program,
-                      const std::vector<std::string>& arguments)
-{
-  if(program.get_subcommands().empty()) return complaint_about_command(arguments);
-  const bool is_about_rest = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  return is_about_rest ? complaint_about_rest(program) : error.what();
-}
-
 int run_program(int argc, char** argv)
 {
   handle_signals();
+  set_commit(vfc_commit);
   Command_line command_line;
   add_untangle_command(command_line);
   add_simplify_command(command_line);
@@ -100,6 +83,7 @@ int run_program(int argc, char** argv)
   add_generate_command(command_line);
   add_convert_command(command_line);
   add_draw_command(command_line);
+  for(CLI::App* const command : command_line.program.get_subcommands({})) group_options(*command);
   try {
     command_line.program.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

@@ -48,7 +48,10 @@ bool is_in_folder(const std::string& input, const fs::path& folder)
 class List_reader
 {
 public:
-  List_reader(const std::string& file, const std::string& folder) : m_file(file), m_folder(folder)
+  List_reader(const std::string& file,
+              const std::string& folder,
+              const std::vector<std::string>& endings)
+      : m_file(file), m_folder(folder), m_endings(endings)
   {}
 
   std::vector<Batch_item> run()
@@ -70,15 +73,25 @@ private:
   void add(const std::string& input)
   {
     const std::string name = name_without_ending(input);
-    const auto [before, is_new] = m_line_of_name.emplace(name, m_line);
     if(!is_utf_8(input)) add_error("name that is not UTF-8", m_line, "reports cannot tell it");
-    if(!is_new)
-      add_error("second result of the same name", m_line,
-                "the result for " + input + " would have the name " + name + ", as that of line " +
-                    std::to_string(before->second));
+    reserve_files(input, name);
     if(is_in_folder(input, m_folder))
       add_error("input in the folder of results", m_line, input + " is in " + m_folder);
     m_items.push_back({input, (fs::path(m_folder) / name).string()});
+  }
+
+  // Notes the names of the files of an input, up to the first that is another's.
+  void reserve_files(const std::string& input, const std::string& name)
+  {
+    for(const std::string& ending : m_endings) {
+      const auto [before, is_new] = m_line_of_file.emplace(name + '.' + ending, m_line);
+      if(is_new) continue;
+      const std::size_t line = before->second;
+      return add_error("second result of the same name", m_line,
+                       "a result for " + input + " would have the name " + before->first +
+                           (line == 0 ? ", as the file with the reports"
+                                      : ", as one of line " + std::to_string(line)));
+    }
   }
 
   void add_error(const std::string& kind, std::size_t line, const std::string& message)
@@ -88,16 +101,19 @@ private:
 
   std::string m_file, m_folder;
   std::size_t m_line = 0;
-  std::unordered_map<std::string, std::size_t> m_line_of_name;
+  std::vector<std::string> m_endings;
+  std::unordered_map<std::string, std::size_t> m_line_of_file = {{name_of_results, 0}};
   std::vector<Batch_item> m_items;
   Defects m_defects;
 };
 
 } // namespace
 
-std::vector<Batch_item> read_batch_list(const Batch_options& options, const std::string& folder)
+std::vector<Batch_item> read_batch_list(const Batch_options& options,
+                                        const std::string& folder,
+                                        const std::vector<std::string>& endings)
 {
-  const std::vector<Batch_item> all = List_reader(options.list, folder).run();
+  const std::vector<Batch_item> all = List_reader(options.list, folder, endings).run();
   std::vector<Batch_item> items;
   for(std::size_t i = options.shard - 1; i < all.size(); i += options.number_of_shards)
     items.push_back(all[i]);

@@ -21,9 +21,15 @@ struct Batch_item
   std::string input, stem;
 };
 
-// Reads the inputs that a shard has to do, empty lines left out. \throws Input_error if two inputs
-// of the list have the same name, if one is in the folder, or has a name that is not UTF-8
-std::vector<Batch_item> read_batch_list(const Batch_options& options, const std::string& folder);
+// the name, in the folder of a batch, of the file with its reports
+constexpr const char* name_of_results = "results.jsonl";
+
+// Reads the inputs that a shard has to do, empty lines left out. Takes the endings of the files
+// that each of them gets. \throws Input_error if two files of the folder would have the same name,
+// that of the results included, if an input is in the folder, or has a name that is not UTF-8
+std::vector<Batch_item> read_batch_list(const Batch_options& options,
+                                        const std::string& folder,
+                                        const std::vector<std::string>& endings);
 
 } // namespace vfc
 

@@ -66,7 +66,9 @@ bool Results::read_line(const std::string& line)
   const Report::Json input = result.value("input", Report::Json()),
                      status = result.value("status", Report::Json()),
                      exit_status = result.value("exit_status", Report::Json());
-  if(!input.is_string() || !status.is_string() || !exit_status.is_number_integer()) return false;
+  if(!input.is_string() || !status.is_string() || !exit_status.is_number_integer() ||
+     exit_status < 0 || exit_status > 255)
+    return false;
   m_outcomes[input.get<std::string>()] = {exit_status.get<int>(), status.get<std::string>()};
   return true;
 }

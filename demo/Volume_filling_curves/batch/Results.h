@@ -15,7 +15,7 @@
 
 namespace vfc {
 
-// What is known about the inputs of a batch: the reports of all runs, one per line of a file, which
+// The results of a batch so far: the reports of all runs, one per line of a file, which
 // other processes may share.
 class Results
 {
@@ -32,6 +32,12 @@ public:
 
   // Takes an input into this process' hands. Returns whether nobody else has it or is done with it.
   bool reserve(const std::string& input);
+
+  // Writes the report as it is when the process crashes, as long as the record exists.
+  Crash_record record_crash(const Report& report) const
+  {
+    return m_file.record_crash(report.to_line());
+  }
 
   // Writes the report of a run for an input that was reserved.
   void add(const std::string& input, const Report& report);

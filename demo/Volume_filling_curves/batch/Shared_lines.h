@@ -7,6 +7,8 @@
 #ifndef VFC_SHARED_LINES_H
 #define VFC_SHARED_LINES_H
 
+#include "batch/Crash_record.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -40,6 +42,9 @@ public:
 
   // Appends a line, which is on the disk then.
   void append(const std::string& line);
+
+  // Writes a line, without its end, if the process crashes as long as the record exists.
+  Crash_record record_crash(const std::string& line) const { return {m_file, line + '\n'}; }
 
   // Reserves a number for this process. Returns whether no other process has it.
   bool reserve(std::size_t number);

@@ -58,6 +58,27 @@ int gravity(int exit_status)
   return static_cast<int>(std::find(order.begin(), order.end(), exit_status) - order.begin());
 }
 
+// The endings of the names of other files, as was asked for; empty ones for those that were not.
+std::vector<std::string> endings_of(const File_options& files)
+{
+  std::vector<std::string> endings;
+  for(const std::string* name : files.others) endings.push_back(*name);
+  for(const std::string& ending : endings)
+    if(fs::path(ending).has_parent_path())
+      throw Usage_error(ending + ": is no ending of a name, which --batch wants");
+  return endings;
+}
+
+// Of all files of an input.
+std::vector<std::string> all_endings(const Command_line& command_line)
+{
+  std::vector<std::string> endings = endings_of(command_line.files);
+  if(command_line.files.follower) endings.push_back(command_line.files.follower());
+  endings.push_back(command_line.batch.format);
+  endings.erase(std::remove(endings.begin(), endings.end(), ""), endings.end());
+  return endings;
+}
+
 class Batch
 {
 public:
@@ -65,13 +86,10 @@ public:
       : m_command_line(command_line),
         m_session(session),
         m_folder(*command_line.files.output),
-        m_items(read_batch_list(command_line.batch, m_folder)),
-        m_results_file((fs::path(m_folder) / "results.jsonl").string())
+        m_endings(endings_of(command_line.files)),
+        m_items(read_batch_list(command_line.batch, m_folder, all_endings(command_line))),
+        m_results_file((fs::path(m_folder) / name_of_results).string())
   {
-    for(const std::string* name : command_line.files.others) m_endings.push_back(*name);
-    for(const std::string& ending : m_endings)
-      if(fs::path(ending).has_parent_path())
-        throw Usage_error(ending + ": is no ending of a name, which --batch wants");
     check_folder(m_folder, m_results_file, command_line.options.may_overwrite);
   }
 
@@ -97,10 +115,21 @@ private:
     options.may_overwrite = true;
     Session session(m_command_line.name, options);
     session.promise_report();
-    run_command(session, m_command_line.command);
+    {
+      const Crash_record record = results.record_crash(report_of_crash(session.report(), item));
+      run_command(session, m_command_line.command);
+    }
     session.report()["input"] = item.input; // whatever else was read
     results.add(item.input, session.report());
     return results.find(item.input)->status + ", " + to_text(session.seconds()) + " s";
+  }
+
+  static Report report_of_crash(Report report, const Batch_item& item)
+  {
+    report["input"] = item.input;
+    report.set_error("the program crashed");
+    report["exit_status"] = FAILURE;
+    return report;
   }
 
   void name_files(const Batch_item& item) const
@@ -136,9 +165,9 @@ private:
   const Command_line& m_command_line;
   const Session& m_session;
   std::string m_folder;
+  std::vector<std::string> m_endings;
   std::vector<Batch_item> m_items;
   std::string m_results_file;
-  std::vector<std::string> m_endings; // of the names of other files, as was asked for
 };
 
 } // namespace

@@ -21,6 +21,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace vfc {
 namespace {
@@ -29,7 +30,8 @@ struct Check_options
 {
   std::string file, mesh; // with a certificate the curves at the start and at the end
   std::string certificate, domain;
-  bool is_network = false;
+  std::vector<std::string> obstacles;
+  Curve_reading reading;
 };
 
 template <typename Number>
@@ -67,7 +69,7 @@ void append(Defects& defects, Defects more)
 
 Defects defects_of_curve(Report& report, const Check_options& options)
 {
-  Curve_and_defects curve = read_curve_and_defects(options.file, options.is_network);
+  Curve_and_defects curve = read_curve_and_defects(options.file, options.reading);
   Defects defects = std::move(curve.defects);
   if(curve.is_valid) {
     report["components"] = curve.curve.number_of_components();
@@ -77,7 +79,7 @@ Defects defects_of_curve(Report& report, const Check_options& options)
   Mesh_and_defects mesh = read_mesh_and_defects(options.mesh);
   append(defects, std::move(mesh.defects));
   if(!curve.is_valid || !mesh.is_valid) return defects;
-  const Containment found = containment(curve.curve, Domain(mesh.mesh));
+  const Containment found = containment(curve.curve, Domain(mesh.mesh, examined));
   report_containment(report, found);
   append(defects, to_defects(found, curve.curve, options.file));
   return defects;
@@ -86,11 +88,14 @@ Defects defects_of_curve(Report& report, const Check_options& options)
 Defects find_defects(Session& session, const Check_options& options)
 {
   const bool has_second = !options.mesh.empty();
+  if(!options.obstacles.empty() && options.domain.empty())
+    throw Usage_error("--obstacle: is for --domain");
   if(!options.certificate.empty()) {
     if(!has_second) throw Usage_error("--certificate: needs two curves, START and END");
-    return defects_of_certificate(session,
-                                  {options.certificate, options.file, options.mesh, options.domain},
-                                  options.is_network);
+    return defects_of_certificate(
+        session,
+        {options.certificate, options.file, options.mesh, options.domain, options.obstacles},
+        options.reading);
   }
   if(!options.domain.empty())
     throw Usage_error("--domain: is for --certificate; a curve is checked with FILE MESH");
@@ -138,12 +143,13 @@ void add_check_command(Command_line& command_line)
       .required();
   add_mesh(command, options->mesh)
       .description("a surface; the curve FILE must lie strictly inside of it");
-  add_network_flag(command, options->is_network);
+  add_reading_flags(command, options->reading);
   add_file(command, "--certificate", options->certificate,
            "the record of a run: replay it, with the curves at its start and its end for FILE and "
            "MESH");
   add_file(command, "--domain", options->domain,
            "a surface that the curve must not have left while it moved; with --certificate");
+  add_obstacle_option(command, options->obstacles);
   command.footer("Prints a line per defect: FILE:LINE: error|warning: KIND: message (nodes i j).\n"
                  "Exit status: 0 no error found, 4 errors found or the certificate rejected.");
 }

@@ -4,19 +4,26 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc convert: a curve in another format, or the surface of the tube around it.
+// vfc convert: a curve or a mesh in another format, or the surface of the tube around it.
 
 #include "commands/commands.h"
 #include "files/curve_files.h"
+#include "files/mesh_files.h"
 #include "files/tube_files.h"
+#include "meshes/Mesh_findings.h"
+#include "meshes/mesh_to_text.h"
+#include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
 #include "session/Exit_status.h"
 
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vfc {
 namespace {
@@ -25,10 +32,10 @@ namespace curves = CGAL::Volume_filling_curves;
 
 struct Convert_options
 {
-  std::string file, output;
+  std::string file, second, output; // the latter two are the same, given in either way
   double radius = 0, thickness = 0; // 0: no tube, and no medial radii
   std::size_t number_of_sides = 16;
-  bool is_network = false;
+  Curve_reading reading;
 };
 
 void plan_files(Session& session, const Convert_options& options)
@@ -56,10 +63,49 @@ void convert_to_tube(Session& session, const Convert_options& options, const Cur
                         std::to_string(mesh.number_of_faces()) + '\n');
 }
 
-int convert(Session& session, const Convert_options& options)
+// A file that may hold either has a surface if it has faces and no lines.
+bool is_surface(const std::string& file)
 {
+  if(curves::internal::Curve_format::of(file) == nullptr) return is_mesh_file(file);
+  const std::vector<curves::Curve_defect> defects = read_curve_draft(file, {}).defects.listed();
+  return std::any_of(defects.begin(), defects.end(), [](const curves::Curve_defect& defect) {
+    return defect.kind == curves::Curve_defect_kind::FACES_ONLY;
+  });
+}
+
+// The vertices keep the order in which values are given for them, whatever is wrong with the mesh.
+int convert_mesh(Session& session, const Convert_options& options)
+{
+  const std::string extension = lower_case_extension(options.output);
+  if(options.radius > 0 || options.thickness > 0)
+    throw Usage_error("CURVE: " + options.file + ": is a surface, not a curve");
+  if(!is_written_mesh_extension(extension))
+    throw Usage_error("--output: " + options.output +
+                      ": meshes are written to .off, .obj or .ply files, which keep all digits");
+  session.report()["input"] = options.file;
+  session.add_input(options.file, "--output");
+  session.outputs().add("--output", options.output);
+  Mesh_findings findings(options.file);
+  const Mesh_soup soup = read_mesh_soup(options.file, findings);
+  accept(session, findings);
+  Output_files::write(options.output, to_text(soup, extension));
+  session.end_stage("writing");
+  session.report()["faces"] = soup.faces.size();
+  session.report()["status"] = "done";
+  session.print_summary("wrote " + options.output + ": vertices " +
+                        std::to_string(soup.points.size()) + ", faces " +
+                        std::to_string(soup.faces.size()) + '\n');
+  return GOAL_REACHED;
+}
+
+int convert(Session& session, Convert_options options)
+{
+  if(options.output.empty() == options.second.empty())
+    throw Usage_error("--output: needs one file, here or as the second argument");
+  if(options.output.empty()) options.output = options.second;
+  if(is_surface(options.file)) return convert_mesh(session, options);
   plan_files(session, options);
-  const Curve curve = read_curve(session, options.file, options.is_network);
+  const Curve curve = read_curve(session, options.file, options.reading);
   if(options.radius > 0) {
     convert_to_tube(session, options, curve);
   } else {
@@ -79,14 +125,14 @@ int convert(Session& session, const Convert_options& options)
 void add_convert_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Convert_options>();
-  CLI::App& command =
-      command_line.add_command("convert", "a curve in another format, or the tube around it",
-                               [options](Session& session) { return convert(session, *options); });
+  CLI::App& command = command_line.add_command(
+      "convert", "a curve or a mesh in another format, or the tube around a curve",
+      [options](Session& session) { return convert(session, *options); });
   add_curve(command, options->file);
+  add_file(command, "OUT", options->second, "the same as --output");
   add_curve_output(command, options->output)
-      .required()
-      ->description("the curve in another format, or with --tube a surface, .stl, .off, .ply or "
-                    ".obj");
+      .description("the curve in another format, or with --tube a surface, .stl, .off, .ply or "
+                   ".obj");
   CLI::Option& tube =
       add_number(command, "--tube", options->radius,
                  "write the surface of the tube of this radius, in the input's unit");
@@ -98,7 +144,7 @@ void add_convert_command(Command_line& command_line)
              "r, in the input's unit: .ply and .vtp tell the medial radii, capped at 2 r")
       .type_name("R")
       ->excludes(&tube);
-  add_network_flag(command, options->is_network);
+  add_reading_flags(command, options->reading);
   command.footer(
       "Coordinates keep all their digits; with .ply, .vtp and .obj also pinned nodes are kept, "
       "and\n"
@@ -107,6 +153,10 @@ void add_convert_command(Command_line& command_line)
       "  component  from 0\n"
       "  curvature  the reciprocal of the bend radius, 0 at ends\n"
       "  radius     with --thickness: mean of the medial radii\n"
+      "A mesh keeps the order of its vertices, and is written as it is, in .off, .obj or .ply: "
+      "the\n"
+      "corners of .stl files are numbered as they come first, and values per vertex, as of\n"
+      "vfc fill --thickness-field, have that order.\n"
       "The surface of a tube is closed and oriented to the outside, and does not meet itself if R "
       "is\n"
       "less than the polygonal thickness that vfc measure tells. There is none around junctions.");

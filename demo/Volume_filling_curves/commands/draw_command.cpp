@@ -33,8 +33,7 @@ struct Draw_options
   std::string file, mesh, output;
   Picture_options picture;
   std::string frames; // of a film
-  double tube = 0;    // 0 for what suits the film
-  bool is_network = false;
+  Curve_reading reading;
 };
 
 bool has_extension(const std::string& file, const std::string& extension)
@@ -66,7 +65,7 @@ int draw_picture(Session& session, const Draw_options& options)
   session.add_input(options.file);
   if(!options.mesh.empty()) session.add_input(options.mesh);
   session.outputs().add("--output", options.output);
-  const Curve curve = read_curve(session, options.file, options.is_network);
+  const Curve curve = read_curve(session, options.file, options.reading);
   const Mesh mesh = read_surface(session, options.mesh);
   const auto picture = is_svg ? svg_picture : png_picture;
   return finish(session, options.output, picture(curve, mesh, options.picture));
@@ -87,9 +86,9 @@ int draw_film(Session& session, const Draw_options& options)
   const std::string three_js = read_three_js();
   Film film(options.frames, read_surface(session, options.file));
   for(const Frame_file& frame : frames)
-    film.add(frame.iteration, read_curve(session, frame.file, options.is_network));
+    film.add(frame.iteration, read_curve(session, frame.file, options.reading));
   session.report()["input"] = options.frames;
-  return finish(session, options.output, film_page(film.to_json(options.tube), three_js));
+  return finish(session, options.output, film_page(film.to_json(options.picture.tube), three_js));
 }
 
 int draw(Session& session, const Draw_options& options)
@@ -98,10 +97,10 @@ int draw(Session& session, const Draw_options& options)
 }
 
 // Takes the value of an option if `parse` makes sense of it.
-template <typename Value>
+template <typename Target, typename Value>
 CLI::Option& add_parsed(CLI::App& command,
                         const std::string& name,
-                        std::optional<Value>& value,
+                        Target& target, // a value, or an optional one
                         std::optional<Value> (*parse)(const std::string& text),
                         const std::string& description,
                         const std::string& expected)
@@ -111,14 +110,13 @@ CLI::Option& add_parsed(CLI::App& command,
   };
   return *command
               .add_option_function<std::string>(
-                  name, [&value, parse](const std::string& text) { value = parse(text); },
+                  name, [&target, parse](const std::string& text) { target = *parse(text); },
                   description)
               ->check(CLI::Validator(check, ""));
 }
 
 void add_options_of_pictures(CLI::App& command, Picture_options& picture)
 {
-  const std::size_t fewest_pixels = 100, most_pixels = 4000;
   const std::string group = "Options of pictures";
   add_choice(command, "--color", picture.coloring,
              {{"component", Coloring::COMPONENT},
@@ -135,15 +133,22 @@ void add_options_of_pictures(CLI::App& command, Picture_options& picture)
              "a direction x,y,z or azimuth,elevation with an elevation from -90 to 90")
       .type_name("VIEW")
       ->group(group);
-  add_whole_number(command, "--size", picture.pixels, "pixels of each side", fewest_pixels,
-                   most_pixels)
-      .capture_default_str()
+  add_parsed(command, "--size", picture.pixels, parse_size,
+             "pixels of each side, or width and height as in 1600x900",
+             "a whole number N or two of them, WxH, from 100 to 4000")
+      .default_str("800")
+      ->type_name("N|WxH")
       ->group(group);
   add_parsed(command, "--cut", picture.cut, parse_plane,
              "a plane such as x=0.5, or a,b,c,d for a x + b y + c z = d, in the input's unit: "
              "what is on the viewer's side of it is left out",
              "a plane x=0.5, y=0.5, z=0.5 or a,b,c,d")
       .type_name("PLANE")
+      ->group(group);
+  add_number(command, "--tube", picture.tube,
+             "radius of the tube, of a film at its start, in the input's unit; default: what suits "
+             "the picture")
+      .type_name("R")
       ->group(group);
   command
       .add_flag("--labels", picture.has_labels,
@@ -159,11 +164,6 @@ void add_options_of_films(CLI::App& command, Draw_options& options)
   film.type_name("DIR")->group(group);
   for(const char* const name : {"--color", "--view", "--size", "--cut", "--labels"})
     film.excludes(command.get_option(name));
-  add_number(command, "--tube", options.tube,
-             "radius of the tube at the start, in the input's unit; default: what suits the film")
-      .type_name("R")
-      ->group(group)
-      ->needs(&film);
 }
 
 } // namespace
@@ -178,7 +178,7 @@ void add_draw_command(Command_line& command_line)
   add_mesh(command, options->mesh).description("a surface, drawn translucent around the curve");
   add_file(command, "-o,--output", options->output, "the picture, .svg or .png, or the film, .html")
       .required();
-  add_network_flag(command, options->is_network);
+  add_reading_flags(command, options->reading);
   add_options_of_pictures(command, options->picture);
   add_options_of_films(command, *options);
   command.footer(

@@ -16,18 +16,20 @@
 #include "options/pins.h"
 #include "options/thickness.h"
 #include "options/thickness_field.h"
+#include "repair/obstacles.h"
 #include "repair/read_mended_mesh.h"
 #include "reports/containment.h"
 #include "reports/fill_report.h"
 #include "reports/untangle_report.h"
 #include "session/Flow_observer.h"
 
-#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
-#include <CGAL/Volume_filling_curves/alignment.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/fill.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -48,6 +50,7 @@ std::string file_of_circles(const Fill_options& options)
 void plan_files(Session& session, const Fill_options& options)
 {
   session.add_input(options.mesh);
+  for(const std::string& obstacle : options.obstacles) session.add_input(obstacle);
   if(!options.start.empty()) session.add_input(options.start, "--output");
   if(!options.thickness_field.empty()) session.add_input(options.thickness_field);
   if(!options.direction_field.empty() && !is_vector(options.direction_field))
@@ -58,13 +61,14 @@ void plan_files(Session& session, const Fill_options& options)
   session.outputs().add("--map", options.film.map);
   session.outputs().add_folder("--frames", options.film.frames, Frames::is_frame);
   plan_checkpoints(session, options.saving);
+  session.require_output();
 }
 
 // The curve to start from, empty for circles.
 Curve start(Session& session, const Fill_options& options, const Domain& domain)
 {
   if(options.start.empty()) return Curve();
-  Curve curve = read_curve(session, options.start, options.curve.is_network);
+  Curve curve = read_curve(session, options.start, options.curve.reading);
   session.report()["input"] = options.mesh;
   Defects outside = to_defects(containment(curve, domain), curve, options.start);
   if(!outside.empty()) throw Input_error(std::move(outside), "strictly inside of " + options.mesh);
@@ -83,25 +87,40 @@ Filling_result fill(Session& session,
 {
   Flow_observer observer(session, options.parameters, 0, Frames(options.film));
   curves::Filling_parameters<> parameters = options.parameters;
+  // what reading and mending have left
+  parameters.time_limit = (std::max)(0., parameters.time_limit - session.seconds());
   parameters.thickness_field = field;
   parameters.direction_field = directions;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
   parameters.resume_from = &state;
+  parameters.progress = [&](const curves::Run_progress& progress) {
+    return observer.on_progress(progress);
+  };
   save_states(session, parameters, options.saving);
   Filling_result result = resume(options.saving, [&] {
     return curves::fill<CGAL::Parallel_if_available_tag>(curve, domain, parameters,
                                                          std::ref(observer));
   });
-  observer.finish();
+  observer.finish(result.statistics.iterations, curve);
   return result;
 }
 
-void note_thickness(const Session& session, const Fill_options& options, double thickness)
+void note_thickness(const Session& session,
+                    const Fill_options& options,
+                    double thickness,
+                    bool is_grown)
 {
   if(options.parameters.thickness == 0 && options.parameters.length == 0 &&
-     options.thickness_field.empty())
+     options.thickness_field.empty() && !is_grown)
     session.console().note("thickness " + to_text(thickness) +
                            ", a quarter of the radius of the widest ball inside");
+}
+
+// Reads the mesh; mending it takes its part of the time that the filling has.
+Mesh_and_defects mesh_of(Session& session, const Fill_options& options)
+{
+  if(!options.may_repair) return read_mesh(session, options.mesh);
+  return read_mended_mesh(session, options.mesh, {0, options.parameters.time_limit});
 }
 
 int run(Session& session, const Fill_options& options)
@@ -110,8 +129,7 @@ int run(Session& session, const Fill_options& options)
   session.report()["seed"] = options.parameters.random_seed;
   plan_files(session, options);
   const curves::Run_state state = read_run_state(options.saving);
-  const Mesh_and_defects mesh = options.may_repair ? read_mended_mesh(session, options.mesh)
-                                                   : read_mesh(session, options.mesh);
+  const Mesh_and_defects mesh = mesh_of(session, options);
   check_filling(options.parameters.thickness, options.parameters.length, options.parameters.spacing,
                 mesh.mesh);
   Thickness field;
@@ -119,12 +137,16 @@ int run(Session& session, const Fill_options& options)
   Direction_field directions;
   if(!options.direction_field.empty())
     directions = make_direction_field(options.direction_field, mesh);
-  const Domain domain(mesh.mesh);
+  Mesh walls = mesh.mesh;
+  const auto add = options.may_repair ? add_or_cut_out_obstacles : add_obstacles;
+  add(session, walls, options.obstacles);
+  const Domain domain(walls, examined);
   Curve curve = start(session, options, domain);
   curves::Isotopy_certificate certificate;
+  poll_interruptions();
   const Filling_result result =
       fill(session, curve, domain, field, directions, options, state, certificate);
-  note_thickness(session, options, result.thickness);
+  note_thickness(session, options, result.thickness, result.default_thickness > 0);
   report_stages(session, result.statistics);
   // the certificate first: no curve comes out of a run that was to be certified without one
   if(!options.certificate.empty()) write_certificate(options.certificate, certificate);
@@ -132,8 +154,10 @@ int run(Session& session, const Fill_options& options)
   if(!options.output.empty()) write_curve(options.output, curve, result.thickness);
   write_map(options.film.map, options.output, curve);
   session.end_stage("writing");
-  if(session.has_report()) report_filling(session.report(), curve, domain, result);
-  if(directions) session.report()["alignment"] = curves::alignment(curve, directions);
+  const bool is_out_of_time = session.seconds() >= options.parameters.time_limit;
+  if(session.has_report()) report_filling(session.report(), curve, domain, result, is_out_of_time);
+  if(directions && !is_out_of_time)
+    session.report()["alignment"] = curves::alignment(curve, directions);
   session.end_stage("measuring");
   session.print_summary(summary(session, curve, result));
   return exit_status(result.status);
@@ -151,13 +175,13 @@ void add_fill_command(Command_line& command_line)
   add_batch_options(command, *command.get_option("MESH"),
                     {&options->mesh,
                      &options->output,
-                     {&options->certificate, &options->film.map, &options->film.frames}},
+                     {&options->certificate, &options->film.map, &options->film.frames},
+                     [options] { return file_of_circles(*options); }},
                     command_line);
   command.footer(
-      "The curve grows until nearly all of the inside is within r of it; it never leaves MESH and\n"
-      "never passes through itself. SIGINT and SIGTERM stop the run and write the curve as it is; "
-      "a\n"
-      "second one ends at once.\n"
+      "The curve grows until about 80 % of the inside is within r of it and 99 % within 2 r; it\n"
+      "never leaves MESH and never passes through itself. SIGINT and SIGTERM stop the run\n"
+      "and write the curve as it is; a second one ends at once.\n"
       "Each connected part of the inside that is wide enough gets a curve of its own, unless\n"
       "--curve is given. If more than 1 % of the inside ends farther than 2 r from the curve, the\n"
       "status is partial, and the last line says why.\n"

@@ -9,12 +9,13 @@
 #include "commands/commands.h"
 #include "files/curve_files.h"
 #include "options/Command_line.h"
+#include "options/counted.h"
 #include "reports/shape.h"
 #include "session/Exit_status.h"
 #include "session/errors.h"
 
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/is_embedded.h>
 
 #include <memory>
 #include <stdexcept>
@@ -115,9 +116,9 @@ int generate(Session& session, const CLI::App& command, const Generate_options& 
   session.end_stage("writing");
   if(session.has_report()) report_shape(session.report(), curve, 0);
   session.report()["status"] = "done";
-  session.print_summary("wrote " + options.output + ": " + std::to_string(curve.number_of_nodes()) +
-                        " nodes, " + std::to_string(curve.number_of_components()) +
-                        " components\n");
+  session.print_summary("wrote " + options.output + ": " +
+                        counted(curve.number_of_nodes(), "node") + ", " +
+                        counted(curve.number_of_components(), "component") + '\n');
   return GOAL_REACHED;
 }
 

@@ -29,7 +29,7 @@ struct Measure_options
   std::string file, mesh;
   double thickness = 0;
   std::size_t seed = 0;
-  bool is_network = false;
+  Curve_reading reading;
 };
 
 std::string cell(const Report::Json& value)
@@ -76,7 +76,7 @@ std::string table_of_filling(const Report& report)
 
 void measure_filling(Session& session, const Measure_options& options, const Curve& curve)
 {
-  const Domain domain(read_mesh(session, options.mesh).mesh);
+  const Domain domain(read_mesh(session, options.mesh).mesh, examined);
   report_containment(session.report(), containment(curve, domain));
   const Thickness thickness =
       options.thickness > 0 ? constant_thickness(options.thickness) : Thickness();
@@ -86,9 +86,10 @@ void measure_filling(Session& session, const Measure_options& options, const Cur
 
 int measure(Session& session, const Measure_options& options)
 {
+  session.report()["input"] = options.file;
   session.add_input(options.file);
   if(!options.mesh.empty()) session.add_input(options.mesh);
-  const Curve curve = read_curve(session, options.file, options.is_network);
+  const Curve curve = read_curve(session, options.file, options.reading);
   report_shape(session.report(), curve, options.thickness);
   if(!options.mesh.empty()) measure_filling(session, options, curve);
   session.end_stage("measuring");
@@ -113,7 +114,7 @@ void add_measure_command(Command_line& command_line)
              "count for min_clearance; needed for medial_radius and empty_regions")
       .type_name("R");
   add_seed_option(command, options->seed, "of the samples in MESH");
-  add_network_flag(command, options->is_network);
+  add_reading_flags(command, options->reading);
   command.footer(
       "Prints the keys of the report, - for what does not apply. Lengths are in the input's unit,\n"
       "curvatures in its reciprocal, angles in radians.\n"

@@ -11,11 +11,13 @@
 #include "meshes/mesh_to_text.h"
 #include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
+#include "repair/obstacles.h"
 #include "repair/read_mended_mesh.h"
 #include "session/Exit_status.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vfc {
 namespace {
@@ -23,7 +25,8 @@ namespace {
 struct Repair_options
 {
   std::string mesh, output;
-  double alpha = 0;
+  std::vector<std::string> obstacles;
+  Mending_options mending;
 };
 
 int repair(Session& session, const Repair_options& options)
@@ -34,14 +37,16 @@ int repair(Session& session, const Repair_options& options)
                       ": meshes are written to .off, .obj or .ply files, which keep all digits");
   session.report()["input"] = options.mesh;
   session.add_input(options.mesh, "--output");
+  for(const std::string& obstacle : options.obstacles) session.add_input(obstacle, "--output");
   session.outputs().add("--output", options.output);
-  const Mesh_and_defects mended = read_mended_mesh(session, options.mesh, options.alpha);
-  Output_files::write(options.output, to_text(mended.mesh, extension));
+  Mesh mended = read_mended_mesh(session, options.mesh, options.mending).mesh;
+  add_or_cut_out_obstacles(session, mended, options.obstacles);
+  Output_files::write(options.output, to_text(mended, extension));
   session.end_stage("writing");
-  session.report()["faces"] = mended.mesh.number_of_faces();
+  session.report()["faces"] = mended.number_of_faces();
   session.report()["status"] = "done";
   session.print_summary("wrote " + options.output + ": faces " +
-                        std::to_string(mended.mesh.number_of_faces()) + '\n');
+                        std::to_string(mended.number_of_faces()) + '\n');
   return GOAL_REACHED;
 }
 
@@ -59,16 +64,25 @@ void add_repair_command(Command_line& command_line)
   add_file(command, "-o,--output", options->output, "the mended mesh, .off, .obj or .ply")
       .required();
   add_number(
-      command, "--alpha", options->alpha,
+      command, "--alpha", options->mending.alpha,
       "width of the gaps that wrapping, the last resort, does not enter, in the input's unit; "
       "default: a fiftieth of the diagonal")
       .type_name("A");
+  add_number(command, "--time-limit", options->mending.time_limit,
+             "after which it ends without a result; default: none", not_negative)
+      .type_name("SECONDS");
+  add_obstacle_option(command, options->obstacles)
+      .description("a closed surface, of any orientation, that is taken away from the inside: a "
+                   "cavity, or cut out if it crosses the mesh; several take the option several "
+                   "times");
   command.footer(
       "Drops degenerate and repeated faces and small sheets, closes holes, cuts out\n"
       "self-intersections and unites shells that overlap. Only if that is not enough, a new\n"
       "surface is wrapped around all faces. Prints a line for each thing that was done, and how\n"
       "far the surface has moved. Equal inputs give equal meshes.\n"
-      "Exit status: 0 the mesh is one that vfc fill accepts, 4 it cannot be mended.");
+      "Shells that are turned inside out and overlap others are cavities, and are cut out.\n"
+      "Exit status: 0 the mesh is one that vfc fill accepts, 2 the time limit was reached, 4 it\n"
+      "cannot be mended, 5 interrupted.");
 }
 
 } // namespace vfc

@@ -16,6 +16,7 @@
 #include "options/shared_options.h"
 #include "reports/shape.h"
 #include "session/Exit_status.h"
+#include "session/Patience.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/simplify_curves.h>
@@ -37,10 +38,12 @@ struct Simplify_options
 
 void plan_outputs(Session& session, const Simplify_options& options)
 {
+  session.report()["input"] = options.file;
   session.add_input(options.file, "--output");
   add_curve_file(session.outputs(), "--output", options.output);
   session.outputs().add("--certificate", options.certificate);
   session.outputs().add("--map", options.map);
+  session.require_output();
 }
 
 std::string summary(const Report& report)
@@ -53,12 +56,18 @@ std::string summary(const Report& report)
 int run(Session& session, const Simplify_options& options)
 {
   plan_outputs(session, options);
-  Curve curve = read_curve(session, options.file, options.curve.is_network);
+  Curve curve = read_curve(session, options.file, options.curve.reading);
   pin_nodes(curve, options.curve);
   curves::Isotopy_certificate certificate;
   Report& report = session.report();
   curves::Simplification_parameters parameters = options.parameters;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
+  bool is_interrupted = false;
+  parameters.progress = [&](const curves::Run_progress& progress) {
+    is_interrupted = !is_to_go_on(progress);
+    return !is_interrupted;
+  };
+  poll_interruptions();
   report["removed_nodes"] = curves::simplify_curves(curve, parameters);
   session.end_stage("simplifying");
   // the certificate first: no curve comes out of a run that was to be certified without one
@@ -66,12 +75,12 @@ int run(Session& session, const Simplify_options& options)
   if(!options.output.empty()) write_curve(options.output, curve);
   write_map(options.map, options.output, curve);
   session.end_stage("writing");
-  if(session.has_report()) report_shape(report, curve, 0);
+  if(session.has_report()) report_shape(report, curve, 0, Patience());
   report["nodes_end"] = curve.number_of_nodes();
   report["length_end"] = curves::length(curve);
-  report["status"] = "done";
-  session.print_summary(summary(report));
-  return GOAL_REACHED;
+  report["status"] = is_interrupted ? "interrupted" : "done";
+  session.print_summary((is_interrupted ? "interrupted: " : "") + summary(report));
+  return is_interrupted ? INTERRUPTED : GOAL_REACHED;
 }
 
 } // namespace

@@ -20,10 +20,11 @@
 #include "reports/shape.h"
 #include "reports/untangle_report.h"
 #include "session/Flow_observer.h"
+#include "session/Patience.h"
 #include "session/interruption.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/default_thickness.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 
 #include <CGAL/tags.h>
@@ -61,20 +62,23 @@ void pin(Curve& curve, const Untangle_options& options)
                         " is pinned, so the result cannot be scaled");
 }
 
-// The thickness that was asked for, if it makes sense, or the default;
-// 0 where it is measured later, after a search; only a small spacing can ask for too many nodes
-// then
-double thickness(const Curve& curve, const curves::Untangling_parameters& parameters)
+// Whether the thickness that was asked for makes sense. The default is measured later, and may grow
+// on the way; only a small spacing can ask for too many nodes then, if there is time to find out.
+void check_flow_thickness(const Curve& curve,
+                          const curves::Untangling_parameters& parameters,
+                          const Patience& patience)
 {
   constexpr double harmless_spacing = 0.01;
   const double asked = parameters.thickness, spacing = parameters.spacing;
   check_thickness(asked, spacing, curve);
-  const bool is_flow = parameters.strategy == Untangling_strategy::FLOW;
-  if(asked > 0 || (!is_flow && spacing >= harmless_spacing)) return asked;
-  const double found = curves::default_thickness<CGAL::Parallel_if_available_tag>(
-      curve, parameters.number_of_directions);
-  check_thickness(found, spacing, curve);
-  return is_flow ? found : asked;
+  if(asked > 0 || spacing >= harmless_spacing) return;
+  try {
+    const double found = curves::default_thickness<CGAL::Parallel_if_available_tag>(
+        curve, parameters.number_of_directions, curves::parameters::progress(patience));
+    check_thickness(found, spacing, curve);
+  } catch(const curves::Run_interrupted&) {
+    return;
+  }
 }
 
 // The domain that the curve must stay in, if there is one. \throws Input_error unless it is inside
@@ -83,7 +87,7 @@ std::optional<Domain> read_domain(Session& session,
                                   const Curve& curve)
 {
   if(options.domain.empty()) return std::nullopt;
-  std::optional<Domain> domain(std::in_place, read_mesh(session, options.domain).mesh);
+  std::optional<Domain> domain(std::in_place, read_mesh(session, options.domain).mesh, examined);
   Defects outside = to_defects(curves::containment(curve, *domain), curve, options.file);
   if(!outside.empty())
     throw Input_error(std::move(outside), "strictly inside of " + options.domain);
@@ -96,10 +100,13 @@ Untangling_result untangle(const Session& session,
                            const Untangle_options& options,
                            const curves::Run_state& state,
                            curves::Isotopy_certificate& certificate,
+                           const Patience& patience,
                            Flow_observer& observer)
 {
   curves::Untangling_parameters parameters = options.parameters;
-  parameters.thickness = thickness(curve, parameters);
+  check_flow_thickness(curve, parameters, patience);
+  parameters.time_limit = patience.seconds_left();
+  parameters.progress = is_to_go_on;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
   parameters.resume_from = &state;
   save_states(session, parameters, options.saving);
@@ -138,6 +145,7 @@ void check_length(const Session& session,
 
 int run(Session& session, const Untangle_options& options)
 {
+  session.report()["input"] = options.file;
   session.report()["seed"] = options.parameters.random_seed;
   session.add_input(options.file, "--output");
   if(!options.domain.empty()) {
@@ -147,24 +155,27 @@ int run(Session& session, const Untangle_options& options)
   }
   plan_outputs(session.outputs(), options);
   plan_checkpoints(session, options.saving);
+  session.require_output();
   const curves::Run_state state = read_run_state(options.saving);
-  poll_interruptions();
-  Curve curve = read_curve(session, options.file, options.curve.is_network);
+  Curve curve = read_curve(session, options.file, options.curve.reading);
   const double length = curves::length(curve);
   pin(curve, options);
   const std::optional<Domain> domain = read_domain(session, options, curve);
   curves::Isotopy_certificate certificate;
   Untangling_result result;
+  poll_interruptions();
+  const Patience patience(options.parameters.time_limit);
   {
     Flow_observer observer(session, options.parameters, options.parameters.tolerance,
                            Frames(options.film));
-    result = untangle(session, curve, domain, options, state, certificate, observer);
-    observer.finish();
+    result = untangle(session, curve, domain, options, state, certificate, patience, observer);
+    observer.finish(result.statistics.iterations, curve);
   }
   check_length(session, options, curve, length);
   report_stages(session, result.statistics);
   write_files(session, options, curve, result.thickness, certificate);
-  if(session.has_report()) report_shape(session.report(), curve, result.thickness);
+  if(session.has_report())
+    report_shape(session.report(), curve, result.thickness, Patience(patience.seconds_left()));
   session.end_stage("measuring");
   report_run(session.report(), curve, result, options.parameters.strategy);
   session.print_summary(summary(session, curve, result));

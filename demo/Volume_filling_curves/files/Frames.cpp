@@ -6,8 +6,8 @@
 
 #include "files/Frames.h"
 
-#include <CGAL/Volume_filling_curves/IO/curve_frames.h>
-#include <CGAL/Volume_filling_curves/without_tails.h>
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+#include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -37,10 +37,14 @@ bool Frames::is_frame(const fs::path& file)
 
 void Frames::add(std::size_t iteration, const Curve& curve)
 {
-  if(m_options.frames.empty() || iteration % m_options.every != 0) return;
+  if(!m_options.frames.empty() && iteration % m_options.every == 0) write(iteration, curve);
+}
+
+void Frames::write(std::size_t iteration, const Curve& curve)
+{
   if(m_written.empty()) prepare_folder();
   write_curve((fs::path(m_options.frames) / name(iteration)).string(),
-              CGAL::Volume_filling_curves::without_tails(curve));
+              CGAL::Volume_filling_curves::without_closing_rays(curve));
   m_written.insert(iteration);
 }
 
@@ -52,16 +56,26 @@ std::string Frames::name(std::size_t iteration) const
   return frame_prefix + number + '.' + m_options.frame_format;
 }
 
-void Frames::finish() const
+void Frames::finish(std::size_t iteration, const Curve& curve)
 {
-  if(m_written.empty() || m_options.frame_format != "vtp") return;
-  std::vector<CGAL::Volume_filling_curves::Curve_frame> frames;
+  if(m_options.frames.empty()) return;
+  write(m_written.empty() ? iteration : (std::max)(iteration, *m_written.rbegin()), curve);
+  if(m_options.frame_format == "vtp") write_list();
+}
+
+// A collection of ParaView's, which plays the frames as a film.
+void Frames::write_list() const
+{
+  std::string list = "<?xml version=\"1.0\"?>\n"
+                     "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                     "<Collection>\n";
   for(const std::size_t iteration : m_written)
-    frames.push_back({static_cast<double>(iteration), name(iteration)});
+    list += "<DataSet timestep=\"" + std::to_string(iteration) + "\" part=\"0\" file=\"" +
+            name(iteration) + "\"/>\n";
+  list += "</Collection>\n</VTKFile>\n";
   const std::string file = (fs::path(m_options.frames) / list_of_frames).string();
-  std::error_code error;
-  if(!CGAL::IO::write_curve_frames(file, frames, error))
-    throw Usage_error(file + ": cannot be written: " + error.message());
+  const std::error_code error = CGAL::Volume_filling_curves::internal::write_whole_file(file, list);
+  if(error) throw Usage_error(file + ": cannot be written: " + error.message());
 }
 
 void Frames::prepare_folder() const

@@ -17,8 +17,8 @@
 
 namespace vfc {
 
-// The pictures of a film: the curve of every K-th iteration, frame_000000.obj and so on; as .vtp
-// files with a list of them, frames.pvd, for ParaView.
+// The pictures of a film: the curve of every K-th iteration and the result, frame_000000.obj and so
+// on; as .vtp files with a list of them, frames.pvd, for ParaView.
 class Frames
 {
 public:
@@ -28,13 +28,16 @@ public:
 
   void add(std::size_t iteration, const Curve& curve);
 
-  // Writes the list, if there is one, when the last frame was added.
-  void finish() const;
+  // Writes the result, which may differ from the curve after the last iteration, as the last frame,
+  // and the list, if there is one.
+  void finish(std::size_t iteration, const Curve& curve);
 
   // returns whether a file of this name is taken for a frame of an earlier run
   static bool is_frame(const std::filesystem::path& file);
 
 private:
+  void write(std::size_t iteration, const Curve& curve);
+  void write_list() const;
   void prepare_folder() const;
   std::string name(std::size_t iteration) const;
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -63,6 +64,22 @@ void Output_files::add_input(const std::string& path, const std::string& replace
   m_inputs.push_back({path, replaced_by});
 }
 
+std::string Output_files::options() const
+{
+  std::string text;
+  for(const std::string& option : m_options) text += (text.empty() ? "" : ", ") + option;
+  return text;
+}
+
+// Remembers an option, and returns whether the user gave it.
+bool Output_files::offer(const std::string& option, const std::string& path)
+{
+  if(std::find(m_options.begin(), m_options.end(), option) == m_options.end())
+    m_options.push_back(option);
+  m_is_any_named = m_is_any_named || !path.empty();
+  return !path.empty();
+}
+
 void Output_files::add(const std::string& option, const std::string& path)
 {
   add(option, path, m_may_overwrite);
@@ -78,7 +95,7 @@ void Output_files::add_continued(const std::string& option,
 
 void Output_files::add(const std::string& option, const std::string& path, bool may_overwrite)
 {
-  if(path.empty()) return;
+  if(!offer(option, path)) return;
   for(const Input& input : m_inputs)
     if(option != input.replaced_by && are_same_file(path, input.path))
       refuse(option, path, "is the input " + input.path);
@@ -98,7 +115,7 @@ void Output_files::add_folder(const std::string& option,
                               const std::string& path,
                               bool (*is_replaced)(const fs::path& file))
 {
-  if(path.empty()) return;
+  if(!offer(option, path)) return;
   std::error_code error;
   const fs::path folder(path);
   const fs::file_status status = fs::status(folder, error);

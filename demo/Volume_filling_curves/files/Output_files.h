@@ -42,6 +42,12 @@ public:
                   const std::string& path,
                   bool (*is_replaced)(const std::filesystem::path& file));
 
+  // Whether the user named any file or folder.
+  bool is_any_named() const { return m_is_any_named; }
+
+  // The options that name outputs, as far as they were checked: "--output, --map".
+  std::string options() const;
+
   // Writes a complete file, or leaves what was there as it was. \throws Usage_error
   static void write(const std::string& path, const std::string& content);
 
@@ -57,8 +63,11 @@ private:
   };
 
   void add(const std::string& option, const std::string& path, bool may_overwrite);
+  bool offer(const std::string& option, const std::string& path);
 
   bool m_may_overwrite;
+  bool m_is_any_named = false;
+  std::vector<std::string> m_options; // also those without a path
   std::vector<Input> m_inputs;
   std::vector<Output> m_outputs;
 };

@@ -9,12 +9,13 @@
 #include "files/Output_files.h"
 #include "files/curve_files.h"
 #include "files/mesh_files.h"
+#include "files/read_finite_file.h"
+#include "repair/obstacles.h"
 #include "session/Session.h"
 #include "session/errors.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
-#include <CGAL/Volume_filling_curves/verify_certificate_in_domain.h>
+#include <CGAL/Volume_filling_curves/verify_certificate.h>
 
 #include <stdexcept>
 #include <string_view>
@@ -34,18 +35,24 @@ Defect rejection(const std::string& file, const std::string& message)
 curves::Isotopy_certificate read_certificate(const std::string& file)
 {
   std::string content;
-  const std::error_code error = curves::internal::read_whole_file(file, content);
+  const std::error_code error = read_finite_file(file, content);
   if(error) throw std::invalid_argument(error.message());
   return curves::Isotopy_certificate(std::move(content));
 }
 
-Curve read_end(Session& session, const std::string& file, bool is_network)
+Curve read_end(Session& session, const std::string& file, const Curve_reading& reading)
 {
-  Curve_and_defects read = read_curve_and_defects(file, is_network);
+  Curve_and_defects read = read_curve_and_defects(file, reading);
   if(!read.is_valid) throw Input_error(std::move(read.defects), "a valid curve");
   session.report()["nodes_end"] = read.curve.number_of_nodes();
   session.report()["length_end"] = curves::length(read.curve);
   return std::move(read.curve);
+}
+
+// The kind of the defect says already that it is a rejection.
+std::string without_first_word(const std::string& sentence)
+{
+  return sentence.substr(sentence.find(' ') + 1);
 }
 
 bool is_text_file(const std::string& file)
@@ -62,25 +69,29 @@ void write_certificate(const std::string& file, const curves::Isotopy_certificat
   Output_files::write(file, is_text_file(file) ? certificate.text() : certificate.bytes());
 }
 
-Defects defects_of_certificate(Session& session, const Certificate_files& files, bool is_network)
+Defects defects_of_certificate(Session& session,
+                               const Certificate_files& files,
+                               const Curve_reading& reading)
 {
   session.add_input(files.certificate);
   if(!files.domain.empty()) session.add_input(files.domain);
-  const Curve start = read_curve(session, files.start, is_network);
-  const Curve end = read_end(session, files.end, is_network);
+  for(const std::string& obstacle : files.obstacles) session.add_input(obstacle);
+  const Curve start = read_curve(session, files.start, reading);
+  const Curve end = read_end(session, files.end, reading);
   session.report()["input"] = files.start;
   Mesh domain;
   if(!files.domain.empty()) domain = read_mesh(session, files.domain).mesh;
+  add_obstacles(session, domain, files.obstacles);
   try {
     const curves::Isotopy_certificate certificate = read_certificate(files.certificate);
     const curves::Certificate_verdict verdict =
         files.domain.empty() ? curves::verify_certificate(certificate, start, end)
                              : curves::verify_certificate(certificate, start, end, domain);
     session.report()["moves_certified"] = verdict.number_of_operations;
-    if(verdict.is_valid) return {};
-    const std::string place =
-        verdict.operation > 0 ? "operation " + std::to_string(verdict.operation) + ": " : "";
-    return {rejection(files.certificate, place + verdict.message)};
+    const std::string sentence = verdict.sentence(files.start, files.end, files.domain);
+    if(!verdict.is_valid) return {rejection(files.certificate, without_first_word(sentence))};
+    session.print_result(sentence + '\n');
+    return {};
   } catch(const std::invalid_argument& error) {
     return {rejection(files.certificate, error.what())};
   }

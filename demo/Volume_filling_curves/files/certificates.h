@@ -7,11 +7,13 @@
 #ifndef VFC_CERTIFICATES_H
 #define VFC_CERTIFICATES_H
 
+#include "files/curve_files.h"
 #include "reports/Defect.h"
 
-#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 
 #include <string>
+#include <vector>
 
 namespace vfc {
 
@@ -25,13 +27,17 @@ void write_certificate(const std::string& file,
 struct Certificate_files
 {
   std::string certificate, start, end;
-  std::string domain; // a mesh that the curve must not have left, or empty
+  std::string domain;                 // a mesh that the curve must not have left, or empty
+  std::vector<std::string> obstacles; // within that mesh
 };
 
-// Replays a certificate and reports how many operations were verified. Returns why it does not
+// Replays a certificate, reports how many operations were verified, and prints the verdict if it is
+// good. Returns why it does not
 // prove that the curves are the same, and that they stayed inside; nothing if it does. \throws
 // Input_error
-Defects defects_of_certificate(Session& session, const Certificate_files& files, bool is_network);
+Defects defects_of_certificate(Session& session,
+                               const Certificate_files& files,
+                               const Curve_reading& reading);
 
 } // namespace vfc
 

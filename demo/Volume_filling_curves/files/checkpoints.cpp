@@ -7,9 +7,9 @@
 #include "files/checkpoints.h"
 
 #include "files/Output_files.h"
+#include "files/read_finite_file.h"
+#include "reports/versions.h"
 #include "session/Session.h"
-
-#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
 #include <chrono>
 #include <system_error>
@@ -34,7 +34,7 @@ curves::Run_state read_run_state(const Checkpoint_options& options)
 {
   if(options.resume.empty()) return {};
   std::string content;
-  const std::error_code error = curves::internal::read_whole_file(options.resume, content);
+  const std::error_code error = read_finite_file(options.resume, content);
   if(error) throw rejected_state(options.resume, error.message());
   return resume(options, [&] { return curves::Run_state(std::move(content)); });
 }
@@ -43,6 +43,7 @@ void save_states(const Session& session,
                  curves::Curve_run_parameters& parameters,
                  const Checkpoint_options& options)
 {
+  parameters.build_name = commit();
   if(options.checkpoint.empty()) return;
   using Clock = std::chrono::steady_clock;
   parameters.checkpoint = [&session, options, last = Clock::now()](const auto& checkpoint) mutable {

@@ -10,9 +10,8 @@
 #include "reports/Defect.h"
 #include "session/errors.h"
 
-#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
-#include <CGAL/Volume_filling_curves/Run_checkpoint.h>
 #include <CGAL/Volume_filling_curves/Run_state.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 
 #include <string>
 
@@ -20,7 +19,7 @@ namespace vfc {
 
 class Session;
 
-// Where the state of a run goes, and where it comes from.
+// The files that the state of a run goes to and comes from.
 struct Checkpoint_options
 {
   std::string checkpoint, resume; // files, or empty

@@ -7,16 +7,21 @@
 #include "files/curve_files.h"
 
 #include "files/mesh_files.h"
+#include "formats/read_vtp.h"
 #include "session/Session.h"
 
-#include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_format.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_embedded_network.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -38,21 +43,50 @@ static std::string expected_curve(const std::string& file, const Defects& defect
                                                   : "a valid curve";
 }
 
-Curve_and_defects read_curve_and_defects(const std::string& file, bool is_network)
+static curves::Junctions junctions_of(const Curve_reading& reading)
+{
+  return reading.is_network ? curves::Junctions::ALLOWED : curves::Junctions::FORBIDDEN;
+}
+
+static std::optional<curves::Closure> closure_of(const Curve_reading& reading)
+{
+  if(reading.is_closed) return curves::Closure::CLOSED;
+  if(reading.is_open) return curves::Closure::OPEN;
+  return std::nullopt;
+}
+
+// The program reads more of some formats than the library does.
+curves::internal::Curve_draft read_curve_draft(const std::string& file,
+                                               const Curve_reading& reading)
+{
+  const auto* const known = curves::internal::Curve_format::of(file);
+  std::optional<curves::internal::Curve_format> format;
+  if(known != nullptr) format = *known;
+  if(format && format->extension == ".vtp")
+    format->read = [](std::string_view text, curves::Junctions) { return read_vtp_curve(text); };
+  return curves::internal::read_curve_draft(file, format ? &*format : nullptr,
+                                            junctions_of(reading), closure_of(reading));
+}
+
+Curve_and_defects read_curve_and_defects(const std::string& file, const Curve_reading& reading)
 {
   Curve_and_defects result;
-  const auto junctions = is_network ? curves::Junctions::ALLOWED : curves::Junctions::FORBIDDEN;
   std::vector<curves::Curve_defect> defects;
-  result.is_valid = CGAL::IO::read_embedded_curve_network(file, result.curve, defects, junctions);
+  curves::internal::Curve_draft draft = read_curve_draft(file, reading);
+  result.is_valid = curves::internal::draft_to_embedded_network(draft, result.curve, defects,
+                                                                junctions_of(reading));
+  for(curves::Curve_defect& defect : defects)
+    if(defect.kind == curves::Curve_defect_kind::UNDECIDED_CLOSURE)
+      defect.message += ": give --closed or --open";
   result.defects = make_defects(defects, file);
   return result;
 }
 
-Curve read_curve(Session& session, const std::string& file, bool is_network)
+Curve read_curve(Session& session, const std::string& file, const Curve_reading& reading)
 {
   Report& report = session.report();
   report["input"] = file;
-  Curve_and_defects read = read_curve_and_defects(file, is_network);
+  Curve_and_defects read = read_curve_and_defects(file, reading);
   if(!read.is_valid) {
     const std::string expected = expected_curve(file, read.defects);
     throw Input_error(std::move(read.defects), expected);

@@ -10,6 +10,7 @@
 #include "session/errors.h"
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 
 #include <cstddef>
 #include <string>
@@ -22,7 +23,7 @@ using Curve = CGAL::Volume_filling_curves::Curve_network_3<>;
 class Output_files;
 class Session;
 
-// What is in a file. The curve is empty if one of the defects is an error.
+// The content of a file. The curve is empty if one of the defects is an error.
 struct Curve_and_defects
 {
   Curve curve;
@@ -30,10 +31,21 @@ struct Curve_and_defects
   bool is_valid = false;
 };
 
-Curve_and_defects read_curve_and_defects(const std::string& file, bool is_network);
+// The user's word on a curve that is read: whether it may have junctions, and whether its
+// components are closed or open, if not as the file has it.
+struct Curve_reading
+{
+  bool is_network = false, is_closed = false, is_open = false;
+};
+
+// Reads a file, before anybody asked whether it is a curve.
+CGAL::Volume_filling_curves::internal::Curve_draft read_curve_draft(const std::string& file,
+                                                                    const Curve_reading& reading);
+
+Curve_and_defects read_curve_and_defects(const std::string& file, const Curve_reading& reading);
 
 // Reads a curve, prints the warnings, and reports the start. \throws Input_error
-Curve read_curve(Session& session, const std::string& file, bool is_network);
+Curve read_curve(Session& session, const std::string& file, const Curve_reading& reading);
 
 // Plans to write a curve, if the name is not empty. \throws Usage_error
 void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file);

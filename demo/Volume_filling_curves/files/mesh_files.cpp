@@ -50,12 +50,12 @@ bool is_ply_of_edges(const std::string& file)
     unsigned long long count = 0;
     if(!(words >> keyword >> name >> count) || keyword != "element" || count == 0) continue;
     has_edges = has_edges || name == "edge";
-    has_faces = has_faces || name == "face";
+    has_faces = has_faces || name == "face" || name == "tristrips";
   }
   return has_edges && !has_faces;
 }
 
-// returns whether a VTP file has lines and no polygons
+// returns whether a VTP file has lines and neither polygons nor strips
 bool is_vtp_of_lines(const std::string& file)
 {
   std::string text;
@@ -66,7 +66,7 @@ bool is_vtp_of_lines(const std::string& file)
     const auto has = [&](std::string_view count) {
       return tags.attribute(count).find_first_of("123456789") != std::string_view::npos;
     };
-    return has("NumberOfLines") && !has("NumberOfPolys");
+    return has("NumberOfLines") && !has("NumberOfPolys") && !has("NumberOfStrips");
   }
   return false;
 }

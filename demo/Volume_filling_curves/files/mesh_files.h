@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,15 +27,20 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 // The inside of a mesh.
 using Domain = CGAL::Volume_filling_curves::Triangle_mesh_domain_3<>;
 
+// Parameters of a domain whose mesh has been examined.
+inline const auto examined = CGAL::Volume_filling_curves::parameters::check_mesh(false);
+
 class Session;
 class Mesh_findings;
+struct Mesh_soup;
 
-// What is in the file of a closed surface. The mesh is empty if one of the defects is an error.
+// The content of the file of a closed surface. The mesh is empty if one of the defects is an error.
 struct Mesh_and_defects
 {
   Mesh mesh;
   std::vector<std::size_t> origins;           // the places of the vertices in the file, from 0
   std::size_t number_of_vertices_in_file = 0; // some may have been merged or left out
+  std::shared_ptr<const Mesh_soup> unmended;  // of a mended mesh what the file has; no origins then
   Defects defects;
   bool is_valid = false;
 };

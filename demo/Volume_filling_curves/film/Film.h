@@ -21,7 +21,7 @@
 
 namespace vfc {
 
-// What a film shows, as its page expects it: an object with
+// The content of a film, as its page expects it: an object with
 //   title     a text
 //   tube      the radius of the tube, in the unit of coordinates
 //   colors    of components, as "#rrggbb"; they repeat

@@ -48,6 +48,11 @@ void Mesh_findings::add_error(const std::string& kind,
   add({kind, true, m_file, place, message});
 }
 
+void Mesh_findings::add_error(const Fault& fault, const Mesh_place& place)
+{
+  add_error(fault.kind, fault.message, place);
+}
+
 void Mesh_findings::add_warning(const std::string& kind,
                                 const std::string& message,
                                 const Mesh_place& place)

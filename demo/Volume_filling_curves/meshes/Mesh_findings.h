@@ -9,6 +9,8 @@
 
 #include "reports/Defect.h"
 
+#include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -23,7 +25,10 @@ class Mesh_findings
 public:
   explicit Mesh_findings(const std::string& file) : m_file(file) {}
 
+  using Fault = CGAL::Volume_filling_curves::internal::Mesh_fault;
+
   void add_error(const std::string& kind, const std::string& message, const Mesh_place& place = {});
+  void add_error(const Fault& fault, const Mesh_place& place = {});
   void add_warning(const std::string& kind,
                    const std::string& message,
                    const Mesh_place& place = {});

@@ -6,8 +6,6 @@
 
 #include "meshes/Mesh_soup.h"
 
-#include "options/numbers.h"
-
 namespace vfc {
 
 void Mesh_soup::number_points()
@@ -21,11 +19,6 @@ std::vector<std::size_t> Mesh_soup::numbers(const std::vector<std::size_t>& vert
   std::vector<std::size_t> result;
   for(const std::size_t v : vertices) result.push_back(place(v) + 1);
   return result;
-}
-
-std::string near(const Kernel::Point_3& p)
-{
-  return " near (" + to_text(p.x()) + ", " + to_text(p.y()) + ", " + to_text(p.z()) + ')';
 }
 
 } // namespace vfc

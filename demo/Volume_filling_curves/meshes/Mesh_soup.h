@@ -9,10 +9,11 @@
 
 #include "files/mesh_files.h"
 
+#include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
+
 #include <array>
 #include <cstddef>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace vfc {
@@ -39,8 +40,7 @@ struct Mesh_soup
   std::map<Point, std::size_t> place_of;
 };
 
-// for messages: where a point is
-std::string near(const Kernel::Point_3& p);
+using CGAL::Volume_filling_curves::internal::near_text;
 
 } // namespace vfc
 

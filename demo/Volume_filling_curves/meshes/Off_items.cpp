@@ -13,8 +13,11 @@ namespace vfc {
 Off_items::Off_items(std::string_view text) : m_text(text)
 {
   m_has_header = read_header();
-  m_is_plain = m_has_header && text.substr(0, text.find_first_of(" \t\r\n#")) == "OFF";
-  if(m_is_plain) m_are_vertices_free = must_free_vertices();
+  const std::string_view keyword = m_keyword;
+  for(const std::string_view known :
+      {"OFF", "NOFF", "COFF", "CNOFF", "STOFF", "STNOFF", "STCOFF", "STCNOFF"})
+    m_is_plain = m_is_plain || (m_has_header && keyword == known);
+  if(m_is_plain && keyword == "OFF") m_are_vertices_free = must_free_vertices();
 }
 
 bool Off_items::next_vertex()
@@ -41,8 +44,9 @@ bool Off_items::next_face()
 bool Off_items::read_header()
 {
   if(!next_line()) return false;
-  const std::string_view keyword = m_words[0];
-  if(keyword.size() < 3 || keyword.substr(keyword.size() - 3) != "OFF") return false;
+  m_keyword = m_words[0];
+  m_is_binary = m_words.size() > 1 && m_words[1] == "BINARY";
+  if(m_keyword.size() < 3 || m_keyword.substr(m_keyword.size() - 3) != "OFF") return false;
   const bool has_numbers = m_words.size() > 1;
   if(!has_numbers && !next_line()) return false;
   const std::size_t first = has_numbers ? 1 : 0;

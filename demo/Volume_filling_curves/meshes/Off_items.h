@@ -7,11 +7,11 @@
 #ifndef VFC_OFF_ITEMS_H
 #define VFC_OFF_ITEMS_H
 
-#include <charconv>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace vfc {
@@ -31,8 +31,13 @@ public:
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
-  // returns whether the keyword is OFF; others announce more than three words for a vertex
+  // returns whether a vertex begins with its three coordinates, behind which there may be a normal,
+  // a color and a place in a texture; other keywords announce a fourth one, or another number
   bool is_plain() const { return m_is_plain; }
+
+  // returns whether the keyword announces textures, colors or normals in text form, be it right or
+  // wrong
+  bool has_extras() const { return m_keyword.find_first_of("SCN") == 0 && !m_is_binary; }
 
   // returns whether vertices do not have a line each
   bool are_vertices_free() const { return m_are_vertices_free; }
@@ -60,13 +65,14 @@ private:
   bool take_line();
   bool take_words(std::size_t number);
 
-  std::string_view m_text;
+  std::string_view m_text, m_keyword;
   std::size_t m_place = 0, m_number = 0; // behind the last line, and its number
   Words m_words;                         // of the last line
   std::size_t m_taken = 0;               // of them
   Words m_item;
   std::size_t m_line = 0;
   bool m_has_header = false, m_is_plain = false, m_are_vertices_free = false;
+  bool m_is_binary = false;
   std::size_t m_number_of_vertices = 0, m_number_of_faces = 0;
 };
 
@@ -74,10 +80,8 @@ private:
 template <typename Number>
 bool parse_off_word(std::string_view word, Number& number)
 {
-  const std::size_t start = !word.empty() && word[0] == '+' ? 1 : 0;
-  const char* const last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(word.data() + start, last, number);
-  return error == std::errc() && end == last;
+  const bool has_plus = !word.empty() && word[0] == '+';
+  return CGAL::Volume_filling_curves::internal::parse_all(word.substr(has_plus ? 1 : 0), number);
 }
 
 } // namespace vfc

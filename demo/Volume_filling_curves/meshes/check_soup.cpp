@@ -6,11 +6,13 @@
 
 #include "meshes/check_soup.h"
 
-#include <CGAL/Bbox_3.h>
+#include "options/counted.h"
+
+#include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
+
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -20,19 +22,13 @@ namespace vfc {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-// The volume, a sum of products of three, stays in the range of double.
-constexpr double max_coordinate = 1e100, min_size = 1e-100;
+namespace rules = CGAL::Volume_filling_curves::internal;
 
 void check_coordinates(const Mesh_soup& soup, Mesh_findings& findings)
 {
-  for(std::size_t v = 0; v < soup.points.size(); ++v) {
-    const Kernel::Point_3& p = soup.points[v];
-    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      findings.add_error("non-finite coordinate", "a coordinate is not finite", {0, {v + 1}});
-    else if((std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) > max_coordinate)
-      findings.add_error("coordinate too large", "a coordinate is beyond 1e100", {0, {v + 1}});
-  }
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(const auto fault = rules::coordinate_fault(soup.points[v]))
+      findings.add_error(*fault, {0, {v + 1}});
 }
 
 void check_indices(const Mesh_soup& soup, Mesh_findings& findings)
@@ -46,27 +42,6 @@ void check_indices(const Mesh_soup& soup, Mesh_findings& findings)
                            {0, {}, {soup.face_numbers[f]}});
 }
 
-bool are_coplanar(const std::vector<Kernel::Point_3>& points)
-{
-  const auto& p = points.front();
-  const auto q = std::find_if(points.begin(), points.end(), [&](const auto& x) { return x != p; });
-  if(q == points.end()) return true;
-  const auto r =
-      std::find_if(q, points.end(), [&](const auto& x) { return !CGAL::collinear(p, *q, x); });
-  return r == points.end() ||
-         std::all_of(r, points.end(), [&](const auto& x) { return CGAL::coplanar(p, *q, *r, x); });
-}
-
-void check_size(const Mesh_soup& soup, Mesh_findings& findings)
-{
-  CGAL::Bbox_3 box;
-  for(const auto& p : soup.points) box += p.bbox();
-  if((std::max)({box.x_span(), box.y_span(), box.z_span()}) < min_size)
-    findings.add_error("size too small", "the size of the mesh is below 1e-100");
-  else if(are_coplanar(soup.points))
-    findings.add_error("zero volume", "all vertices lie in a plane");
-}
-
 void merge_equal_points(Mesh_soup& soup, Mesh_findings& findings)
 {
   std::vector<std::size_t> copies;
@@ -75,8 +50,8 @@ void merge_equal_points(Mesh_soup& soup, Mesh_findings& findings)
   if(copies.empty()) return;
   PMP::merge_duplicate_points_in_polygon_soup(soup.points, soup.faces);
   findings.add_warning("coincident vertices",
-                       std::to_string(copies.size()) +
-                           " vertices repeat others and were merged with them",
+                       counted(copies.size(), "vertex repeats another one and was merged with it",
+                               "vertices repeat others and were merged with them"),
                        {0, copies});
 }
 
@@ -91,11 +66,11 @@ void remove_degenerate_faces(Mesh_soup& soup, Mesh_findings& findings)
       continue;
     }
     const bool is_repeated = a == b || b == c || c == a;
-    findings.add_error(
-        "degenerate face",
-        (is_repeated ? "a face uses a vertex twice" : "the corners of a face lie on a line") +
-            near(soup.points[a]),
-        {0, soup.numbers({a, b, c}), {soup.face_numbers[f]}});
+    findings.add_error(is_repeated
+                           ? rules::Mesh_fault{"degenerate face", "a face uses a vertex twice" +
+                                                                      near_text(soup.points[a])}
+                           : rules::flat_face_fault(soup.points[a], soup.points[b], soup.points[c]),
+                       {0, soup.numbers({a, b, c}), {soup.face_numbers[f]}});
   }
   soup.faces.resize(kept);
   soup.face_numbers.resize(kept);
@@ -111,7 +86,7 @@ void remove_isolated_points(Mesh_soup& soup, Mesh_findings& findings)
     if(!is_used[v]) isolated.push_back(v);
   if(isolated.empty()) return;
   findings.add_warning("isolated vertex",
-                       std::to_string(isolated.size()) + " vertices have no face",
+                       counted(isolated.size(), "vertex has", "vertices have") + " no face",
                        {0, soup.numbers(isolated)});
   PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.faces);
 }
@@ -125,7 +100,7 @@ void find_repeated_faces(const Mesh_soup& soup, Mesh_findings& findings)
     const auto [it, is_new] = first.insert({corners, f});
     if(!is_new)
       findings.add_error("duplicate face",
-                         "two faces have the same corners" + near(soup.points[corners[0]]),
+                         "two faces have the same corners" + near_text(soup.points[corners[0]]),
                          {0,
                           soup.numbers({corners[0], corners[1], corners[2]}),
                           {soup.face_numbers[it->second], soup.face_numbers[f]}});
@@ -143,7 +118,7 @@ void check_soup(Mesh_soup& soup, Mesh_findings& findings)
   check_indices(soup, findings);
   if(findings.has_error()) return;
   soup.number_points();
-  check_size(soup, findings);
+  if(const auto fault = rules::size_fault(soup.points)) findings.add_error(*fault);
   merge_equal_points(soup, findings);
   remove_degenerate_faces(soup, findings);
   remove_isolated_points(soup, findings);

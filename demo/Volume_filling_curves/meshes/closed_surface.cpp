@@ -6,11 +6,12 @@
 
 #include "meshes/closed_surface.h"
 
-#include "meshes/holes.h"
 #include "meshes/is_closed_and_oriented.h"
 #include "meshes/self_intersections.h"
 #include "meshes/shells.h"
-#include "options/numbers.h"
+#include "options/counted.h"
+
+#include <CGAL/Volume_filling_curves/internal/domain/mesh_holes.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -27,6 +28,7 @@ namespace vfc {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace rules = CGAL::Volume_filling_curves::internal;
 
 using Vertex_pair = std::pair<std::size_t, std::size_t>;
 
@@ -60,7 +62,7 @@ void report_bad_edges(const Orientation& found, const Mesh_soup& soup, Mesh_find
   for(const auto& [edge, number_of_faces] : found.bad_edges)
     findings.add_error("non-manifold edge",
                        "an edge has " + std::to_string(number_of_faces) + " faces" +
-                           near(soup.points[edge.first]),
+                           near_text(soup.points[edge.first]),
                        {0, soup.numbers({edge.first, edge.second})});
 }
 
@@ -71,8 +73,8 @@ void report_touching_vertices(const Orientation& found,
   const std::vector<std::size_t>& vertices = found.touching_vertices;
   if(!vertices.empty())
     findings.add_warning("non-manifold vertex",
-                         "the surface touches itself in " + std::to_string(vertices.size()) +
-                             " vertices",
+                         "the surface touches itself in " +
+                             counted(vertices.size(), "vertex", "vertices"),
                          {0, soup.numbers(vertices)});
 }
 
@@ -85,24 +87,20 @@ void report_holes(const Orientation& found,
   std::set<Vertex_pair> cuts; // by places, which the two sides of a cut share
   for(const auto& [edge, number_of_faces] : found.bad_edges)
     cuts.insert(std::minmax(soup.place(edge.first), soup.place(edge.second)));
-  for(const Hole& hole : holes_of(mesh)) {
+  for(const auto& hole : rules::holes_of(mesh)) {
     const std::vector<std::size_t> vertices(hole.vertices.begin(), hole.vertices.end());
     bool is_cut = true;
     for(std::size_t i = 0, last = vertices.size() - 1; i < vertices.size(); last = i++)
       is_cut = is_cut &&
                cuts.count(std::minmax(soup.place(vertices[last]), soup.place(vertices[i]))) > 0;
     if(is_cut) continue;
-    findings.add_error("open boundary",
-                       "the surface is not closed: a boundary of " +
-                           std::to_string(vertices.size()) + " edges with one face only, " +
-                           to_text(hole.width) + " wide," + near(mesh.point(hole.vertices[0])),
-                       {0, soup.numbers(vertices)});
+    findings.add_error(rules::hole_fault(mesh, hole), {0, soup.numbers(vertices)});
   }
 }
 
 } // namespace
 
-Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings)
+Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch)
 {
   Orientation found{{}, {}, std::vector<bool>(soup.faces.size(), false)};
   if(!is_closed_and_oriented(soup))
@@ -112,7 +110,7 @@ Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings)
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
   report_holes(found, mesh, soup, findings);
-  report_self_intersections(mesh, soup, findings);
+  report_self_intersections(mesh, soup, findings, watch);
   if(findings.has_error()) return mesh;
   orient_shells(mesh, found.is_turned, soup, findings);
   report_touching_vertices(found, soup, findings);

@@ -9,6 +9,7 @@
 
 #include "meshes/Mesh_findings.h"
 #include "meshes/Mesh_soup.h"
+#include "meshes/Watched_points.h"
 
 namespace vfc {
 
@@ -16,8 +17,9 @@ namespace vfc {
 // or of more than two faces, and faces that meet elsewhere than in a common vertex or edge. Where
 // the surface touches itself in a vertex the mesh has several. Faces are turned so that the normals
 // point out of the domain; a shell within an odd number of others bounds a cavity. All decisions
-// are exact. O(n log^2 n) unless many faces have intersecting boxes. \pre no triangle is degenerate
-Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings);
+// are exact. O(n log^2 n) unless many faces have intersecting boxes. \throws Work_stopped \pre no
+// triangle is degenerate
+Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch);
 
 } // namespace vfc
 

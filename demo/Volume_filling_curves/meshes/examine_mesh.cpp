@@ -15,16 +15,23 @@
 
 namespace vfc {
 
-Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings)
+Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings, Work_watch& watch)
 {
   Mesh_and_defects result;
   result.number_of_vertices_in_file = soup.points.size();
   if(!findings.has_error() || findings.is_mendable()) check_soup(soup, findings);
-  if(!soup.faces.empty() && !soup.place_of.empty()) result.mesh = closed_surface(soup, findings);
+  if(!soup.faces.empty() && !soup.place_of.empty())
+    result.mesh = closed_surface(soup, findings, watch);
   result.is_valid = !findings.has_error();
   if(!result.is_valid) result.mesh.clear();
   for(const auto& p : result.mesh.points()) result.origins.push_back(soup.place_of.at(p));
   return result;
+}
+
+Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings)
+{
+  Work_watch no_limit;
+  return examine(std::move(soup), findings, no_limit);
 }
 
 Mesh_soup soup_of(const Mesh& mesh)
@@ -40,10 +47,10 @@ Mesh_soup soup_of(const Mesh& mesh)
   return soup;
 }
 
-bool is_sound(const Mesh& mesh)
+bool is_sound(const Mesh& mesh, Work_watch& watch)
 {
   Mesh_findings findings("");
-  return examine(soup_of(mesh), findings).is_valid;
+  return examine(soup_of(mesh), findings, watch).is_valid;
 }
 
 } // namespace vfc

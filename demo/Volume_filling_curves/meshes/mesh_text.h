@@ -10,21 +10,16 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace vfc {
 
-// What is wrong in the text of a mesh file.
+// The defects in the text of a mesh file.
 struct Text_problem
 {
   std::string kind, message;
   std::size_t line = 0;          // 0 in a binary file
   bool is_about_amounts = false; // more is announced than the file can hold
 };
-
-// Does a PLY file, ASCII or binary, hold what it announces? CGAL's reader refuses files without a
-// reason, and allocates whatever a file announces.
-std::vector<Text_problem> problems_of_ply(std::string_view text);
 
 // returns a part of a text as it may stand in a message: short, and without bytes that are not
 // ASCII

@@ -6,6 +6,7 @@
 
 #include "meshes/mesh_to_text.h"
 
+#include "meshes/examine_mesh.h"
 #include "options/numbers.h"
 
 #include <cstddef>
@@ -30,10 +31,10 @@ const Format* format_of(const std::string& extension)
   return nullptr;
 }
 
-std::string header(const Mesh& mesh, const std::string& extension)
+std::string header(const Mesh_soup& soup, const std::string& extension)
 {
-  const std::string points = std::to_string(mesh.number_of_vertices());
-  const std::string faces = std::to_string(mesh.number_of_faces());
+  const std::string points = std::to_string(soup.points.size());
+  const std::string faces = std::to_string(soup.faces.size());
   if(extension == ".off") return "OFF\n" + points + ' ' + faces + " 0\n";
   if(extension == ".obj") return "";
   return "ply\nformat ascii 1.0\nelement vertex " + points +
@@ -50,20 +51,23 @@ bool is_written_mesh_extension(const std::string& extension)
 
 std::string to_text(const Mesh& mesh, const std::string& extension)
 {
+  return to_text(soup_of(mesh), extension);
+}
+
+std::string to_text(const Mesh_soup& soup, const std::string& extension)
+{
   const Format& format = *format_of(extension);
-  std::string text = header(mesh, extension);
-  for(const auto& p : mesh.points()) {
+  std::string text = header(soup, extension);
+  for(const auto& p : soup.points) {
     text += format.before_point;
     for(int axis = 0; axis < 3; ++axis) {
       text += with_all_digits(p[axis]);
       text += axis < 2 ? ' ' : '\n';
     }
   }
-  for(const Mesh::Face_index f : mesh.faces()) {
+  for(const Mesh_soup::Face& face : soup.faces) {
     text += format.before_face;
-    const auto h = mesh.halfedge(f);
-    for(const Mesh::Vertex_index v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
-      text += std::to_string(v + format.first_index) + ' ';
+    for(const std::size_t v : face) text += std::to_string(v + format.first_index) + ' ';
     text.back() = '\n';
   }
   return text;

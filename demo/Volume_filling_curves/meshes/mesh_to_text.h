@@ -8,6 +8,7 @@
 #define VFC_MESH_TO_TEXT_H
 
 #include "files/mesh_files.h"
+#include "meshes/Mesh_soup.h"
 
 #include <string>
 
@@ -19,6 +20,7 @@ bool is_written_mesh_extension(const std::string& extension);
 // Returns the text of a mesh in the format of an extension, from which the very same coordinates
 // are read. \pre the format is known; the mesh has no garbage
 std::string to_text(const Mesh& mesh, const std::string& extension);
+std::string to_text(const Mesh_soup& soup, const std::string& extension);
 
 } // namespace vfc
 

@@ -25,6 +25,7 @@ public:
   void read()
   {
     m_result.is_plain = m_items.is_plain();
+    m_result.has_extras = m_items.has_extras();
     if(!m_items.has_header()) return;
     const std::size_t vertices = m_items.number_of_vertices(), faces = m_items.number_of_faces();
     if(vertices > m_size || faces > m_size)

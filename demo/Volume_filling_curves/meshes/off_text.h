@@ -17,10 +17,11 @@
 
 namespace vfc {
 
-// What an OFF file in text form holds, and what is wrong with it. CGAL's reader, which reads each
+// The content of an OFF file in text form, and its defects. CGAL's reader, which reads each
 // line through a stream of its own, takes five times as long, refuses files without a reason, and
-// allocates whatever a file announces; it is left what other keywords than OFF announce, and what
-// it may understand in spite of a problem.
+// allocates whatever a file announces; it is left what keywords with a fourth coordinate or another
+// number of them announce, and what it may understand in spite of a problem. Not with textures,
+// colors or normals: it reads beyond lines that lack them.
 struct Off_text
 {
   explicit Off_text(std::string_view text);
@@ -31,7 +32,8 @@ struct Off_text
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
   std::vector<Text_problem> problems;
-  bool is_plain; // there is a header, whose keyword is OFF
+  bool is_plain = false;   // there is a header, and vertices begin with three coordinates
+  bool has_extras = false; // textures, colors or normals, or claims to
 };
 
 // returns the text of an OFF file with a line for each vertex and face, as CGAL's reader wants it

@@ -6,9 +6,13 @@
 
 #include "meshes/read_mesh_soup.h"
 
+#include "formats/read_vtp.h"
 #include "meshes/binary_off.h"
 #include "meshes/mesh_text.h"
 #include "meshes/off_text.h"
+#include "meshes/read_ply.h"
+#include "meshes/triangle_strips.h"
+#include "options/counted.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
@@ -20,6 +24,7 @@
 #include <exception>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -29,6 +34,8 @@ namespace vfc {
 namespace {
 
 using Polygons = std::vector<std::vector<std::size_t>>;
+
+thread_local std::size_t size_of_text = 0; // of an OFF file that CGAL reads
 
 void add_problems(const std::vector<Text_problem>& problems, Mesh_findings& findings)
 {
@@ -42,11 +49,7 @@ void add_reasons(const std::string& extension,
                  Mesh_findings& findings)
 {
   add_problems(problems, findings);
-  if(findings.has_error()) return;
-  if(extension == ".vtp")
-    findings.add_error("unknown format",
-                       "reading .vtp files needs a program that was built with VTK");
-  else
+  if(!findings.has_error())
     findings.add_error("unreadable file",
                        "this is no complete " + extension + " file of a surface");
 }
@@ -79,7 +82,43 @@ void read_obj(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh
                      {line_at(text, start)});
 }
 
-// \pre the file is not an OBJ file
+void read_vtp(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh_findings& findings)
+{
+  CGAL::Volume_filling_curves::internal::Vtp_faces faces;
+  const auto file = read_vtp_surface(text, faces);
+  for(const auto& defect : file.defects.listed())
+    findings.add_error(to_string(defect.kind), defect.message, {defect.line, defect.nodes});
+  for(const auto& p : file.points) soup.points.emplace_back(p[0], p[1], p[2]);
+  polygons = std::move(faces.polygons);
+  for(const auto& strip : faces.strips) add_strip(strip, polygons);
+}
+
+// A vector that does not grow beyond the size of the text that is read: CGAL's reader of OFF files
+// allocates whatever these announce.
+template <typename Item>
+struct Limited_vector : std::vector<Item>
+{
+  void resize(std::size_t size)
+  {
+    if(size > size_of_text) throw std::length_error("more than the file can hold");
+    std::vector<Item>::resize(size);
+  }
+};
+
+// Returns whether CGAL's reader understands a text.
+bool read_off_with_cgal(const std::string& text, Mesh_soup& soup, Polygons& polygons)
+{
+  size_of_text = text.size();
+  Limited_vector<Kernel::Point_3> points;
+  Limited_vector<Limited_vector<std::size_t>> faces;
+  std::istringstream in(text);
+  const bool is_read = CGAL::IO::read_OFF(in, points, faces, CGAL::parameters::verbose(false));
+  soup.points.assign(points.begin(), points.end());
+  polygons.assign(faces.begin(), faces.end());
+  return is_read;
+}
+
+// \pre the file is of one of the formats that have no reader of their own
 void read_with_cgal(const std::string& file,
                     const std::string& text,
                     const std::vector<Text_problem>& problems,
@@ -93,13 +132,11 @@ void read_with_cgal(const std::string& file,
     return add_problems(problems, findings);
   bool is_read = false;
   try {
-    const auto quiet = CGAL::parameters::verbose(false);
-    if(extension == ".off") {
-      std::istringstream in(off_with_lines(text));
-      is_read = CGAL::IO::read_OFF(in, soup.points, polygons, quiet);
-    } else {
-      is_read = CGAL::IO::read_polygon_soup(file, soup.points, polygons, quiet);
-    }
+    if(extension == ".off")
+      is_read = read_off_with_cgal(off_with_lines(text), soup, polygons);
+    else
+      is_read = CGAL::IO::read_polygon_soup(file, soup.points, polygons,
+                                            CGAL::parameters::verbose(false));
   } catch(const std::exception&) { // such as no memory for what a header announces
   }
   if(!is_read) add_reasons(extension, problems, findings);
@@ -113,6 +150,7 @@ void read_off(const std::string& file,
 {
   if(is_binary_off(text)) return read_binary_off(text, soup.points, polygons, findings);
   Off_text off(text);
+  if(off.has_extras && !off.is_complete()) return add_reasons(".off", off.problems, findings);
   if(!off.is_complete()) return read_with_cgal(file, text, off.problems, soup, polygons, findings);
   soup.points = std::move(off.points);
   polygons = std::move(off.polygons);
@@ -134,7 +172,7 @@ void cut_into_triangles(const Polygons& polygons, Mesh_soup& soup, Mesh_findings
   }
   if(!cut.empty())
     findings.add_warning("polygonal face",
-                         std::to_string(cut.size()) + " faces were cut into triangles",
+                         counted(cut.size(), "face was", "faces were") + " cut into triangles",
                          {0, {}, cut});
 }
 
@@ -181,7 +219,9 @@ Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings)
     else if(extension == ".off")
       read_off(file, text, soup, polygons, findings);
     else if(extension == ".ply")
-      read_with_cgal(file, text, problems_of_ply(text), soup, polygons, findings);
+      read_ply_surface(text, soup.points, polygons, findings);
+    else if(extension == ".vtp")
+      read_vtp(text, soup, polygons, findings);
     else
       read_with_cgal(file, text, {}, soup, polygons, findings);
   } catch(const std::system_error& error) {

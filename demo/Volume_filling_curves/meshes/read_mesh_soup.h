@@ -20,10 +20,9 @@ std::string lower_case_extension(const std::string& file);
 // returns whether files with this extension hold surfaces, or may
 bool is_mesh_extension(const std::string& extension);
 
-// Reads points and faces, but for OFF files through CGAL, in whatever formats its version and
-// configuration know (VTP only with VTK), and cuts faces with more than three corners into
-// triangles: a fan, which is right for convex ones; for others the check for self-intersections has
-// the last word.
+// Reads points and faces, but for OFF, PLY and VTP files through CGAL, in whatever formats its
+// version knows, and cuts faces with more than three corners into triangles: a fan, which is right
+// for convex ones; for others the check for self-intersections has the last word.
 Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings);
 
 } // namespace vfc

@@ -9,6 +9,7 @@
 
 #include "meshes/Mesh_findings.h"
 #include "meshes/Mesh_soup.h"
+#include "meshes/Watched_points.h"
 
 #include <utility>
 #include <vector>
@@ -18,11 +19,14 @@ namespace vfc {
 using Face_pair = std::pair<Mesh::Face_index, Mesh::Face_index>;
 
 // Returns the pairs of faces that meet elsewhere than in a common vertex or edge, in order, up to a
-// million of them. Vertices at the same place are the same one.
-std::vector<Face_pair> intersecting_faces(const Mesh& mesh);
+// million of them. Vertices at the same place are the same one. \throws Work_stopped
+std::vector<Face_pair> intersecting_faces(const Mesh& mesh, Work_watch& watch);
 
-// Reports these pairs. \pre the mesh has the soup's points and faces
-void report_self_intersections(const Mesh& mesh, const Mesh_soup& soup, Mesh_findings& findings);
+// Reports these pairs. \throws Work_stopped \pre the mesh has the soup's points and faces
+void report_self_intersections(const Mesh& mesh,
+                               const Mesh_soup& soup,
+                               Mesh_findings& findings,
+                               Work_watch& watch);
 
 } // namespace vfc
 

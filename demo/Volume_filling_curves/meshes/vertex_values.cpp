@@ -8,17 +8,15 @@
 
 #include "meshes/mesh_text.h"
 #include "meshes/read_mesh_soup.h"
+#include "meshes/read_ply.h"
+#include "options/counted.h"
 #include "options/numbers.h"
-
-#include <CGAL/IO/read_ply_points.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <utility>
 
 namespace vfc {
 namespace {
@@ -76,42 +74,13 @@ void read_csv(std::istream& in,
   }
 }
 
-// CGAL takes a property that is missing for zero.
-bool has_property(const std::string& text, const std::string& property)
-{
-  const std::string header = text.substr(0, text.find("end_header"));
-  for(const char* type : {"float", "float32", "double", "float64"})
-    if(header.find(std::string("property ") + type + ' ' + property + '\n') != std::string::npos ||
-       header.find(std::string("property ") + type + ' ' + property + '\r') != std::string::npos)
-      return true;
-  return false;
-}
-
-void read_ply(const std::string& text,
-              const std::string& property,
-              std::vector<double>& values,
-              Mesh_findings& findings)
-{
-  for(const Text_problem& problem : problems_of_ply(text))
-    findings.add_error(problem.kind, problem.message, {problem.line});
-  if(findings.has_error()) return;
-  if(!has_property(text, property))
-    return findings.add_error("missing property", "the vertices have no property '" + property +
-                                                      "' of type float or double");
-  std::istringstream in(text);
-  auto reader = std::make_pair(CGAL::Identity_property_map<double>(),
-                               CGAL::IO::PLY_property<double>(property.c_str()));
-  if(!CGAL::IO::read_PLY_with_properties<double>(in, std::back_inserter(values), std::move(reader)))
-    findings.add_error("unreadable file", "this is no complete PLY file");
-}
-
 void check_count(std::size_t number_of_values,
                  std::size_t number_of_vertices,
                  Mesh_findings& findings)
 {
   if(number_of_values != number_of_vertices)
-    findings.add_error("wrong value count", std::to_string(number_of_values) + " values for " +
-                                                std::to_string(number_of_vertices) + " vertices");
+    findings.add_error("wrong value count", counted(number_of_values, "value") + " for " +
+                                                counted(number_of_vertices, "vertex", "vertices"));
 }
 
 void check_values(const std::vector<double>& values,
@@ -172,7 +141,8 @@ std::vector<double> read_vertex_values(const std::string& file,
     return values;
   }
   if(lower_case_extension(file) == ".ply")
-    read_ply(std::string(std::istreambuf_iterator<char>(in), {}), property, values, findings);
+    values =
+        read_ply_column(std::string(std::istreambuf_iterator<char>(in), {}), property, findings);
   else
     read_csv(in, values, lines, findings);
   if(!findings.has_error()) check_values(values, lines, number_of_vertices, findings);
@@ -195,7 +165,7 @@ std::vector<std::array<double, 3>> read_vertex_vectors(const std::string& file,
     const std::string text(std::istreambuf_iterator<char>(in), {});
     std::array<std::vector<double>, 3> columns;
     for(std::size_t k = 0; k < 3 && !findings.has_error(); ++k)
-      read_ply(text, properties[k], columns[k], findings);
+      columns[k] = read_ply_column(text, properties[k], findings);
     if(!findings.has_error()) vectors = rows(columns);
   } else
     read_csv(in, vectors, lines, findings);

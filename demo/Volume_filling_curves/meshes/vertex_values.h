@@ -17,7 +17,7 @@
 namespace vfc {
 
 // Reads one positive number per vertex of a mesh, in the order of the mesh's file. A PLY file has
-// them in a vertex property of type float or double; any other file is read as text with one number
+// them in a vertex property; any other file is read as text with one number
 // per line, of which the first may be a header. Blank lines and those that start with # do not
 // count.
 std::vector<double> read_vertex_values(const std::string& file,

@@ -11,10 +11,17 @@
 
 #include <memory>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace vfc {
 namespace {
+
+constexpr char jobs[] =
+    "Moves curves that never pass through themselves, as exact predicates certify. Two jobs:\n"
+    "  vfc untangle knot.obj -o tight.obj    brings a knot or link to a short and simple shape\n"
+    "  vfc fill mesh.off -o curve.obj        fills the inside of a closed surface with a curve";
 
 constexpr char examples[] =
     "Lengths are in the unit of the input. Curves are .obj (v and l), .polylines.txt, .ply\n"
@@ -23,10 +30,12 @@ constexpr char examples[] =
     "Exit status: 0 goal reached, 1 wrong options or files, 2 a limit was reached, 3 stalled,\n"
     "4 invalid input, 5 interrupted.\n"
     "\n"
-    "Example:\n"
+    "Examples:\n"
     "  vfc generate torus-knot --p 2 --q 3 -o trefoil.obj\n"
     "  vfc untangle trefoil.obj -o tight.obj --report tight.json\n"
-    "  vfc draw tight.obj -o tight.svg";
+    "  vfc draw tight.obj -o tight.svg\n"
+    "  vfc fill mesh.off --thickness 0.05 -o curve.obj --report curve.json\n"
+    "  vfc measure curve.obj mesh.off --thickness 0.05";
 
 constexpr std::size_t text_column = 34, page_width = 100;
 
@@ -46,6 +55,24 @@ public:
       text += word;
     }
     return text;
+  }
+
+  // A command shows its first group unless all are asked for.
+  std::string make_help(const CLI::App* app,
+                        std::string name,
+                        CLI::AppFormatMode mode) const override
+  {
+    const std::vector<std::string> groups = app->get_groups();
+    if(mode != CLI::AppFormatMode::Normal || app->get_parent() == nullptr || groups.size() < 2)
+      return CLI::Formatter::make_help(app, name, mode);
+    const auto is_shown = [&](const CLI::Option* option) {
+      return option->get_group() == groups.front() && option->nonpositional();
+    };
+    std::string more;
+    for(std::size_t k = 1; k < groups.size(); ++k) more += (k > 1 ? ", " : "") + groups[k];
+    return make_description(app) + make_usage(app, name) + make_positionals(app) +
+           make_group(groups.front(), false, app->get_options(is_shown)) + "\nMore options (" +
+           more + "): vfc " + app->get_name() + " --help-all\n";
   }
 
   std::string make_footer(const CLI::App* app) const override
@@ -110,12 +137,10 @@ void add_common_options(CLI::App& command, Common_options& options)
 
 } // namespace
 
-Command_line::Command_line()
-    : program("Untangles knots and links: moves curves to a short and simple shape, by motion that "
-              "is certified with exact predicates.",
-              "vfc")
+Command_line::Command_line() : program(jobs, "vfc")
 {
   program.set_version_flag("--version", all_versions());
+  program.set_help_all_flag("--help-all", "Print this help with all options and exit");
   const auto formatter = std::make_shared<Wrapping_formatter>();
   formatter->column_width(text_column);
   program.formatter(formatter);
@@ -156,6 +181,18 @@ CLI::Option& add_mesh(CLI::App& command, std::string& file)
   return add_file(command, "MESH", file, "a closed triangle mesh, .off, .obj, .ply, .stl or .vtp");
 }
 
+CLI::Option& add_obstacle_option(CLI::App& command, std::vector<std::string>& files)
+{
+  return *command
+              .add_option("--obstacle", files,
+                          "a closed surface within the mesh, of any orientation, that the curve "
+                          "keeps out of; several obstacles take the option several times")
+              ->expected(1)
+              ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+              ->check(file_check())
+              ->type_name("FILE");
+}
+
 CLI::Option& add_curve_output(CLI::App& command, std::string& file)
 {
   return add_file(command, "-o,--output", file,
@@ -163,10 +200,14 @@ CLI::Option& add_curve_output(CLI::App& command, std::string& file)
                   "node origin, component, curvature and, if r is known, medial radius");
 }
 
-void add_network_flag(CLI::App& command, bool& is_network)
+void add_reading_flags(CLI::App& command, Curve_reading& reading)
 {
-  command.add_flag("--network", is_network,
+  command.add_flag("--network", reading.is_network,
                    "accept junctions; equal ends in .polylines.txt are one node");
+  CLI::Option& closed = *command.add_flag("--closed", reading.is_closed,
+                                          "close every open curve by an edge between its ends");
+  command.add_flag("--open", reading.is_open, "open every closed curve: leave out its last edge")
+      ->excludes(&closed);
 }
 
 CLI::Option& add_number(CLI::App& command,

@@ -7,6 +7,7 @@
 #ifndef VFC_COMMAND_LINE_H
 #define VFC_COMMAND_LINE_H
 
+#include "files/curve_files.h"
 #include "options/batch_options.h"
 #include "session/Session.h"
 
@@ -47,9 +48,10 @@ CLI::Option& add_file(CLI::App& command,
                       const std::string& description);
 CLI::Option& add_curve(CLI::App& command, std::string& file);
 CLI::Option& add_mesh(CLI::App& command, std::string& file);
+CLI::Option& add_obstacle_option(CLI::App& command, std::vector<std::string>& files);
 CLI::Option& add_curve_output(CLI::App& command, std::string& file);
 
-void add_network_flag(CLI::App& command, bool& is_network);
+void add_reading_flags(CLI::App& command, Curve_reading& reading);
 
 // The numbers that an option takes, both ends included. Ratios far from 1 are slips of the pen, and
 // beyond these ends their products with lengths would overflow or be rounded away.
@@ -61,6 +63,7 @@ constexpr Range positive = {(std::numeric_limits<double>::min)(),
                             (std::numeric_limits<double>::max)()};
 constexpr Range not_negative = {0, (std::numeric_limits<double>::max)()};
 constexpr Range positive_ratio = {1e-9, 1e6};
+constexpr Range positive_share = {1e-9, 1};
 constexpr Range ratio = {0, 1e6};
 
 // Options with a number; they refuse everything else, and tell their name.

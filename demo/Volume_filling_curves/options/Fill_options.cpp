@@ -25,7 +25,7 @@ void add_density_options(CLI::App& command, Fill_options& options)
   CLI::Option& field =
       add_file(command, "--thickness-field", options.thickness_field,
                "r that varies: a PLY file with the vertex property thickness, or a CSV file with a "
-               "value per vertex of MESH");
+               "value per vertex of MESH, in the order of vfc convert MESH mesh.ply");
   CLI::Option& length =
       add_number(command, "--length", options.parameters.length,
                  "length of the curve, instead of a thickness, which is found within 2 %");
@@ -55,7 +55,7 @@ void add_start_options(CLI::App& command, Fill_options& options)
       add_file(command, "--curve", options.start,
                "the curve to start from, inside MESH; default: a small circle at the widest place");
   add_curve_options(command, options.curve);
-  for(const char* option : {"--network", "--pin", "--free-ends"})
+  for(const char* option : {"--network", "--closed", "--open", "--pin", "--free-ends"})
     command.get_option(option)->needs(&curve);
   add_choice(command, "--start", options.parameters.start,
              {{"tree", Filling_start::TREE}, {"circle", Filling_start::CIRCLE}},
@@ -68,20 +68,22 @@ void add_start_options(CLI::App& command, Fill_options& options)
 void add_fill_options(CLI::App& command, Fill_options& options)
 {
   add_mesh(command, options.mesh).required();
-  CLI::Option& repair = *command.add_flag(
-      "--repair", options.may_repair, "mend MESH first, as vfc repair does, and say what was done");
+  command.add_flag(
+      "--repair", options.may_repair,
+      "mend MESH and obstacles first, as vfc repair does, and say what was done; obstacles that "
+      "cross MESH are cut out of it; values per vertex of MESH go to the nearest vertices");
+  add_obstacle_option(command, options.obstacles);
   add_curve_output(command, options.output);
   add_file(
       command, "--certificate", options.certificate,
       "the record of all certified changes, to be verified by vfc check --certificate with MESH "
-      "for --domain; without --curve the circles that it starts from go to FILE.start.obj");
+      "for --domain, and the same obstacles; without --curve the circles that it starts from go to "
+      "FILE.start.obj");
   add_film_options(command, options.film);
   add_checkpoint_options(command, options.saving);
   add_start_options(command, options);
   add_density_options(command, options);
   add_direction_options(command, options);
-  repair.excludes(command.get_option("--thickness-field")); // whose vertices would be others
-  repair.excludes(command.get_option("--direction-field"));
   add_choice(
       command, "--wall", options.parameters.wall,
       {{"cover", Wall::COVER}, {"keep-clear", Wall::KEEP_CLEAR}},

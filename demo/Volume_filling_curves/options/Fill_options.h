@@ -9,9 +9,10 @@
 
 #include "options/shared_options.h"
 
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -23,6 +24,7 @@ namespace vfc {
 struct Fill_options
 {
   std::string mesh, output, certificate;
+  std::vector<std::string> obstacles;
   std::string start;           // a curve file, or empty for a circle at the widest place
   std::string thickness_field; // a file
   std::string direction_field; // a file, or a vector

@@ -9,7 +9,7 @@
 
 #include "options/shared_options.h"
 
-#include <CGAL/Volume_filling_curves/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 
 #include <string>
 

@@ -8,6 +8,7 @@
 #define VFC_BATCH_OPTIONS_H
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct File_options
 {
   std::string *input = nullptr, *output = nullptr;
   std::vector<std::string*> others;
+  std::function<std::string()> follower = nullptr; // another file whose name follows from them
 };
 
 // Lets a command run in batches. The option `input` of the command is no longer required then.

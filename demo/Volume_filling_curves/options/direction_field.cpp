@@ -7,11 +7,11 @@
 #include "options/direction_field.h"
 
 #include "meshes/vertex_values.h"
+#include "options/values_at_vertices.h"
 #include "session/errors.h"
 
-#include <CGAL/Volume_filling_curves/Mesh_direction_field_3.h>
+#include <CGAL/Volume_filling_curves/Mesh_fields_3.h>
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -33,10 +33,9 @@ Direction_field make_direction_field(const std::string& text, const Mesh_and_def
   const auto vectors = read_vertex_vectors(text, {"direction_x", "direction_y", "direction_z"},
                                            mesh.number_of_vertices_in_file, findings);
   if(findings.has_error()) throw Input_error(findings.list(), "a vector for every vertex");
-  std::vector<std::array<double, 3>> at_vertices;
-  for(const std::size_t origin : mesh.origins) at_vertices.push_back(vectors[origin]);
+  using Field = curves::Mesh_direction_field_3<>;
   const auto field =
-      std::make_shared<const curves::Mesh_direction_field_3<>>(mesh.mesh, at_vertices);
+      std::make_shared<const Field>(mesh.mesh, values_at_vertices<Field>(mesh, vectors));
   return [field](const Curve::Point_3& p) { return (*field)(p); };
 }
 

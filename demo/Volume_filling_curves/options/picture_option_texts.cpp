@@ -10,6 +10,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -48,6 +49,17 @@ std::optional<Vector> parse_direction(const std::string& text)
   const double azimuth = values[0] * CGAL_PI / 180, elevation = values[1] * CGAL_PI / 180;
   return Vector(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                 std::cos(elevation) * std::cos(azimuth));
+}
+
+std::optional<Picture_size> parse_size(const std::string& text)
+{
+  const std::size_t cross = (std::min)(text.find('x'), text.size());
+  const auto is_side = [](unsigned long long side) { return side >= 100 && side <= 4000; };
+  unsigned long long width = 0, height = 0;
+  if(!parse(text.substr(0, cross), width) || !is_side(width)) return std::nullopt;
+  if(cross == text.size()) return Picture_size{width, width};
+  if(!parse(text.substr(cross + 1), height) || !is_side(height)) return std::nullopt;
+  return Picture_size{width, height};
 }
 
 std::optional<Plane> parse_plane(const std::string& text)

@@ -14,11 +14,15 @@
 
 namespace vfc {
 
-// What options of pictures say, or nothing if it makes no sense.
+// The options of pictures as texts, or nothing if they make no sense.
 
 // "x,y,z", or "azimuth,elevation" in degrees: from the z axis towards the x axis, and from there
 // towards the y axis
 std::optional<Vector> parse_direction(const std::string& text);
+
+// The size of a picture: the pixels of each side, or of width and height as in 1600x900. Nothing if
+// the text is neither, or a side is less than 100 or more than 4000.
+std::optional<Picture_size> parse_size(const std::string& text);
 
 // "x=0.5" and likewise, or "a,b,c,d" for the points with a x + b y + c z = d
 std::optional<Plane> parse_plane(const std::string& text);

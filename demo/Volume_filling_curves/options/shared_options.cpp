@@ -51,7 +51,7 @@ void add_checkpoint_options(CLI::App& command, Checkpoint_options& options)
 
 void add_curve_options(CLI::App& command, Curve_options& options)
 {
-  add_network_flag(command, options.is_network);
+  add_reading_flags(command, options.reading);
   add_file(command, "--pin", options.pin,
            "nodes that stay: ends, or numbers i,j,k in file order from 1; OBJ lines 'fixed i j k' "
            "add to them")
@@ -85,7 +85,7 @@ void add_flow_options(CLI::App& command, Curve_flow_parameters& parameters)
       .capture_default_str();
   add_number(command, "--spacing", parameters.spacing,
              "least length h of an edge, in units of r; edges longer than 2 h are split",
-             positive_ratio)
+             positive_share)
       .capture_default_str();
   add_number(command, "--lambda", parameters.screening, "locality of the flow, in units of 1/r^2",
              positive_ratio)

@@ -8,8 +8,9 @@
 #define VFC_SHARED_OPTIONS_H
 
 #include "files/checkpoints.h"
+#include "files/curve_files.h"
 
-#include <CGAL/Volume_filling_curves/Curve_run_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 
 #include <cstddef>
 #include <string>
@@ -22,7 +23,7 @@ namespace vfc {
 
 // Groups of options that several commands have; defaults are those of the package.
 
-// What is written, but for the curve.
+// Outputs other than the curve.
 struct Film_options
 {
   std::string map, frames;
@@ -30,11 +31,12 @@ struct Film_options
   std::string frame_format = "obj"; // or "vtp"
 };
 
-// What the curve is allowed to be, and to do.
+// Permissions: kinds of curves, and nodes that move.
 struct Curve_options
 {
   std::string pin;
-  bool is_network = false, has_free_ends = false;
+  Curve_reading reading;
+  bool has_free_ends = false;
 };
 
 void add_film_options(CLI::App& command, Film_options& options);

@@ -9,7 +9,7 @@
 #include "options/numbers.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>

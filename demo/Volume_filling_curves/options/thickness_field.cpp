@@ -7,11 +7,11 @@
 #include "options/thickness_field.h"
 
 #include "meshes/vertex_values.h"
+#include "options/values_at_vertices.h"
 #include "session/errors.h"
 
-#include <CGAL/Volume_filling_curves/Mesh_thickness_field_3.h>
+#include <CGAL/Volume_filling_curves/Mesh_fields_3.h>
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -25,10 +25,9 @@ Thickness read_thickness_field(const std::string& file, const Mesh_and_defects& 
   const std::vector<double> values =
       read_vertex_values(file, "thickness", mesh.number_of_vertices_in_file, findings);
   if(findings.has_error()) throw Input_error(findings.list(), "a thickness for every vertex");
-  std::vector<double> at_vertices;
-  for(const std::size_t origin : mesh.origins) at_vertices.push_back(values[origin]);
+  using Field = curves::Mesh_thickness_field_3<>;
   const auto field =
-      std::make_shared<const curves::Mesh_thickness_field_3<>>(mesh.mesh, at_vertices);
+      std::make_shared<const Field>(mesh.mesh, values_at_vertices<Field>(mesh, values));
   return [field](const Curve::Point_3& p) { return (*field)(p); };
 }
 

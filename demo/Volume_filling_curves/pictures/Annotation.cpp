@@ -133,10 +133,10 @@ void paint_text(const Annotation::Text& text, double pixel, Rgb_image& image)
 
 } // namespace
 
-Annotation legend(const Color_scale& scale, Coloring coloring)
+Annotation legend(const Color_scale& scale, Coloring coloring, const Eigen::Vector2d& size)
 {
-  constexpr double left = Curve_view::picture_size - Curve_view::legend_width + 10;
-  constexpr double top = 130, height = 560, width = 22, gap = 8;
+  constexpr double height = 560, width = 22, gap = 8;
+  const double left = size.x() - Curve_view::legend_width + 10, top = (size.y() - height) / 2 + 10;
   constexpr int steps = 140;
   const auto [name, unit] = title_of(coloring);
   Annotation result;
@@ -153,7 +153,7 @@ Annotation legend(const Color_scale& scale, Coloring coloring)
   return result;
 }
 
-Annotation node_labels(const Drawn_curve& curve)
+Annotation node_labels(const Drawn_curve& curve, const Eigen::Vector2d& size)
 {
   std::vector<bool> is_drawn(curve.points.size(), false);
   for(const Drawn_edge& edge : curve.edges) is_drawn[edge.source] = is_drawn[edge.target] = true;
@@ -168,8 +168,7 @@ Annotation node_labels(const Drawn_curve& curve)
     if(!is_drawn[v] || curve.numbers[v] == 0) continue;
     const std::string text = std::to_string(curve.numbers[v]);
     const double width = text_width(text, text_size);
-    const double x =
-        (std::min)(curve.points[v].x() + curve.width / 2, Curve_view::picture_size - width);
+    const double x = (std::min)(curve.points[v].x() + curve.width / 2, size.x() - width);
     const double y = curve.points[v].y() - curve.width / 2;
     if(room.take(x, y, width)) result.texts.push_back({text, x, y, text_size});
   }

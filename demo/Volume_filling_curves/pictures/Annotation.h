@@ -12,13 +12,15 @@
 #include "pictures/Tube_colors.h"
 #include "pictures/png_file.h"
 
+#include <Eigen/Core>
+
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace vfc {
 
-// What is written and painted over a picture, in picture coordinates.
+// Texts and marks over a picture, in picture coordinates.
 struct Annotation
 {
   struct Box
@@ -38,12 +40,13 @@ struct Annotation
   std::vector<Text> texts;
 };
 
-// The legend of a scale, at the right of the picture: its colors, numbers, and what they are.
-Annotation legend(const Color_scale& scale, Coloring coloring);
+// The legend of a scale, at the right of a picture of that size: its colors, numbers, and what they
+// are.
+Annotation legend(const Color_scale& scale, Coloring coloring, const Eigen::Vector2d& size);
 
 // The numbers of nodes beside them. Where there is not room for all of them those of the nodes that
 // are nearest to the viewer are there. O(n log n).
-Annotation node_labels(const Drawn_curve& curve);
+Annotation node_labels(const Drawn_curve& curve, const Eigen::Vector2d& size);
 
 void write_svg(const Annotation& annotation, std::ostream& out);
 

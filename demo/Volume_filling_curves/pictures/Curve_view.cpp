@@ -6,6 +6,8 @@
 
 #include "pictures/Curve_view.h"
 
+#include "pictures/Half_space.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -94,13 +96,14 @@ Curve_view::Curve_view(const Curve& curve, const Triangle_soup& surface, const W
   m_frame = wishes.direction || has_surface
                 ? upright_frame(wishes.direction.value_or(usual_direction))
                 : principal_frame(curve);
-  fit(curve, wishes.has_legend);
+  fit(curve, wishes);
   place_all(curve);
   const double width =
       has_surface
           ? width_per_distance * std::sqrt(m_surface.volume() / (std::max)(length(curve, 3), 1.))
-          : covered_share * picture_size * picture_size / (std::max)(length(curve, 2), 1.);
-  m_width = std::clamp(width, min_width, max_width);
+          : covered_share * wishes.size.prod() / (std::max)(length(curve, 2), 1.);
+  m_width = wishes.tube > 0 ? (std::max)(2 * wishes.tube * m_scale, min_width)
+                            : std::clamp(width, min_width, max_width);
 }
 
 Vector Curve_view::place(const Vector& p) const
@@ -127,18 +130,37 @@ void Curve_view::scale(double factor)
 }
 
 // Finds the place and the scale with which everything fits into the picture, beside the legend.
-void Curve_view::fit(const Curve& curve, bool has_legend)
+void Curve_view::fit(const Curve& curve, const Wishes& wishes)
 {
-  Eigen::AlignedBox3d box;
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-    box.extend(m_frame * to_vector(curve.point(v)));
-  for(const Vector& p : m_surface.points) box.extend(m_frame * p);
-  if(box.isEmpty()) return;
-  const double room = picture_size - 2 * view_margin - (has_legend ? legend_width : 0);
-  const double size = (box.max() - box.min()).head<2>().maxCoeff();
-  m_scale = size > 0 ? room / size : 1;
-  m_center = (box.min() + box.max()) / 2;
-  m_middle = Vector(view_margin + room / 2, picture_size / 2, 0);
+  const Eigen::AlignedBox3d drawn = box(curve, wishes.cut);
+  if(drawn.isEmpty()) return;
+  const Eigen::Vector2d legend(wishes.has_legend ? legend_width : 0, 0);
+  const Eigen::Vector2d room = wishes.size - Eigen::Vector2d::Constant(2 * view_margin) - legend;
+  const Eigen::Vector2d size = drawn.sizes().head<2>().array() + 2 * wishes.tube;
+  if(size.maxCoeff() > 0) m_scale = 1 / size.cwiseQuotient(room).maxCoeff();
+  m_center = drawn.center();
+  m_middle = Vector(view_margin + room.x() / 2, wishes.size.y() / 2, 0);
+}
+
+// In the frame, the box of what is drawn: of what a cut leaves, if there is one.
+Eigen::AlignedBox3d Curve_view::box(const Curve& curve, const std::optional<Plane>& cut) const
+{
+  std::optional<Half_space> kept;
+  if(cut) kept = side_kept({m_frame * cut->normal.normalized(), cut->offset / cut->normal.norm()});
+  Eigen::AlignedBox3d result;
+  const auto add = [&](const Vector& p, const Vector& q) {
+    const double above_p = kept ? kept->height(p) : 0, above_q = kept ? kept->height(q) : 0;
+    if(above_p <= 0) result.extend(p);
+    if(above_q <= 0) result.extend(q);
+    if((above_p <= 0) != (above_q <= 0)) result.extend(p + above_p / (above_p - above_q) * (q - p));
+  };
+  const auto point = [&](std::size_t v) -> Vector { return m_frame * to_vector(curve.point(v)); };
+  for_each_edge(curve, point, add);
+  for(const auto& triangle : m_surface.triangles)
+    for(std::size_t k = 0; k < 3; ++k)
+      add(m_frame * m_surface.points[triangle[k]],
+          m_frame * m_surface.points[triangle[(k + 1) % 3]]);
+  return result;
 }
 
 void Curve_view::place_all(const Curve& curve)

@@ -11,6 +11,7 @@
 #include "pictures/Triangle_soup.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <optional>
@@ -34,6 +35,10 @@ public:
   {
     std::optional<Vector> direction;
     bool has_legend = false;
+    std::optional<Plane> cut = std::nullopt; // what is left of it fills the picture
+    double tube = 0;                         // its radius; 0 for what suits the picture
+    Eigen::Vector2d size = {picture_size,
+                            picture_size}; // of the picture, of which the shorter side
   };
 
   static constexpr double legend_width = 130;
@@ -58,7 +63,8 @@ public:
   void scale(double factor);
 
 private:
-  void fit(const Curve& curve, bool has_legend);
+  void fit(const Curve& curve, const Wishes& wishes);
+  Eigen::AlignedBox3d box(const Curve& curve, const std::optional<Plane>& cut) const;
   void place_all(const Curve& curve);
   double length(const Curve& curve, Eigen::Index dimension) const;
 

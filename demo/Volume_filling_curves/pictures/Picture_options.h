@@ -14,7 +14,7 @@
 
 namespace vfc {
 
-// What the color of a curve tells.
+// The meaning of the color of a curve.
 enum class Coloring
 {
   COMPONENT,
@@ -31,13 +31,19 @@ struct Plane
   double offset;
 };
 
+struct Picture_size
+{
+  std::size_t width = 800, height = 800;
+};
+
 struct Picture_options
 {
   Coloring coloring = Coloring::COMPONENT;
   std::optional<Vector> direction; // from the curve to the viewer
-  std::size_t pixels = 800;        // of each side
-  std::optional<Plane> cut;        // what is on the viewer's side of it is left out
+  Picture_size pixels;
+  std::optional<Plane> cut; // what is on the viewer's side of it is left out
   bool has_labels = false;
+  double tube = 0; // the radius, in the input's unit; 0 for what suits the picture
 };
 
 } // namespace vfc

@@ -10,6 +10,7 @@
 #include <CGAL/squared_distance_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <queue>
@@ -18,7 +19,8 @@
 namespace vfc {
 namespace {
 
-constexpr double max_piece_length = 12; // picture units; smooth depth shading
+// In picture units. Shading by depth is smooth with the former, colors with the latter.
+constexpr double max_piece_length = 12, min_piece_length = 1.5;
 
 Kernel::Segment_2 in_the_plane(const Stroke_piece& piece)
 {
@@ -37,7 +39,8 @@ double height_over(const Stroke_piece& a, const Stroke_piece& b)
 
 } // namespace
 
-Stroke_layers::Stroke_layers(const Drawn_curve& curve) : m_reach(curve.width * (1 + 2 * gap_share))
+Stroke_layers::Stroke_layers(const Drawn_curve& curve, double value_step)
+    : m_reach(curve.width * (1 + 2 * gap_share)), m_value_step(value_step)
 {
   for(const Strand& strand : curve.strands) cut_into_pieces(curve, strand);
   find_order();
@@ -53,7 +56,7 @@ void Stroke_layers::cut_into_pieces(const Drawn_curve& curve, const Strand& stra
     const Drawn_edge& edge = curve.edges[e];
     const Vector &p = curve.points[edge.source], &q = curve.points[edge.target];
     const double edge_length = (q - p).norm();
-    const int n = 1 + static_cast<int>(edge_length / max_piece_length);
+    const int n = number_of_pieces(edge_length, std::abs(edge.values[1] - edge.values[0]));
     const auto value = [&](double t) {
       return edge.values[0] + t * (edge.values[1] - edge.values[0]);
     };
@@ -68,6 +71,12 @@ void Stroke_layers::cut_into_pieces(const Drawn_curve& curve, const Strand& stra
   const std::size_t source = curve.edges[strand.edges.front()].source;
   const std::size_t target = curve.edges[strand.edges.back()].target;
   m_courses.push_back({length, strand.is_closed, {source, target}});
+}
+
+int Stroke_layers::number_of_pieces(double length, double change) const
+{
+  const double wanted = (std::max)(length / max_piece_length, change / m_value_step);
+  return 1 + static_cast<int>((std::min)(wanted, length / min_piece_length));
 }
 
 void Stroke_layers::link(std::size_t i, std::size_t j)

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace vfc {
@@ -41,7 +42,10 @@ struct Stroke_piece
 class Stroke_layers
 {
 public:
-  explicit Stroke_layers(const Drawn_curve& curve);
+  // Pieces are so short that the values of neighbors, which the colors tell, differ by at most
+  // `value_step`, unless they change all the faster.
+  explicit Stroke_layers(const Drawn_curve& curve,
+                         double value_step = std::numeric_limits<double>::infinity());
 
   const std::vector<Stroke_piece>& pieces() const { return m_pieces; }
 
@@ -60,6 +64,7 @@ private:
   };
 
   void cut_into_pieces(const Drawn_curve& curve, const Strand& strand);
+  int number_of_pieces(double length, double change) const;
   void link(std::size_t i, std::size_t j);
   bool are_neighbors(const Stroke_piece& a, const Stroke_piece& b) const;
   bool are_joined(const Stroke_piece& a, const Stroke_piece& b) const;
@@ -71,6 +76,7 @@ private:
   void follow(Index i, std::size_t neighbor);
 
   const double m_reach; // strokes with middle lines farther apart than that do not touch
+  const double m_value_step;
   std::vector<Stroke_piece> m_pieces;
   std::vector<Course> m_courses; // of the strands
   std::vector<std::vector<Index>> m_below, m_above;

@@ -44,6 +44,7 @@ Svg_painter::Svg_painter(const Stroke_layers& layers,
     m_front = (std::max)(m_front, piece.depth());
   }
   collect_runs();
+  collect_gaps();
   collect_ends();
 }
 
@@ -86,40 +87,97 @@ void Svg_painter::collect_runs()
     append_points(i, j, runs[key].path);
     append_overlaps(i, j, 0.4, runs[key].path);
     append_overlaps(i, j, 1, runs[key].overlaps);
-    append_gaps(i, j, runs[key].gaps);
+    for(const bool is_forward : {false, true}) {
+      const std::size_t end = is_forward ? j - 1 : i;
+      append_to_other_layer(end, is_forward, 0.4, &Run::path, runs);
+      append_to_other_layer(end, is_forward, 1, &Run::overlaps, runs);
+    }
   }
   for(auto& entry : runs) m_runs.push_back(std::move(entry.second));
 }
 
-// Strokes run a little into the next run, light ones farther than dark ones, so that no seam shows;
-// less than the gap, so that nothing else is covered.
+// Strokes run into the next run by hardly more than a pixel, light ones farther than dark ones, so
+// that no seam shows. The round joins close the wedges on the outer side of bends, also where
+// pieces have hardly any length in the picture.
 void Svg_painter::append_overlaps(std::size_t first,
                                   std::size_t last,
                                   double extent,
                                   std::string& path) const
 {
-  const auto append = [&](const Vector& inside, const Vector& end, const Vector& outside) {
-    const auto towards = [&](const Vector& p) {
-      const double length = (p - end).head<2>().norm();
-      const double share = (std::min)(0.5, Stroke_layers::gap_share * m_width / length);
-      return svg_coordinates(end + extent * share * (p - end));
-    };
-    path += 'M' + towards(inside) + 'L' + svg_coordinates(end) + 'L' + towards(outside);
+  constexpr double seam = 1.2; // picture units
+  const auto append = [&](std::size_t inner, std::size_t outer, bool is_forward) {
+    if(outer == Stroke_piece::none) return;
+    std::vector<Vector> points = way(inner, !is_forward, seam);
+    std::reverse(points.begin(), points.end());
+    const std::vector<Vector> beyond = way(outer, is_forward, extent * seam);
+    points.insert(points.end(), beyond.begin() + 1, beyond.end());
+    for(std::size_t k = 0; k < points.size(); ++k)
+      path += (k == 0 ? 'M' : 'L') + svg_coordinates(points[k]);
   };
-  const Stroke_piece &front = m_pieces[first], &back = m_pieces[last - 1];
-  if(front.previous != Stroke_piece::none)
-    append(front.target, front.source, m_pieces[front.previous].source);
-  if(back.next != Stroke_piece::none) append(back.source, back.target, m_pieces[back.next].target);
+  append(first, m_pieces[first].previous, false);
+  append(last - 1, m_pieces[last - 1].next, true);
 }
 
-// The white stroke is needed only where something passes below.
-void Svg_painter::append_gaps(std::size_t first, std::size_t last, std::string& path) const
+// The points of a strand from a piece on.
+std::vector<Vector> Svg_painter::way(std::size_t i, bool is_forward, double length) const
 {
-  for(std::size_t i = first, j = first; i < last; i = j) {
-    for(j = i + 1; j < last && m_pieces[j].is_over == m_pieces[i].is_over;) ++j;
+  constexpr std::size_t max_points = 100; // which may all be at the same place in the picture
+  std::vector<Vector> points = {is_forward ? m_pieces[i].source : m_pieces[i].target};
+  while(i != Stroke_piece::none && length > 0 && points.size() < max_points) {
+    const Vector along = (is_forward ? m_pieces[i].target : m_pieces[i].source) - points.back();
+    const double part = along.head<2>().norm();
+    points.push_back(points.back() + (part > length ? length / part : 1) * along);
+    length -= part;
+    i = is_forward ? m_pieces[i].next : m_pieces[i].previous;
+  }
+  return points;
+}
+
+// A strand that goes on in another layer is drawn there, too, in its colors, by less than the gap,
+// so that nothing else is covered: the higher layer's white stroke has cut into it.
+void Svg_painter::append_to_other_layer(std::size_t i,
+                                        bool is_forward,
+                                        double extent,
+                                        std::string Run::*path,
+                                        std::map<Key, Run>& runs) const
+{
+  constexpr int max_pieces = 100; // all of which may have no length in the picture
+  double length = extent * Stroke_layers::gap_share * m_width;
+  std::size_t j = is_forward ? m_pieces[i].next : m_pieces[i].previous;
+  if(j == Stroke_piece::none || m_pieces[j].layer == m_pieces[i].layer) return;
+  for(int k = 0; j != Stroke_piece::none && length > 0 && k < max_pieces; ++k) {
+    const Stroke_piece& piece = m_pieces[j];
+    const Vector& from = is_forward ? piece.source : piece.target;
+    const Vector along = (is_forward ? piece.target : piece.source) - from;
+    const double part = along.head<2>().norm();
+    Key key = key_of(piece);
+    key[0] = m_pieces[i].layer;
+    Run& run = runs[key];
+    run.key = key;
+    run.*path += 'M' + svg_coordinates(from) + 'L' +
+                 svg_coordinates(from + (part > length ? length / part : 1) * along);
+    length -= part;
+    j = is_forward ? piece.next : piece.previous;
+  }
+}
+
+// The white stroke is needed only where something passes below. It does not end where the color
+// changes: strokes that begin anew leave teeth at bends, and hairlines.
+void Svg_painter::collect_gaps()
+{
+  const auto goes_on = [this](std::size_t i) {
+    const std::size_t next = m_pieces[i].next;
+    return next != Stroke_piece::none && m_pieces[next].is_over &&
+           m_pieces[next].layer == m_pieces[i].layer;
+  };
+  for(std::size_t i = 0, j = 0; i < m_pieces.size(); i = j) {
+    j = i + 1;
     if(!m_pieces[i].is_over) continue;
+    while(j < m_pieces.size() && j == m_pieces[j - 1].next && goes_on(j - 1)) ++j;
+    std::string& path = m_gaps[m_pieces[i].layer];
     path += 'M';
     append_points(i, j, path);
+    if(goes_on(j - 1)) path += 'L' + svg_coordinates(m_pieces[m_pieces[j - 1].next].target);
   }
 }
 
@@ -149,7 +207,7 @@ void Svg_painter::collect_ends()
     if(found == piece_at.end()) continue;
     Key key = key_of(m_pieces[found->second]);
     key[3] = 1;
-    m_runs.push_back({key, 'M' + svg_coordinates(p) + "h0", "", ""});
+    m_runs.push_back({key, 'M' + svg_coordinates(p) + "h0", ""});
   }
   std::stable_sort(m_runs.begin(), m_runs.end(),
                    [](const Run& a, const Run& b) { return a.key < b.key; });
@@ -157,11 +215,10 @@ void Svg_painter::collect_ends()
 
 void Svg_painter::paint_layer(std::size_t first, std::size_t last) const
 {
-  std::string gaps;
-  for(std::size_t i = first; i < last; ++i) gaps += m_runs[i].gaps;
-  if(!gaps.empty())
+  const auto gaps = m_gaps.find(m_runs[first].key[0]);
+  if(gaps != m_gaps.end())
     m_out << "<path stroke=\"#fff\" stroke-width=\""
-          << svg_number((1 + 2 * Stroke_layers::gap_share) * m_width) << "\" d=\"" << gaps
+          << svg_number((1 + 2 * Stroke_layers::gap_share) * m_width) << "\" d=\"" << gaps->second
           << "\"/>\n";
   stroke(first, last, m_width, Tint::DARK);
   stroke(first, last, 0.78 * m_width, Tint::PLAIN);

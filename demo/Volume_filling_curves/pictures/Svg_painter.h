@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -41,7 +42,7 @@ private:
   struct Run
   {
     Key key;
-    std::string path, overlaps, gaps;
+    std::string path, overlaps;
   };
 
   enum class Tint
@@ -53,8 +54,14 @@ private:
 
   Key key_of(const Stroke_piece& piece) const;
   void collect_runs();
+  void collect_gaps();
   void append_overlaps(std::size_t first, std::size_t last, double extent, std::string& path) const;
-  void append_gaps(std::size_t first, std::size_t last, std::string& path) const;
+  std::vector<Vector> way(std::size_t i, bool is_forward, double length) const;
+  void append_to_other_layer(std::size_t i,
+                             bool is_forward,
+                             double extent,
+                             std::string Run::*path,
+                             std::map<Key, Run>& runs) const;
   void append_points(std::size_t first, std::size_t last, std::string& path) const;
   void collect_ends();
   void paint_layer(std::size_t first, std::size_t last) const;
@@ -69,6 +76,7 @@ private:
   double m_back = std::numeric_limits<double>::infinity();
   double m_front = -std::numeric_limits<double>::infinity();
   std::vector<Run> m_runs;
+  std::map<std::size_t, std::string> m_gaps; // the white strokes of the layers that need some
 };
 
 } // namespace vfc

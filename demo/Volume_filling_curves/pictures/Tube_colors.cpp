@@ -7,6 +7,7 @@
 #include "pictures/Tube_colors.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,12 @@ double Tube_colors::value_of_level(std::size_t level) const
 {
   const auto number = static_cast<double>(level);
   return m_scale ? m_scale->least + number / levels * (m_scale->largest - m_scale->least) : number;
+}
+
+double Tube_colors::level_step() const
+{
+  return m_scale && m_scale->largest > m_scale->least ? (m_scale->largest - m_scale->least) / levels
+                                                      : std::numeric_limits<double>::infinity();
 }
 
 } // namespace vfc

@@ -30,6 +30,9 @@ public:
   std::size_t level(double value) const;
   double value_of_level(std::size_t level) const;
 
+  // the difference of values of a level and the next one, infinite if there is no scale
+  double level_step() const;
+
   // empty if components have colors of their own
   const std::optional<Color_scale>& scale() const { return m_scale; }
 

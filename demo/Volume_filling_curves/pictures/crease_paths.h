@@ -19,8 +19,8 @@ struct Crease_paths
   std::string front, back; // between faces that are turned to the viewer, and away from him
 };
 
-// Of a surface in picture coordinates. Without them a box looks like the hexagon that it covers.
-// Both are empty if there are so many creases that they would hide the curve. O(n log n).
+// Creases of a surface in picture coordinates. Without them a box looks like the hexagon that it
+// covers. Both are empty if there are so many creases that they would hide the curve. O(n log n).
 Crease_paths crease_paths(const Triangle_soup& surface);
 
 } // namespace vfc

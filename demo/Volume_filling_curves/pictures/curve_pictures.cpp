@@ -7,6 +7,7 @@
 #include "pictures/curve_pictures.h"
 
 #include "pictures/Annotation.h"
+#include "pictures/Half_space.h"
 #include "pictures/Picture_shader.h"
 #include "pictures/Scene_raster.h"
 #include "pictures/Stroke_layers.h"
@@ -17,6 +18,9 @@
 #include "pictures/silhouette_path.h"
 #include "pictures/svg_number.h"
 
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <cstddef>
 #include <locale>
 #include <optional>
@@ -29,6 +33,20 @@ namespace {
 constexpr double outline_width = 2.4; // of a surface that is cut, in picture units
 constexpr double crease_width = 1.6;
 
+double pixels_per_unit(const Picture_options& options)
+{
+  const auto [width, height] = options.pixels;
+  return static_cast<double>((std::min)(width, height)) / Curve_view::picture_size;
+}
+
+// In picture units, of which the shorter side has `Curve_view::picture_size`.
+Eigen::Vector2d picture_size(const Picture_options& options)
+{
+  const Eigen::Vector2d pixels(static_cast<double>(options.pixels.width),
+                               static_cast<double>(options.pixels.height));
+  return pixels / pixels_per_unit(options);
+}
+
 // All that a picture shows, before it is drawn in one way or the other.
 class Scene
 {
@@ -38,20 +56,19 @@ public:
         m_options(options),
         m_values(edge_values(curve, options.coloring)),
         m_colors(options.coloring, m_values),
-        m_view(curve, Triangle_soup(mesh), {options.direction, m_colors.scale().has_value()})
+        m_view(curve,
+               Triangle_soup(mesh),
+               {options.direction, m_colors.scale().has_value(), options.cut, options.tube,
+                picture_size(options)})
   {}
 
   const Tube_colors& colors() const { return m_colors; }
   void scale(double factor) { m_view.scale(factor); }
 
-  // The viewer's side is cut off; if the plane is seen edge-on, the side of its normal.
   std::optional<Half_space> kept() const
   {
     if(!m_options.cut) return std::nullopt;
-    constexpr double edge_on = 1e-9;
-    const Plane plane = m_view.place(*m_options.cut);
-    if(plane.normal.z() < -edge_on) return Half_space{-plane.normal, -plane.offset};
-    return Half_space{plane.normal, plane.offset};
+    return side_kept(m_view.place(*m_options.cut));
   }
 
   Cut_surface surface() const
@@ -73,9 +90,10 @@ public:
   Annotation annotation() const
   {
     Annotation result;
-    if(m_options.has_labels) result = node_labels(kept_curve());
+    const Eigen::Vector2d size = picture_size(m_options);
+    if(m_options.has_labels) result = node_labels(kept_curve(), size);
     if(!m_colors.scale()) return result;
-    const Annotation scale = legend(*m_colors.scale(), m_options.coloring);
+    const Annotation scale = legend(*m_colors.scale(), m_options.coloring, size);
     result.boxes.insert(result.boxes.end(), scale.boxes.begin(), scale.boxes.end());
     result.texts.insert(result.texts.end(), scale.texts.begin(), scale.texts.end());
     return result;
@@ -147,12 +165,12 @@ void add_rim(Scene_raster& raster, const Cut_surface& surface, double line_width
 std::string png_picture(const Curve& curve, const Mesh& mesh, const Picture_options& options)
 {
   constexpr std::size_t samples_per_side = 2;
-  const std::size_t samples = options.pixels * samples_per_side;
-  const double samples_per_unit = static_cast<double>(samples) / Curve_view::picture_size;
+  const double samples_per_unit = samples_per_side * pixels_per_unit(options);
   Scene scene(curve, mesh, options);
   const Annotation annotation = scene.annotation();
   scene.scale(samples_per_unit);
-  Scene_raster raster(samples, samples);
+  Scene_raster raster(samples_per_side * options.pixels.width,
+                      samples_per_side * options.pixels.height);
   const Cut_surface surface = scene.surface();
   add_rim(raster, surface, outline_width * samples_per_unit);
   if(const std::optional<Half_space> kept = scene.kept()) raster.set_cut(*kept);
@@ -162,7 +180,7 @@ std::string png_picture(const Curve& curve, const Mesh& mesh, const Picture_opti
         {drawn.points[edge.source], drawn.points[edge.target], drawn.width / 2, edge.values});
   raster.add_surface(surface.soup, corner_normals(surface.soup));
   Rgb_image image = Picture_shader(raster, scene.colors(), samples_per_side)();
-  paint(annotation, Curve_view::picture_size / static_cast<double>(options.pixels), image);
+  paint(annotation, 1 / pixels_per_unit(options), image);
   return to_png(image);
 }
 
@@ -170,13 +188,14 @@ std::string svg_picture(const Curve& curve, const Mesh& mesh, const Picture_opti
 {
   const Scene scene(curve, mesh, options);
   const Drawn_curve drawn = scene.kept_curve();
-  const Stroke_layers layers(drawn);
+  const Stroke_layers layers(drawn, scene.colors().level_step());
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  const std::string size = svg_number(Curve_view::picture_size);
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << size << ' ' << size
-      << "\" width=\"" << options.pixels << "\" height=\"" << options.pixels
-      << "\">\n<rect width=\"" << size << "\" height=\"" << size << "\" fill=\"#fff\"/>\n";
+  const Eigen::Vector2d size = picture_size(options);
+  const std::string width = svg_number(size.x()), height = svg_number(size.y());
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
+      << "\" width=\"" << options.pixels.width << "\" height=\"" << options.pixels.height
+      << "\">\n<rect width=\"" << width << "\" height=\"" << height << "\" fill=\"#fff\"/>\n";
   const Svg_painter painter(layers, drawn, scene.colors(), out);
   const Svg_surface surface(scene.surface());
   painter.define_runs();

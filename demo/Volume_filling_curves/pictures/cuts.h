@@ -8,6 +8,7 @@
 #define VFC_CUTS_H
 
 #include "pictures/Drawn_curve.h"
+#include "pictures/Half_space.h"
 #include "pictures/Triangle_soup.h"
 
 #include <array>
@@ -15,16 +16,6 @@
 #include <vector>
 
 namespace vfc {
-
-// The points p of the picture with normal * p <= offset. The normal has the length 1.
-struct Half_space
-{
-  // how far a point is outside, negative if it is inside
-  double height(const Vector& p) const { return normal.dot(p) - offset; }
-
-  Vector normal;
-  double offset;
-};
 
 // Leaves what is in the half-space; strands that are cut have new ends there.
 void cut(Drawn_curve& curve, const Half_space& half_space);

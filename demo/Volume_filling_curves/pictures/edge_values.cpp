@@ -10,7 +10,6 @@
 #include "session/errors.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/default_thickness.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <CGAL/tags.h>

@@ -6,6 +6,8 @@
 
 #include "repair/repair_steps.h"
 
+#include "options/counted.h"
+
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -39,14 +41,16 @@ std::string assemble_faces(const Mesh_soup& soup, Mesh& mesh)
   PMP::merge_duplicate_points_in_polygon_soup(points, faces);
   const std::size_t degenerate = drop_faces_without_three_corners(faces);
   const std::size_t repeated = PMP::merge_duplicate_polygons_in_polygon_soup(points, faces);
+  PMP::remove_isolated_points_in_polygon_soup(points, faces); // they belong to no valid mesh
   PMP::orient_polygon_soup(points, faces);
   mesh.clear();
   PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
   PMP::stitch_borders(mesh);
+  mesh.collect_garbage(); // stitching leaves gaps in the numbering
   std::string done;
-  if(degenerate > 0) done = std::to_string(degenerate) + " faces without three corners dropped";
+  if(degenerate > 0) done = counted(degenerate, "face") + " without three corners dropped";
   if(repeated > 0)
-    done += (done.empty() ? "" : ", ") + std::to_string(repeated) + " repeated faces dropped";
+    done += (done.empty() ? "" : ", ") + counted(repeated, "repeated face") + " dropped";
   return done;
 }
 

@@ -6,6 +6,7 @@
 
 #include "repair/repair_steps.h"
 
+#include "options/counted.h"
 #include "repair/shells_apart.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -28,8 +29,9 @@ double area(const std::vector<Mesh>& parts)
 
 } // namespace
 
-std::string drop_sheets(Mesh& mesh)
+std::string drop_sheets(Mesh& mesh, Work_watch& watch)
 {
+  watch.check();
   std::vector<Mesh> parts = shells_apart(mesh);
   const auto end = std::stable_partition(parts.begin(), parts.end(),
                                          [](const Mesh& part) { return CGAL::is_closed(part); });
@@ -37,7 +39,7 @@ std::string drop_sheets(Mesh& mesh)
   if(sheets.empty() || area(sheets) > most_area * area(parts)) return "";
   parts.erase(end, parts.end());
   mesh = shells_together(parts);
-  return std::to_string(sheets.size()) + " sheets that enclose nothing dropped";
+  return counted(sheets.size(), "sheet that encloses", "sheets that enclose") + " nothing dropped";
 }
 
 } // namespace vfc

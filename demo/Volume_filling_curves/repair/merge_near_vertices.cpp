@@ -8,6 +8,7 @@
 
 #include "meshes/examine_mesh.h"
 #include "meshes/mesh_size.h"
+#include "options/counted.h"
 #include "repair/Groups.h"
 
 #include <CGAL/box_intersection_d.h>
@@ -36,15 +37,23 @@ std::vector<Box> boxes_at_borders(const Mesh& mesh, double reach)
   return boxes;
 }
 
+// Where holes touch in a vertex a mesh needs two of them.
+bool is_same_place(const Mesh& mesh, const Box& a, const Box& b)
+{
+  return mesh.point(Mesh::Vertex_index(static_cast<Mesh::size_type>(a.info()))) ==
+         mesh.point(Mesh::Vertex_index(static_cast<Mesh::size_type>(b.info())));
+}
+
 } // namespace
 
-std::string merge_near_vertices(Mesh& mesh)
+std::string merge_near_vertices(Mesh& mesh, Work_watch& watch)
 {
   std::vector<Box> boxes = boxes_at_borders(mesh, reach_of_rounding * diagonal(mesh));
   Groups groups(mesh.number_of_vertices());
   std::size_t merged = 0;
   const auto merge = [&](const Box& a, const Box& b) {
-    if(groups.of(a.info()) == groups.of(b.info())) return;
+    watch.check();
+    if(is_same_place(mesh, a, b) || groups.of(a.info()) == groups.of(b.info())) return;
     groups.unite(a.info(), b.info());
     ++merged;
   };
@@ -54,8 +63,9 @@ std::string merge_near_vertices(Mesh& mesh)
   for(Mesh_soup::Face& face : soup.faces)
     for(std::size_t& v : face) v = groups.of(v);
   assemble_faces(soup, mesh);
-  return std::to_string(merged) + " vertices of borders merged with others at the same place, but "
-                                  "for rounding";
+  return counted(merged, "vertex of a border merged with another one",
+                 "vertices of borders merged with others") +
+         " at the same place, but for rounding";
 }
 
 } // namespace vfc

@@ -10,12 +10,18 @@
 #include "meshes/read_mesh_soup.h"
 #include "options/numbers.h"
 #include "repair/repair_mesh.h"
+#include "session/No_result.h"
+#include "session/Progress.h"
 #include "session/Session.h"
+#include "session/interruption.h"
 
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace vfc {
 namespace {
@@ -44,31 +50,81 @@ void tell(Session& session, const std::string& file, const Mending& mending)
                          " from it, by estimate");
 }
 
+// A mesh, what was found in its file, and what was done about that.
+struct Mended_mesh
+{
+  explicit Mended_mesh(const std::string& file) : findings(file) {}
+
+  Mesh_findings findings;
+  Mesh_and_defects mesh;
+  std::optional<Mending> mending; // none if there was nothing to mend, or nothing can mend it
+};
+
+Mended_mesh read_and_mend(const std::string& file, double alpha, Work_watch& watch)
+{
+  Mended_mesh result(file);
+  watch.begin("reading");
+  Mesh_soup soup = read_mesh_soup(file, result.findings);
+  result.mesh = examine(soup, result.findings, watch);
+  if(!result.findings.is_mendable()) return result;
+  if(!has_common_size(soup))
+    throw Input_error(result.findings.summary(),
+                      "a mesh between 1e-20 and 1e20 in size, which can be mended");
+  result.mending = repair_mesh(soup, alpha, result.mesh.mesh, watch);
+  watch.begin("checking");
+  Mesh_findings after(file);
+  result.mesh = examine(soup_of(result.mesh.mesh), after, watch);
+  result.mesh.origins.clear();
+  result.mesh.number_of_vertices_in_file = soup.points.size();
+  result.mesh.unmended = std::make_shared<const Mesh_soup>(std::move(soup));
+  if(!result.mesh.is_valid)
+    throw Input_error(result.findings.summary(), "a mesh that repair can mend");
+  return result;
+}
+
+std::string reason_to_end(const Work_watch& watch, const Mending_options& options)
+{
+  return watch.is_interrupted() ? "interrupted"
+                                : "not mended within " + to_text(options.time_limit) + " s";
+}
+
+// The part of the time that is over stands for that of the work.
+Mended_mesh mend_in_time(const Console& console,
+                         const std::string& file,
+                         const Mending_options& options)
+{
+  Progress progress(console);
+  Work_watch watch(options.time_limit, [&](const std::string& step, double seconds) {
+    if(progress.is_due())
+      progress.show(seconds / options.time_limit,
+                    step + ", " + std::to_string(std::lround(seconds)) + " s");
+    return !is_interruption_requested();
+  });
+  try {
+    return read_and_mend(file, options.alpha, watch);
+  } catch(const Work_stopped&) {
+    throw No_result(watch.is_interrupted() ? INTERRUPTED : LIMIT_REACHED,
+                    file + ": " + reason_to_end(watch, options) + ", while " + watch.step() +
+                        "; nothing was written");
+  }
+}
+
 } // namespace
 
-Mesh_and_defects read_mended_mesh(Session& session, const std::string& file, double alpha)
+Mesh_and_defects read_mended_mesh(Session& session,
+                                  const std::string& file,
+                                  const Mending_options& options)
 {
-  Mesh_findings findings(file);
-  const Mesh_soup soup = read_mesh_soup(file, findings);
-  Mesh_and_defects result = examine(soup, findings);
-  if(!findings.is_mendable()) {
-    accept(session, findings);
+  poll_interruptions();
+  Mended_mesh mended = mend_in_time(session.console(), file, options);
+  session.end_stage(mended.mending ? "mending" : "reading");
+  if(mended.mending)
+    tell(session, file, *mended.mending);
+  else {
+    accept(session, mended.findings);
     session.console().note(file + ": there is nothing to mend");
-    session.end_stage("reading");
-    return result;
   }
-  if(!has_common_size(soup))
-    throw Input_error(findings.summary(),
-                      "a mesh between 1e-20 and 1e20 in size, which can be mended");
-  session.end_stage("reading");
-  const Mending mending = repair_mesh(soup, alpha, result.mesh);
-  Mesh_findings after(file);
-  result = examine(soup_of(result.mesh), after);
-  result.origins.clear();
-  if(!result.is_valid) throw Input_error(findings.summary(), "a mesh that repair can mend");
-  tell(session, file, mending);
-  session.end_stage("mending");
-  return result;
+  return std::move(mended.mesh);
 }
 
 } // namespace vfc

@@ -9,14 +9,23 @@
 
 #include "files/mesh_files.h"
 
+#include <limits>
 #include <string>
 
 namespace vfc {
 
-// Reads a mesh, and mends it by repair_mesh() with `alpha` if it has errors and all of them can be
-// mended. Tells the user and the report what was done, also that nothing had to be. A mended mesh
-// has no origins. \throws Input_error
-Mesh_and_defects read_mended_mesh(Session& session, const std::string& file, double alpha = 0);
+struct Mending_options
+{
+  double alpha = 0;                                            // see repair_mesh()
+  double time_limit = std::numeric_limits<double>::infinity(); // in seconds
+};
+
+// Reads a mesh, and mends it by repair_mesh() if it has errors and all of them can be mended. Tells
+// the user and the report what was done, also that nothing had to be.
+// \throws Input_error \throws No_result when the time is over or the user interrupts
+Mesh_and_defects read_mended_mesh(Session& session,
+                                  const std::string& file,
+                                  const Mending_options& options = {});
 
 } // namespace vfc
 

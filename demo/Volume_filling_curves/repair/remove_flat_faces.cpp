@@ -6,6 +6,8 @@
 
 #include "repair/repair_steps.h"
 
+#include "options/counted.h"
+
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 
@@ -27,14 +29,15 @@ std::vector<Mesh::Face_index> flat_faces(const Mesh& mesh)
 
 } // namespace
 
-std::string remove_flat_faces(Mesh& mesh)
+std::string remove_flat_faces(Mesh& mesh, Work_watch& watch)
 {
   const std::size_t number = flat_faces(mesh).size();
   if(number == 0) return "";
-  PMP::remove_degenerate_faces(mesh);
+  PMP::remove_degenerate_faces(mesh,
+                               CGAL::parameters::vertex_point_map(Watched_points(mesh, watch)));
   for(const Mesh::Face_index f : flat_faces(mesh)) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
   mesh.collect_garbage();
-  return std::to_string(number) + " faces taken out whose corners lie on a line";
+  return counted(number, "face") + " taken out whose corners lie on a line";
 }
 
 } // namespace vfc

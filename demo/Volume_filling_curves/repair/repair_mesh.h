@@ -8,13 +8,14 @@
 #define VFC_REPAIR_MESH_H
 
 #include "meshes/Mesh_soup.h"
+#include "session/Work_watch.h"
 
 #include <string>
 #include <vector>
 
 namespace vfc {
 
-// What was done to a mesh, step by step, and how far that moved its surface: the greatest distances
+// The repairs of a mesh, step by step, and how far they moved its surface: the greatest distances
 // of points of either surface from the other one, which are estimated from some 10,000 points.
 struct Mending
 {
@@ -25,8 +26,9 @@ struct Mending
 
 // Mends a mesh: by the steps that change least, and only if these do not suffice by wrapping it. Of
 // gaps narrower than `alpha`, in the unit of the mesh, wrapping does not enter any; 0 stands for a
-// fiftieth of the mesh's diagonal.
-Mending repair_mesh(const Mesh_soup& soup, double alpha, Mesh& mesh);
+// fiftieth of the mesh's diagonal. The result is sound, unless no face has an area.
+// \throws Work_stopped
+Mending repair_mesh(const Mesh_soup& soup, double alpha, Mesh& mesh, Work_watch& watch);
 
 } // namespace vfc
 

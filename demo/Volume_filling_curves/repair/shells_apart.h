@@ -16,7 +16,7 @@ namespace vfc {
 // returns the components of a mesh as meshes of their own, in the order of their first faces
 std::vector<Mesh> shells_apart(const Mesh& mesh);
 
-// returns them as one mesh again
+// returns them as one mesh again \pre they have no garbage, which CGAL adds up wrongly
 Mesh shells_together(const std::vector<Mesh>& shells);
 
 } // namespace vfc

@@ -11,12 +11,15 @@
 
 namespace vfc {
 
-double surface_distance(const Mesh& from, const Mesh& to)
+double surface_distance(const Mesh& from, const Mesh& to, Work_watch& watch)
 {
   return CGAL::Polygon_mesh_processing::approximate_Hausdorff_distance<CGAL::Sequential_tag>(
       from, to,
-      CGAL::parameters::number_of_points_on_faces(8000).number_of_points_on_edges(2000).random_seed(
-          0));
+      CGAL::parameters::number_of_points_on_faces(8000)
+          .number_of_points_on_edges(2000)
+          .random_seed(0)
+          .vertex_point_map(Watched_points(from, watch)),
+      CGAL::parameters::vertex_point_map(Watched_points(to, watch)));
 }
 
 } // namespace vfc

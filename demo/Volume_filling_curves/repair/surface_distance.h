@@ -7,13 +7,14 @@
 #ifndef VFC_SURFACE_DISTANCE_H
 #define VFC_SURFACE_DISTANCE_H
 
-#include "files/mesh_files.h"
+#include "meshes/Watched_points.h"
 
 namespace vfc {
 
 // Returns the greatest distance of a point of one surface from another one, as the vertices and
 // some 10,000 random points of it tell, so never too much. O((n + 10,000) log m) as a rule.
-double surface_distance(const Mesh& from, const Mesh& to);
+// \throws Work_stopped
+double surface_distance(const Mesh& from, const Mesh& to, Work_watch& watch);
 
 } // namespace vfc
 

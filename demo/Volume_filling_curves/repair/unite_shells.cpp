@@ -7,23 +7,22 @@
 #include "repair/repair_steps.h"
 
 #include "meshes/self_intersections.h"
-#include "meshes/shell_places.h"
+#include "options/counted.h"
 #include "repair/Groups.h"
+#include "repair/combined_shells.h"
 #include "repair/shells_apart.h"
 
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Volume_filling_curves/internal/domain/shell_places.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 #include <utility>
 #include <vector>
 
 namespace vfc {
 namespace {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
+namespace rules = CGAL::Volume_filling_curves::internal;
 
 // The shells of a mesh, and which of them can be united.
 struct Shells
@@ -42,10 +41,10 @@ struct Shells
 };
 
 // Unites the sets of shells that intersect.
-void group_intersecting(const Mesh& mesh, Shells& shells, Groups& groups)
+void group_intersecting(const Mesh& mesh, Shells& shells, Groups& groups, Work_watch& watch)
 {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for(const auto& [f, g] : intersecting_faces(mesh)) {
+  for(const auto& [f, g] : intersecting_faces(mesh, watch)) {
     const std::size_t i = shells.of_face[f], j = shells.of_face[g];
     if(i == j) shells.are_sound[i] = false;
     pairs.emplace_back(i, j);
@@ -60,7 +59,7 @@ void group_nested(const Mesh& mesh, const Shells& shells, Groups& groups)
   if(std::count(shells.are_sound.begin(), shells.are_sound.end(), false) > 0) return;
   std::vector<std::vector<Mesh::Face_index>> faces(shells.shells.size());
   for(const Mesh::Face_index f : mesh.faces()) faces[shells.of_face[f]].push_back(f);
-  const std::vector<Shell_place> places = places_of_shells(mesh, faces);
+  const auto places = rules::Shell_places<Mesh>::find(mesh, faces);
   for(std::size_t i = 0; i < places.size(); ++i)
     for(const std::size_t j : places[i].around)
       if(places[j].around.size() + 1 == places[i].around.size() &&
@@ -68,66 +67,44 @@ void group_nested(const Mesh& mesh, const Shells& shells, Groups& groups)
         groups.unite(i, j);
 }
 
-void turn(Mesh& shell, bool outward)
+std::string done(std::size_t shells, std::size_t cavities)
 {
-  if(PMP::is_outward_oriented(shell) != outward) PMP::reverse_face_orientations(shell);
-}
-
-// The surface of the union, turned as all of the shells were, or outward. \pre they are sound
-Mesh united(std::vector<Mesh> shells)
-{
-  const bool is_cavity = std::none_of(shells.begin(), shells.end(), [](const Mesh& shell) {
-    return PMP::is_outward_oriented(shell);
-  });
-  for(Mesh& shell : shells) turn(shell, true);
-  // two by two, so that no shell takes part in more than log2(n) unions
-  for(; shells.size() > 1; shells.resize((shells.size() + 1) / 2))
-    for(std::size_t i = 0; i < shells.size() / 2; ++i) {
-      Mesh& shell = shells[i];
-      if(!PMP::corefine_and_compute_union(shell, shells[shells.size() - 1 - i], shell,
-                                          CGAL::parameters::throw_on_self_intersection(true)))
-        return Mesh();
-    }
-  if(is_cavity) PMP::reverse_face_orientations(shells[0]);
-  return std::move(shells[0]);
-}
-
-// returns nothing where CGAL meets what it does not expect
-Mesh try_to_unite(const std::vector<Mesh>& shells)
-{
-  try {
-    return united(shells);
-  } catch(const std::exception&) {
-    return Mesh();
-  }
+  std::string text = std::to_string(shells) + " shells united that overlap or are nested";
+  if(cavities > 0)
+    text += ", but for " + counted(cavities,
+                                   "that is turned the other way and was taken away as a cavity",
+                                   "that are turned the other way and were taken away as cavities");
+  return text;
 }
 
 } // namespace
 
-std::string unite_shells(Mesh& mesh)
+std::string unite_shells(Mesh& mesh, Work_watch& watch)
 {
   Shells shells(mesh);
   const Mesh together = shells_together(shells.shells);
   Groups groups(shells.shells.size());
-  group_intersecting(together, shells, groups);
+  group_intersecting(together, shells, groups, watch);
   group_nested(together, shells, groups);
 
   std::vector<std::vector<Mesh>> members(shells.shells.size());
   for(std::size_t i = 0; i < members.size(); ++i)
     members[groups.of(i)].push_back(std::move(shells.shells[i]));
   std::vector<Mesh> results;
-  std::size_t number = 0;
+  std::size_t number = 0, cavities = 0;
   for(const std::vector<Mesh>& group : members) {
-    const Mesh one = group.size() > 1 ? try_to_unite(group) : Mesh();
-    if(one.is_empty())
+    const Combined_shells one = group.size() > 1 ? combined(group, watch) : Combined_shells();
+    if(one.surface.is_empty()) {
       results.insert(results.end(), group.begin(), group.end());
-    else
-      results.push_back(one);
-    number += one.is_empty() ? 0 : group.size();
+      continue;
+    }
+    results.push_back(one.surface);
+    number += group.size();
+    cavities += one.cavities;
   }
   if(number == 0) return "";
   mesh = shells_together(results);
-  return std::to_string(number) + " shells united that overlap or are nested";
+  return done(number, cavities);
 }
 
 } // namespace vfc

@@ -13,15 +13,34 @@
 #include <utility>
 
 namespace vfc {
+namespace {
 
-std::string wrap_faces(double alpha, Mesh& mesh)
+// Asks the watch at each step.
+struct Watching_wrap : CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor
+{
+  explicit Watching_wrap(Work_watch& watch) : m_watch(&watch) {}
+
+  template <typename Wrapper, typename Facet>
+  void before_facet_treatment(const Wrapper&, const Facet&)
+  {
+    m_watch->check();
+  }
+
+private:
+  Work_watch* m_watch;
+};
+
+} // namespace
+
+std::string wrap_faces(double alpha, Mesh& mesh, Work_watch& watch)
 {
   const double offset = alpha / 30;
   Mesh wrap;
-  CGAL::alpha_wrap_3(mesh, alpha, offset, wrap);
+  const auto watching = CGAL::parameters::visitor(Watching_wrap(watch)); // CGAL 6 reads the first
+  CGAL::alpha_wrap_3(mesh, alpha, offset, wrap, watching, watching);
   mesh = std::move(wrap);
   return "wrapped, since nothing milder helped: by a surface at a distance of " + to_text(offset) +
-         ", which enters no gap narrower than " + to_text(alpha);
+         ", which enters no cavity and no gap narrower than " + to_text(alpha);
 }
 
 } // namespace vfc

@@ -7,7 +7,7 @@
 #ifndef VFC_DEFECT_H
 #define VFC_DEFECT_H
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 
 #include <cstddef>
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace vfc {
 
-// Where in a mesh file a defect is. Numbers count from 1; what is unknown is 0 or empty.
+// The place of a defect in a mesh file. Numbers count from 1; what is unknown is 0 or empty.
 struct Mesh_place
 {
   std::size_t line = 0;
@@ -23,7 +23,7 @@ struct Mesh_place
   std::size_t shell = 0;
 };
 
-// What is wrong with an input, curve or mesh, in the words of the report. Numbers count from 1;
+// A defect of an input, curve or mesh, in the words of the report. Numbers count from 1;
 // what is unknown is 0 or empty.
 struct Defect
 {

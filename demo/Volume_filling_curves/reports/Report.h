@@ -18,7 +18,7 @@ class Input_error;
 // returns a name of the package as a report spells it, with underscores instead of spaces
 std::string report_name(std::string name);
 
-// What a run reports: one JSON object that always has all keys. Those that do not apply, and
+// The report of a run: one JSON object that always has all keys. Those that do not apply, and
 // numbers that are not finite, are null.
 class Report
 {

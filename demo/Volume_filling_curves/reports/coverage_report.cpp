@@ -36,11 +36,9 @@ void report_coverage(Report& report, const curves::Coverage& coverage)
   report["coverage"] = to_json(coverage);
 }
 
-void report_unfilled(Report& report,
-                     double unfilled_fraction,
-                     const std::vector<curves::Empty_region_3<Curve::Point_3>>& empty_regions)
+void report_empty_regions(Report& report,
+                          const std::vector<curves::Empty_region_3<Curve::Point_3>>& empty_regions)
 {
-  report["unfilled_fraction"] = unfilled_fraction;
   Report::Json& regions = report["empty_regions"] = Report::Json::array();
   for(const auto& region : empty_regions)
     regions.push_back({{"point", {region.point.x(), region.point.y(), region.point.z()}},
@@ -59,11 +57,13 @@ void measure_coverage(Report& report,
       curves::sample_distances<CGAL::Parallel_if_available_tag>(curve, samples);
   report_coverage(
       report, curves::coverage(samples, distances, thickness ? thickness : constant_thickness(1)));
-  if(thickness)
-    report_unfilled(report, curves::unfilled_fraction(samples, distances, thickness),
-                    curves::empty_regions(curve, samples, distances, thickness));
-  else
+  if(!thickness) {
     report["coverage"]["fraction_within_r"] = nullptr;
+    return;
+  }
+  report["uncovered_fraction"] = report["unfilled_fraction"] =
+      curves::unfilled_fraction(samples, distances, thickness);
+  report_empty_regions(report, curves::empty_regions(curve, samples, distances, thickness));
 }
 
 } // namespace vfc

@@ -32,9 +32,8 @@ inline Thickness constant_thickness(double r)
 void report_coverage(Report& report, const CGAL::Volume_filling_curves::Coverage& coverage);
 
 // Reports where a curve did not get to.
-void report_unfilled(
+void report_empty_regions(
     Report& report,
-    double unfilled_fraction,
     const std::vector<CGAL::Volume_filling_curves::Empty_region_3<Curve::Point_3>>& empty_regions);
 
 // Measures and reports both; without a thickness (null) only the distances, in the input's unit.

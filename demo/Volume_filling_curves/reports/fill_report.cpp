@@ -6,19 +6,42 @@
 
 #include "reports/fill_report.h"
 
+#include "options/counted.h"
 #include "options/numbers.h"
 #include "reports/containment.h"
 #include "reports/coverage_report.h"
 #include "reports/shape.h"
 #include "reports/untangle_report.h"
+#include "session/Patience.h"
 #include "session/Session.h"
 
+#include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+
+#include <cmath>
+#include <cstddef>
 
 namespace vfc {
 
 namespace curves = CGAL::Volume_filling_curves;
 using curves::Filling_status;
+
+namespace {
+
+std::string percent(double share)
+{
+  return std::isfinite(share) ? to_text(100 * share) + " %" : "-"; // no time to measure it
+}
+
+// The share of the whole volume, and that without what is to be kept clear of.
+std::string beyond_2r(const Filling_result& result)
+{
+  const double share = result.unfilled_fraction, whole = result.uncovered_fraction;
+  return "beyond 2 r " + percent(whole) +
+         (share < whole ? " (apart from the boundary " + percent(share) + ")" : "");
+}
+
+} // namespace
 
 Exit_status exit_status(Filling_status status)
 {
@@ -37,18 +60,40 @@ Exit_status exit_status(Filling_status status)
   return FAILURE;
 }
 
+namespace {
+
+void report_measures(Report& report,
+                     const Curve& curve,
+                     const Domain& domain,
+                     const Filling_result& result,
+                     bool is_out_of_time)
+{
+  const bool is_hurried = is_out_of_time || result.status == Filling_status::INTERRUPTED;
+  const Patience patience = is_hurried ? Patience(0) : Patience();
+  report_shape(report, curve, result.thickness, patience);
+  try {
+    report_containment(report, containment(curve, domain, curves::parameters::progress(patience)));
+  } catch(const curves::Run_interrupted&) {
+    report["outside_nodes"] = report["outside_segments"] = nullptr;
+  }
+}
+
+} // namespace
+
 void report_filling(Report& report,
                     const Curve& curve,
                     const Domain& domain,
-                    const Filling_result& result)
+                    const Filling_result& result,
+                    bool is_out_of_time)
 {
-  report_shape(report, curve, result.thickness);
+  report_measures(report, curve, domain, result, is_out_of_time);
   report_work(report, result.statistics);
-  report_containment(report, containment(curve, domain));
   report["medial_radius"] = result.medial_radius;
   report["gradient_norm"] = result.gradient_norm;
   report_coverage(report, result.coverage);
-  report_unfilled(report, result.unfilled_fraction, result.empty_regions);
+  report["unfilled_fraction"] = result.unfilled_fraction;
+  report["uncovered_fraction"] = result.uncovered_fraction;
+  if(result.are_empty_regions_known) report_empty_regions(report, result.empty_regions);
   report["parts"] = result.parts;
   report["unreachable_parts"] = result.unreachable_parts;
   report["thin_fraction"] = result.thickness_fit.thin_fraction;
@@ -60,14 +105,14 @@ void report_filling(Report& report,
 std::string summary(const Session& session, const Curve& curve, const Filling_result& result)
 {
   return std::string(to_string(result.status)) + " after " +
-         std::to_string(result.statistics.iterations) + " iterations, " +
-         to_text(session.seconds()) + " s: nodes " + std::to_string(curve.number_of_nodes()) +
-         ", length " + to_text(curves::length(curve)) + ", thickness " + to_text(result.thickness) +
+         counted(result.statistics.iterations, "iteration") + ", " + to_text(session.seconds()) +
+         " s: nodes " + std::to_string(curve.number_of_nodes()) + ", length " +
+         to_text(curves::length(curve)) + ", thickness " + to_text(result.thickness) +
          ", medial radius " + to_text(result.medial_radius) + ", within r " +
-         to_text(100 * result.coverage.fraction_within_r) + " %, beyond 2 r " +
-         to_text(100 * result.unfilled_fraction) + " %, empty regions " +
-         std::to_string(result.empty_regions.size()) + '\n' +
-         (result.reason.empty() ? "" : "not filled: " + result.reason + '\n');
+         percent(result.coverage.fraction_within_r) + ", " + beyond_2r(result) +
+         ", empty regions " +
+         (result.are_empty_regions_known ? std::to_string(result.empty_regions.size()) : "-") +
+         '\n' + (result.reason.empty() ? "" : "not filled: " + result.reason + '\n');
 }
 
 } // namespace vfc

@@ -11,7 +11,7 @@
 #include "files/mesh_files.h"
 #include "session/Exit_status.h"
 
-#include <CGAL/Volume_filling_curves/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 
 #include <string>
 
@@ -20,16 +20,19 @@ namespace vfc {
 class Report;
 class Session;
 
-// What a run of vfc fill tells: its exit status, its part of the report, and its summary.
+// The outcome of vfc fill: its exit status, its part of the report, and its summary.
 
 using Filling_result = CGAL::Volume_filling_curves::Filling_result<Curve::Point_3>;
 
 Exit_status exit_status(CGAL::Volume_filling_curves::Filling_status status);
 
+// For a large curve that is out of time or was interrupted, the report has only figures known so
+// far.
 void report_filling(Report& report,
                     const Curve& curve,
                     const Domain& domain,
-                    const Filling_result& result);
+                    const Filling_result& result,
+                    bool is_out_of_time);
 
 std::string summary(const Session& session, const Curve& curve, const Filling_result& result);
 

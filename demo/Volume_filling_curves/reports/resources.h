@@ -11,7 +11,7 @@
 
 namespace vfc {
 
-// What the process has used so far; negative or 0 where the system does not tell.
+// The resources used so far; negative or 0 where the system does not tell.
 double cpu_seconds();
 std::size_t peak_memory_bytes();
 

@@ -9,7 +9,7 @@
 #include "reports/Report.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/mean_medial_radius.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <CGAL/tags.h>
 
@@ -20,29 +20,59 @@
 namespace vfc {
 namespace curves = CGAL::Volume_filling_curves;
 
-void report_shape(Report& report, const Curve& curve, double thickness)
+namespace {
+
+// What a function measures, null if it is interrupted.
+template <typename Measure>
+Report::Json unless_interrupted(const Measure& measure)
 {
-  using Tag = CGAL::Parallel_if_available_tag;
-  const curves::Curve_measures measures = curves::measure<Tag>(curve, thickness);
+  try {
+    return measure();
+  } catch(const curves::Run_interrupted&) {
+    return nullptr;
+  }
+}
+
+void report_quick_measures(Report& report, const Curve& curve)
+{
   report["components"] = curve.number_of_components();
   report["nodes_end"] = curve.number_of_nodes();
-  report["length_end"] = measures.length;
-  report["min_clearance"] = measures.min_clearance;
-  report["component_lengths"] = measures.component_lengths;
-  report["total_curvature"] =
-      std::accumulate(measures.total_curvatures.begin(), measures.total_curvatures.end(), 0.);
-  report["component_total_curvatures"] = measures.total_curvatures;
-  report["max_curvature"] = measures.max_curvature;
-  report["min_bend_radius"] = measures.min_bend_radius;
-  report["polygonal_thickness"] = measures.polygonal_thickness;
-  report["ropelength"] = measures.ropelength;
-  report["average_crossing_number"] = measures.average_crossing_number;
-  report["linking_matrix"] = measures.linking_matrix;
+  report["length_end"] = curves::length(curve);
+  report["component_lengths"] = curves::component_lengths(curve);
+  const std::vector<double> curvatures = curves::total_curvatures(curve);
+  report["total_curvature"] = std::accumulate(curvatures.begin(), curvatures.end(), 0.);
+  report["component_total_curvatures"] = curvatures;
+  report["max_curvature"] = curves::max_curvature(curve);
+  report["min_bend_radius"] = curves::min_bend_radius(curve);
+}
+
+} // namespace
+
+// The last one takes most of the time.
+void report_shape(Report& report,
+                  const Curve& curve,
+                  double thickness,
+                  const std::function<bool(const curves::Run_progress&)>& progress)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  const auto np = curves::parameters::progress(progress);
+  report_quick_measures(report, curve);
+  report["min_clearance"] =
+      unless_interrupted([&] { return curves::min_clearance(curve, thickness, np); });
+  report["polygonal_thickness"] =
+      unless_interrupted([&] { return curves::polygonal_thickness(curve, np); });
+  if(!report["polygonal_thickness"].is_null())
+    report["ropelength"] = double(report["length_end"]) / double(report["polygonal_thickness"]);
+  report["linking_matrix"] = unless_interrupted([&] { return curves::linking_matrix(curve, np); });
   if(thickness > 0) {
     report["thickness"] = thickness;
     constexpr double cap = 2; // in units of the thickness: many spheres touch nothing at all
-    report["medial_radius"] = curves::mean_medial_radius<Tag>(curve, cap * thickness);
+    constexpr std::size_t directions = 16;
+    report["medial_radius"] = unless_interrupted(
+        [&] { return curves::mean_medial_radius<Tag>(curve, cap * thickness, directions, np); });
   }
+  report["average_crossing_number"] =
+      unless_interrupted([&] { return curves::average_crossing_number<Tag>(curve, np); });
 }
 
 } // namespace vfc

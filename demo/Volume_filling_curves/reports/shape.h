@@ -9,12 +9,21 @@
 
 #include "files/curve_files.h"
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+
+#include <functional>
+
 namespace vfc {
 
 class Report;
 
-// Reports what the curve is like at the end of a command. A thickness of 0 stands for none.
-void report_shape(Report& report, const Curve& curve, double thickness);
+// Reports what the curve is like at the end of a command. A thickness of 0 stands for none. What is
+// not measured when the function of the progress returns false is null.
+void report_shape(
+    Report& report,
+    const Curve& curve,
+    double thickness,
+    const std::function<bool(const CGAL::Volume_filling_curves::Run_progress&)>& progress = {});
 
 } // namespace vfc
 

@@ -6,10 +6,13 @@
 
 #include "reports/untangle_report.h"
 
+#include "options/counted.h"
 #include "options/numbers.h"
 #include "session/Session.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+
+#include <cmath>
 
 namespace vfc {
 
@@ -47,6 +50,8 @@ std::string remark(const Curve& curve, const Untangling_result& result)
   constexpr double length_of_point = 2; // in units of the thickness
   if(has_free_end(curve) && curves::length(curve) < length_of_point * result.thickness)
     return ", free ends: nothing holds the curve, which shrinks to a point";
+  if(result.fitting_thickness > 0)
+    return ", the thickness is too small for this curve: try " + to_text(result.fitting_thickness);
   if(result.is_input) return ", the input, which is tighter than what was found";
   if(!result.is_closure_kept)
     return ", the closure of an arc is not known to have the type that it had: let it converge";
@@ -108,6 +113,7 @@ void report_run(Report& report,
     report["proof"].push_back(name_or_null(proof, curves::Unknot_proof::NONE));
   report["link"] = name_or_null(result.link, curves::Link_status::NOT_A_LINK);
   report["gradient_norm"] = result.gradient_norm;
+  if(result.fitting_thickness > 0) report["fitting_thickness"] = result.fitting_thickness;
   report_work(report, result.statistics);
   if(strategy == curves::Untangling_strategy::SEARCH) report["iterations"] = result.sweeps;
   report["sweeps"] = result.sweeps;
@@ -122,12 +128,14 @@ std::string summary(Session& session, const Curve& curve, const Untangling_resul
 {
   const Report& report = session.report();
   return std::string(to_string(result.status)) + " after " +
-         std::to_string(result.statistics.iterations) + " iterations and " +
-         std::to_string(result.sweeps) + " sweeps, " + to_text(session.seconds()) + " s: nodes " +
+         counted(result.statistics.iterations, "iteration") + " and " +
+         counted(result.sweeps, "sweep") + ", " + to_text(session.seconds()) + " s: nodes " +
          report["nodes_start"].dump() + " -> " + std::to_string(curve.number_of_nodes()) +
          ", length " + to_text(report["length_start"]) + " -> " + to_text(curves::length(curve)) +
-         ", thickness " + to_text(result.thickness) + ", gradient " +
-         to_text(result.gradient_norm) + remark(curve, result) + '\n';
+         ", thickness " + (result.thickness > 0 ? to_text(result.thickness) : "unknown") +
+         ", gradient " +
+         (std::isnan(result.gradient_norm) ? "unknown" : to_text(result.gradient_norm)) +
+         remark(curve, result) + '\n';
 }
 
 } // namespace vfc

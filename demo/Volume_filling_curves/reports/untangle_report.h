@@ -10,8 +10,8 @@
 #include "files/curve_files.h"
 #include "session/Exit_status.h"
 
-#include <CGAL/Volume_filling_curves/Untangling_result.h>
-#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <string>
 
@@ -20,7 +20,7 @@ namespace vfc {
 class Report;
 class Session;
 
-// What a run of vfc untangle tells: its exit status, its part of the report, and its summary.
+// The outcome of vfc untangle: its exit status, its part of the report, and its summary.
 
 Exit_status exit_status(CGAL::Volume_filling_curves::Untangling_status status);
 

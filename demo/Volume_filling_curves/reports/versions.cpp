@@ -6,7 +6,7 @@
 
 #include "reports/versions.h"
 
-#include <CGAL/Volume_filling_curves/version.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 #include <CGAL/version.h>
 #include <CGAL/version_macros.h>
@@ -36,7 +36,19 @@ std::string tbb_version()
 #endif
 }
 
+std::string commit_name;
+
 } // namespace
+
+void set_commit(const std::string& name)
+{
+  commit_name = name;
+}
+
+const std::string& commit()
+{
+  return commit_name;
+}
 
 std::string package_version()
 {
@@ -45,8 +57,9 @@ std::string package_version()
 
 std::string all_versions()
 {
-  return "vfc " + package_version() + "\nCGAL " CGAL_VERSION_STR "\nEigen " + eigen_version() +
-         "\nTBB " + tbb_version() + "\n" BOOST_COMPILER;
+  return "vfc " + package_version() + (commit().empty() ? "" : "\ncommit " + commit()) +
+         "\nCGAL " CGAL_VERSION_STR "\nEigen " + eigen_version() + "\nTBB " + tbb_version() +
+         "\n" BOOST_COMPILER;
 }
 
 } // namespace vfc

@@ -11,6 +11,10 @@
 
 namespace vfc {
 
+// The commit that the program was built from, empty if there was no git. main() sets it.
+void set_commit(const std::string& name);
+const std::string& commit();
+
 // The version of the package, and the lines that `vfc --version` prints.
 std::string package_version();
 std::string all_versions();

@@ -9,7 +9,7 @@
 
 namespace vfc {
 
-// How the program ends; scripts rely on the numbers.
+// Exit statuses of the program; scripts rely on the numbers.
 enum Exit_status
 {
   GOAL_REACHED = 0,

@@ -8,12 +8,17 @@
 
 #include "reports/resources.h"
 #include "reports/versions.h"
+#include "session/Exit_status.h"
+#include "session/errors.h"
+#include "session/interruption.h"
 
 #include <cstdio>
 #include <utility>
 
 namespace vfc {
 namespace {
+
+constexpr const char* nothing_to_write = "vfc: interrupted, with nothing to be written\n";
 
 Verbosity verbosity(const Common_options& options)
 {
@@ -38,22 +43,41 @@ Session::Session(const std::string& command, const Common_options& options)
 {
   m_report["command"] = command;
   m_report["version"] = package_version();
+  if(!commit().empty()) m_report["commit"] = commit();
   m_report["threads"] = m_threads.number();
   m_report["seconds_by_stage"] = Report::Json::object();
 }
 
 void Session::start_report()
 {
-  if(m_options.report != "-") m_outputs.add("--report", m_options.report);
+  m_outputs.add("--report", m_options.report != "-" ? m_options.report : "");
   m_has_report = m_has_report || !m_options.report.empty();
+  prepare_last_words(nothing_to_write, "", ""); // the report may still turn out to be an input
+}
+
+void Session::prepare_interruption() const
+{
+  Report report = m_report;
+  report["status"] = "interrupted";
+  report["exit_status"] = INTERRUPTED;
+  prepare_last_words(nothing_to_write, m_options.report, report.to_string());
+}
+
+void Session::require_output() const
+{
+  if(!m_outputs.is_any_named() && !m_has_report)
+    throw Usage_error("no output: the result would be lost; give at least one of " +
+                      m_outputs.options());
 }
 
 // An error that the report cannot tell of: it would replace the input.
 void Session::add_input(const std::string& file, const std::string& replaced_by)
 {
+  forget_last_words();
   const bool had_report = std::exchange(m_has_report, false);
   m_outputs.add_input(file, replaced_by);
   m_has_report = had_report;
+  prepare_interruption();
 }
 
 void Session::print_result(const std::string& text) const
@@ -86,6 +110,7 @@ void Session::write_report(int exit_status)
   m_report["exit_status"] = exit_status;
   if(!m_has_report) return;
   m_has_report = false; // is tried once
+  forget_last_words();
   m_report["seconds"] = seconds();
   m_report["cpu_seconds"] = cpu_seconds() - m_start_cpu_seconds;
   if(peak_memory_bytes() > 0) m_report["peak_memory_bytes"] = peak_memory_bytes();

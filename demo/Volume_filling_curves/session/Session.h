@@ -46,6 +46,10 @@ public:
 
   bool has_report() const { return m_has_report; }
 
+  // Refuses to work for nothing, when all outputs are known. \throws Usage_error if the user wants
+  // neither a file nor a report
+  void require_output() const;
+
   // Tells of a file that is read, and of the option that may replace it, if any; a report never
   // does. \throws Usage_error
   void add_input(const std::string& file, const std::string& replaced_by = "");
@@ -67,6 +71,9 @@ public:
   void write_report(int exit_status);
 
 private:
+  // Has a signal that ends the program at once leave a report.
+  void prepare_interruption() const;
+
   using Clock = std::chrono::steady_clock;
 
   Common_options m_options;

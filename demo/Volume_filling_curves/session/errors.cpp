@@ -9,6 +9,9 @@
 #include "session/Console.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace vfc {
@@ -34,8 +37,16 @@ const Defect& Input_error::first_error() const
 
 void print_defects(const Console& console, const Defects& defects)
 {
+  constexpr std::size_t max_lines = 10;                               // of each kind
+  std::map<std::pair<std::string, std::string>, std::size_t> numbers; // by file and kind
   for(const Defect& defect : defects)
-    if(defect.is_error || !console.is_quiet()) console.print(defect.text + '\n');
+    if((defect.is_error || !console.is_quiet()) &&
+       ++numbers[{defect.file, defect.kind}] <= max_lines)
+      console.print(defect.text + '\n');
+  for(const auto& [name, number] : numbers)
+    if(number > max_lines)
+      console.print(name.first + ": " + name.second + ": and " +
+                    std::to_string(number - max_lines) + " more\n");
 }
 
 } // namespace vfc

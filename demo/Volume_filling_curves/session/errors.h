@@ -37,7 +37,8 @@ private:
 
 class Console;
 
-// Prints a line per defect, warnings only if the console is not quiet.
+// Prints a line per defect, but only ten of each kind and how many more there are; warnings only if
+// the console is not quiet.
 void print_defects(const Console& console, const Defects& defects);
 
 } // namespace vfc

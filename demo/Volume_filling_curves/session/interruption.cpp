@@ -9,8 +9,14 @@
 #include "session/Exit_status.h"
 
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <unistd.h>
+#endif
 
 namespace vfc {
 namespace {
@@ -19,12 +25,49 @@ volatile std::sig_atomic_t is_polled = 0;
 bool are_polls_ignored = false;
 volatile std::sig_atomic_t is_requested = 0;
 
+// read by the handler if they are complete
+volatile std::sig_atomic_t has_last_words = 0;
+std::string last_words, file_of_report, report_text;
+
+#ifndef _WIN32
+
+// Handlers may call nothing but what is safe there (POSIX, async-signal-safe).
+void write_all(int file, const std::string& text)
+{
+  for(std::size_t done = 0; done < text.size();) {
+    const ssize_t written = ::write(file, text.data() + done, text.size() - done);
+    if(written <= 0) return;
+    done += static_cast<std::size_t>(written);
+  }
+}
+
+void say_last_words()
+{
+  write_all(STDERR_FILENO, last_words);
+  if(file_of_report.empty()) return;
+  if(file_of_report == "-") return write_all(STDOUT_FILENO, report_text);
+  constexpr mode_t mode = 0666; // less the mask
+  const int file = ::open(file_of_report.c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode);
+  if(file < 0) return;
+  write_all(file, report_text);
+  ::close(file);
+}
+
+#else
+
+void say_last_words() {}
+
+#endif
+
 } // namespace
 
 extern "C" {
 static void on_interruption(int signal)
 {
-  if(is_polled == 0 || is_requested != 0) std::_Exit(INTERRUPTED);
+  if(is_polled == 0 || is_requested != 0) {
+    if(has_last_words != 0) say_last_words();
+    std::_Exit(INTERRUPTED);
+  }
   is_requested = 1;
   std::signal(signal, on_interruption); // System V resets it
 }
@@ -51,6 +94,27 @@ void ignore_polls()
 bool is_interruption_requested()
 {
   return is_requested != 0;
+}
+
+bool is_to_go_on(const CGAL::Volume_filling_curves::Run_progress&)
+{
+  return !is_interruption_requested();
+}
+
+void prepare_last_words(const std::string& line,
+                        const std::string& report_file,
+                        const std::string& report)
+{
+  forget_last_words();
+  last_words = line;
+  file_of_report = report_file;
+  report_text = report;
+  has_last_words = 1;
+}
+
+void forget_last_words()
+{
+  has_last_words = 0;
 }
 
 } // namespace vfc

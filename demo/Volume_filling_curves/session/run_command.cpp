@@ -6,6 +6,7 @@
 
 #include "session/run_command.h"
 
+#include "session/No_result.h"
 #include "session/Session.h"
 #include "session/errors.h"
 
@@ -15,6 +16,14 @@
 
 namespace vfc {
 namespace {
+
+int fail(Session& session, const No_result& end)
+{
+  session.report()["status"] = end.status() == INTERRUPTED ? "interrupted" : "limit";
+  session.console().fail(end.what());
+  session.write_report(end.status());
+  return end.status();
+}
 
 int fail(Session& session, const Input_error& error)
 {
@@ -36,6 +45,8 @@ int run_command(Session& session, const std::function<int(Session&)>& command)
     return status;
   } catch(const Input_error& error) {
     return fail(session, error);
+  } catch(const No_result& end) {
+    return fail(session, end);
   } catch(const std::bad_alloc&) {
     return fail(session, FAILURE, "there is not enough memory");
   } catch(const std::exception& error) {

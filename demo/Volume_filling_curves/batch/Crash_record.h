@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_CRASH_RECORD_H
+#define VFC_CRASH_RECORD_H
+
+#include <cstdio>
+#include <string>
+
+namespace vfc {
+
+// While a record exists, a crash of the process, such as a segmentation fault or an overflow of the
+// main thread's stack, appends a line to a file before it ends the process. A batch would otherwise
+// begin with the same input, and crash, at each of its starts. At most one record at a time; does
+// nothing on Windows.
+class Crash_record
+{
+public:
+  // Takes a file that was opened for appending, and the line with its end.
+  Crash_record(std::FILE* file, const std::string& line);
+  Crash_record(const Crash_record&) = delete;
+  Crash_record& operator=(const Crash_record&) = delete;
+  ~Crash_record();
+};
+
+} // namespace vfc
+
+#endif // VFC_CRASH_RECORD_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_VTK_ENCODING_H
+#define VFC_VTK_ENCODING_H
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace vfc {
+
+// Why the arrays of a file cannot be decoded.
+struct Encoding_error : std::runtime_error
+{
+  explicit Encoding_error(const std::string& message, std::size_t line_of_array = 0)
+      : std::runtime_error(message), line(line_of_array)
+  {}
+
+  std::size_t line; // 0 if it is not known
+};
+
+// How VTK's XML formats write arrays that are not in ASCII: bytes behind their number, or blocks
+// compressed by zlib behind the sizes of all blocks; both either raw or in base64. Sizes are
+// checked before memory is asked for.
+class Vtk_encoding
+{
+public:
+  // Takes the attributes of <VTKFile>; an empty one is absent. Compressed arrays with more than so
+  // many bytes are refused. \throws Encoding_error
+  Vtk_encoding(std::string_view header_type,
+               std::string_view byte_order,
+               std::string_view compressor,
+               std::size_t most_bytes);
+
+  // Returns an array that stands at the beginning of `data`. \throws Encoding_error
+  std::string bytes(std::string_view data, bool is_base64) const;
+
+  // Appends the numbers that bytes are, with blanks between, to a text. They keep their values.
+  // \throws Encoding_error if `type` is not one of VTK's, such as "Float32"
+  void append_numbers(std::string& text, std::string_view bytes, std::string_view type) const;
+
+private:
+  std::uint64_t size_at(std::string_view sizes, std::size_t place) const;
+  std::string inflated_blocks(std::string_view sizes, std::string_view blocks) const;
+
+  std::size_t m_bytes_of_size = 4, m_most_bytes;
+  bool m_is_big_endian;
+  bool m_is_compressed;
+};
+
+} // namespace vfc
+
+#endif // VFC_VTK_ENCODING_H

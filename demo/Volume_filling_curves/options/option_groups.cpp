@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "options/option_groups.h"
+
+#include <initializer_list>
+
+namespace vfc {
+namespace {
+
+struct Option_group
+{
+  const char* name;
+  std::initializer_list<const char*> options;
+};
+
+const Option_group groups[] = {
+    {"Input", {"--network", "--closed", "--open", "--free-ends", "--curve", "--start"}},
+    {"Shape of the result",
+     {"--thickness-field", "--direction-field", "--direction-weight", "--wall", "--keep-length"}},
+    {"More outputs", {"--certificate", "--map", "--frames", "--every", "--frame-format"}},
+    {"Interrupted runs", {"--checkpoint", "--save-every", "--resume"}},
+    {"Many runs", {"--batch", "--shard", "--format"}},
+    {"Flow and search",
+     {"--max-iterations", "--seed", "--tolerance", "--chains", "--directions", "--rmax",
+      "--spacing", "--lambda", "--beta", "--tau", "--preconditioner"}},
+    {"General", {"--threads", "--quiet", "--verbose"}}};
+
+} // namespace
+
+void group_options(CLI::App& command)
+{
+  for(const Option_group& group : groups)
+    for(const char* const name : group.options)
+      if(CLI::Option* const option = command.get_option_no_throw(name)) option->group(group.name);
+}
+
+} // namespace vfc

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_COMBINED_SHELLS_H
+#define VFC_COMBINED_SHELLS_H
+
+#include "meshes/Watched_points.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace vfc {
+
+struct Combined_shells
+{
+  Mesh surface;             // empty where CGAL meets what it does not expect
+  std::size_t cavities = 0; // the shells that were taken away
+};
+
+// Returns the surface of what shells enclose together, turned like the largest one. Shells that are
+// turned the other way are taken away from the union of the others. \throws Work_stopped
+// \pre the shells are closed, and none intersects itself
+Combined_shells combined(std::vector<Mesh> shells, Work_watch& watch);
+
+// Returns the surface of what one mesh encloses and another one does not; nothing where CGAL meets
+// what it does not expect, or the result touches itself in an edge. \throws Work_stopped
+// \pre both bound a domain
+std::optional<Mesh> difference(Mesh mesh, Mesh other, Work_watch& watch);
+
+} // namespace vfc
+
+#endif // VFC_COMBINED_SHELLS_H

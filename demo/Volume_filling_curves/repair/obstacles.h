@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_OBSTACLES_H
+#define VFC_OBSTACLES_H
+
+#include "files/mesh_files.h"
+
+#include <string>
+#include <vector>
+
+namespace vfc {
+
+// Reads obstacles and adds them to a mesh, whose vertices keep their places. \throws Input_error
+// also if an obstacle is not strictly inside, apart from all others
+void add_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>& files);
+
+// Reads obstacles, mends them and adds them to a mesh; what crosses the mesh or other obstacles is
+// cut out. \throws Input_error also if an obstacle is outside, within another one or around it, or
+// if what is left is nothing or touches itself
+void add_or_cut_out_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>& files);
+
+} // namespace vfc
+
+#endif // VFC_OBSTACLES_H
