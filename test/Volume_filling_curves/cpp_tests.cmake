@@ -2,7 +2,7 @@
 #
 # Author(s) : The Volume_filling_curves authors
 #
-# One GoogleTest program per test_*.cpp, or two of all rooms together. Each leaves the results of its
+# One GoogleTest program per test_*.cpp, or two in a unity build. Each leaves the results of its
 # cases in gtest_results/. The target `tests` builds all but the long ones, `long_tests` those.
 
 list(TRANSFORM places REPLACE "=(.*)$" "=\"\\1\"" OUTPUT_VARIABLE quoted_places)
@@ -43,7 +43,7 @@ function(add_test_program program shards)
              --gtest_output=xml:${CMAKE_BINARY_DIR}/gtest_results/${name}.xml)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
-    if(name MATCHES "^test_long_")
+    if(name MATCHES "^(test|unity)_long_")
       set_tests_properties(${name} PROPERTIES LABELS long TIMEOUT 1500)
     endif()
   endforeach()
@@ -51,24 +51,24 @@ endfunction()
 
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
 if(NOT TARGET vfc_parts)
-  list(FILTER sources EXCLUDE REGEX "/(film|meshes|pictures|repair)/") # rooms of the program vfc
+  list(FILTER sources EXCLUDE REGEX "/(film|formats|meshes|pictures|repair)/") # modules of the program vfc
 endif()
 set(long_sources ${sources})
 list(FILTER long_sources INCLUDE REGEX "/test_long_")
 list(FILTER sources EXCLUDE REGEX "/test_long_")
 
 add_custom_target(long_tests)
-if(VFC_ROOMS_AT_ONCE)
+if(VFC_UNITY_BUILD)
   # The units are few, for what they share, but enough for two processors with the memory of CI.
-  add_test_program(test_rooms 24 ${sources})
-  set_target_properties(test_rooms PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 21)
-  add_dependencies(tests test_rooms)
-  add_test_program(test_long_rooms 4 ${long_sources})
-  set_target_properties(test_long_rooms PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  add_test_program(unity_tests 24 ${sources})
+  set_target_properties(unity_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 21)
+  add_dependencies(tests unity_tests)
+  add_test_program(unity_long_tests 4 ${long_sources})
+  set_target_properties(unity_long_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   # GCC 12 takes the empty functors of CGAL 5.5 for uninitialized variables.
-  target_compile_options(test_long_rooms PRIVATE
+  target_compile_options(unity_long_tests PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  add_dependencies(long_tests test_long_rooms)
+  add_dependencies(long_tests unity_long_tests)
 else()
   foreach(source IN LISTS sources long_sources)
     get_filename_component(name ${source} NAME_WE)

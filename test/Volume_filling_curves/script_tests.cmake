@@ -2,13 +2,13 @@
 #
 # Author(s) : The Volume_filling_curves authors
 #
-# Tests that are scripts run the program, but for those of the house, which read the sources. They
+# Tests that are scripts run the program, but for those in layout/, which read the sources. They
 # find the program and the data through the environment.
 
 file(GLOB scripts CONFIGURE_DEPENDS
   ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.sh ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.py)
 if(NOT TARGET vfc)
-  list(FILTER scripts INCLUDE REGEX "/house/")
+  list(FILTER scripts INCLUDE REGEX "/layout/")
 endif()
 foreach(script IN LISTS scripts)
   get_filename_component(name ${script} NAME)
@@ -26,3 +26,7 @@ foreach(script IN LISTS scripts)
     set_tests_properties(${name} PROPERTIES LABELS "example;script") # where examples are built
   endif()
 endforeach()
+if(TARGET tour AND TARGET read_write_curves)
+  set_property(TEST test_example_quotes.py APPEND PROPERTY
+    ENVIRONMENT VFC_EXAMPLES=$<TARGET_FILE_DIR:tour>)
+endif()

@@ -8,15 +8,17 @@
 #include "support/mesh_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>
-#include <CGAL/Volume_filling_curves/verify_certificate_in_domain.h>
+#include <CGAL/Volume_filling_curves/verify_certificate.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -78,6 +80,47 @@ TEST(Certificate_in_domain, of_a_filling_is_valid)
   const Certificate_verdict verdict = verdict_in(motion, mesh);
   EXPECT_TRUE(verdict.is_valid) << verdict.operation << ": " << verdict.message;
   EXPECT_TRUE(verdict_in(motion, Mesh_domain(mesh)).is_valid);
+}
+
+// The polylines of a network.
+std::vector<std::vector<Point>> polylines(const Network& curve)
+{
+  std::vector<std::vector<Point>> result;
+  vfc::curve_network_to_polylines(curve, std::back_inserter(result));
+  return result;
+}
+
+TEST(Certificate_verdict, is_a_sentence)
+{
+  const vfc::Ball_domain_3<> ball(Point(0, 0, 0), 2), smaller(Point(0, 0, 0), 1);
+  const Motion motion = filling(ball, square(0.5, Point(0, 0, 0)));
+  const Certificate_verdict verdict = verdict_in(motion, ball);
+  const std::string operations = std::to_string(verdict.number_of_operations);
+  EXPECT_EQ(verdict.sentence(), "verified: " + operations +
+                                    " operations; the end is ambient isotopic to the start and "
+                                    "never left the domain");
+  EXPECT_EQ(motion.verdict().sentence("a.obj", "b.obj"),
+            "verified: " + operations + " operations; b.obj is ambient isotopic to a.obj");
+  const Certificate_verdict refused = verdict_in(motion, smaller);
+  EXPECT_GT(refused.operation, 0u);
+  EXPECT_EQ(refused.sentence(),
+            "rejected: operation " + std::to_string(refused.operation) + ": " + refused.message);
+  EXPECT_EQ(verify_certificate(motion.certificate, motion.end, motion.end).sentence(),
+            "rejected: start: the certificate starts from another curve");
+}
+
+TEST(Certificate_in_domain, is_verified_for_polylines)
+{
+  const vfc::Ball_domain_3<> ball(Point(0, 0, 0), 1);
+  Network curve;
+  Isotopy_certificate certificate;
+  const auto result = vfc::fill(
+      curve, ball,
+      vfc::parameters::thickness(0.4).number_of_iterations(3).certificate(std::ref(certificate)));
+  EXPECT_TRUE(verify_certificate(certificate, result.start, curve, ball).is_valid);
+  EXPECT_TRUE(verify_certificate(certificate, result.start, polylines(curve)).is_valid);
+  EXPECT_TRUE(verify_certificate(certificate, result.start[0], polylines(curve)[0]).is_valid);
+  EXPECT_FALSE(verify_certificate(certificate, polylines(curve), result.start).is_valid);
 }
 
 TEST(Certificate_in_domain, of_a_filled_ball_is_valid)

@@ -6,8 +6,8 @@
 
 // Where in the input the nodes of an edited network come from.
 
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/curve_origins.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 
 #include <gtest/gtest.h>

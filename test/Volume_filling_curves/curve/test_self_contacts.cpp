@@ -7,7 +7,7 @@
 #include "support/brute_force_curve.h"
 #include "support/curve_defects_test_support.h"
 
-#include <CGAL/Volume_filling_curves/is_embedded.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 
 #include <gtest/gtest.h>
 

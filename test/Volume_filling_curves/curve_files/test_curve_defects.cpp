@@ -66,8 +66,8 @@ TEST(Files, without_a_curve_are_errors)
 
 TEST(Files, with_binary_data_name_the_line)
 {
-  const std::string tail = std::string("v 1 \x01 2\n") + '\0';
-  expect_only(check_obj(square + tail), Kind::BINARY_DATA, 5, {});
+  const std::string ray = std::string("v 1 \x01 2\n") + '\0';
+  expect_only(check_obj(square + ray), Kind::BINARY_DATA, 5, {});
   expect_only(check_txt("1 0 0 0\r\n1 2 \x7f 3"), Kind::BINARY_DATA, 2, {});
   const std::string utf16("\xFF\xFEv\0 \0", 6);
   expect_only(check_obj(utf16), Kind::BINARY_DATA, 1, {});

@@ -65,9 +65,38 @@ TEST(Pdb_reader, takes_all_residues_of_a_chain_after_the_end_of_another)
   EXPECT_TRUE(reading.defects.empty());
 }
 
+TEST(Pdb_reader, reads_the_phosphorus_of_nucleic_acids)
+{
+  const std::string text =
+      atom("ATOM", " O5'", 'A', 0, 0) + atom("ATOM", " P  ", 'A', 1, 6) +
+      atom("ATOM", " C1'", 'A', 1, 7) + atom("HETATM", " P  ", 'A', 2, 12) /* modified */ +
+      atom("ATOM", " P  ", 'A', 3, 18) + "TER\n" + atom("ATOM", " P  ", 'B', 0, 50) +
+      atom("ATOM", " P  ", 'B', 1, 57.5) + "TER\n" + atom("HETATM", " P  ", 'A', 9, 80) +
+      atom("HETATM", " P  ", 'C', 1, 90) /* a ligand */ + "END\n";
+  const Reading reading = read_pdb(text);
+  ASSERT_TRUE(reading.is_accepted);
+  ASSERT_EQ(reading.network.number_of_components(), 2u);
+  EXPECT_EQ(reading.network.number_of_nodes(), 5u);
+  EXPECT_EQ(reading.network.point(0), Network::Point_3(6, 0.5, 0.1));
+  EXPECT_TRUE(reading.defects.empty()) << "P atoms are up to 7.5 Angstrom apart";
+}
+
+TEST(Pdb_reader, leaves_out_the_phosphorus_of_proteins)
+{
+  const Reading reading = read_pdb(
+      atom("ATOM", " CA ", 'A', 0, 0) + atom("HETATM", " CA ", 'A', 1, 3) +
+      atom("HETATM", " P  ", 'A', 1, 5) /* phosphoserine */ + atom("ATOM", " CA ", 'A', 2, 6) +
+      atom("ATOM", " P  ", 'B', 0, 30) + atom("ATOM", " P  ", 'B', 1, 36) + "END\n");
+  ASSERT_TRUE(reading.is_accepted);
+  EXPECT_EQ(reading.network.number_of_nodes(), 5u);
+  EXPECT_EQ(reading.network.number_of_components(), 2u);
+  EXPECT_TRUE(reading.defects.empty());
+}
+
 TEST(Pdb_reader, says_where_a_file_is_wrong_and_where_residues_are_missing)
 {
-  EXPECT_EQ(complaint(read_pdb("HEADER\nEND\n")), "2: there are no C-alpha atoms (records ATOM)");
+  EXPECT_EQ(complaint(read_pdb("HEADER\nEND\n")),
+            "2: there are no C-alpha or P atoms (records ATOM)");
   std::string bad = atom("ATOM", " CA ", 'A', 0, 0) + atom("ATOM", " CA ", 'A', 1, 3);
   bad.replace(bad.size() - 25, 8, "    ****");
   EXPECT_EQ(complaint(read_pdb(bad)), "2: '****' is not a number");

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace test_point_readers {
@@ -34,6 +35,20 @@ TEST(Vect_reader, takes_a_repeated_first_point_for_closure)
   ASSERT_TRUE(reading.is_accepted);
   EXPECT_EQ(reading.network.number_of_nodes(), 3u);
   EXPECT_TRUE(reading.network.is_closed(0));
+}
+
+TEST(Vect_reader, takes_braces_around_the_file)
+{
+  const std::string rest = "VECT 1 3 0 -3 0 0 0 0 1 0 0 0 1 0";
+  for(const std::string& text :
+      {"{ " + rest + " }", "{" + rest + "}\n", "# a knot\n{ = " + rest + "\n}\n"}) {
+    const Reading reading = read_vect(text);
+    EXPECT_EQ(reading.is_accepted, text.find('=') == std::string::npos) << text;
+    if(reading.is_accepted) {
+      EXPECT_TRUE(reading.network.is_closed(0));
+    }
+  }
+  EXPECT_EQ(complaint(read_vect("{ " + rest)), "1: '{' is not VECT, the first word");
 }
 
 TEST(Vect_reader, says_where_a_file_is_wrong)
@@ -123,12 +138,15 @@ using Shared_formats = shared_curves::Shared_data_test;
 TEST_F(Shared_formats, formats_of_other_programs_are_read)
 {
   const auto folder = shared_curves::folder() / "real" / "formats";
-  const auto components = [&](const std::string& name) {
+  const auto components = [&](const std::string& name,
+                              std::optional<Closure> closure = std::nullopt) {
     Network network;
-    EXPECT_TRUE(CGAL::IO::read_curve_network((folder / name).string(), network)) << name;
+    EXPECT_TRUE(CGAL::IO::read_curve_network((folder / name).string(), network,
+                                             Junctions::FORBIDDEN, closure))
+        << name;
     return network.number_of_components();
   };
-  EXPECT_EQ(components("05_123.xyz"), 3u) << "which END separates";
+  EXPECT_EQ(components("05_123.xyz", Closure::OPEN), 3u) << "which END separates";
   EXPECT_EQ(components("kymoknot_rings.dat"), 10u);
   EXPECT_EQ(components("9.2.40.vect"), 2u);
   EXPECT_EQ(components("10.127.vect"), 1u);

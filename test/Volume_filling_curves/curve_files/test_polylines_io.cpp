@@ -6,7 +6,7 @@
 
 #include "support/curve_io_test_support.h"
 
-#include <CGAL/Volume_filling_curves/polylines.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/number_type_config.h>
@@ -88,7 +88,9 @@ TEST(Round_trip, is_exact_to_the_last_bit)
                                 "a.xyz", "a.txt", "a.dat", "a.ply", "a.vtp"}) {
     Network copy;
     ASSERT_TRUE(CGAL::IO::write_curve_network(folder.file(name), network));
-    ASSERT_TRUE(CGAL::IO::read_curve_network(folder.file(name), copy)) << name;
+    ASSERT_TRUE(CGAL::IO::read_curve_network(folder.file(name), copy, Junctions::FORBIDDEN,
+                                             Closure::IF_REPEATED))
+        << name;
     expect_same(network, copy);
     const bool has_pins = name == "a.obj" || name == "A.OBJ" || name == "a.ply" || name == "a.vtp";
     EXPECT_EQ(copy.is_pinned(150), has_pins);

@@ -5,8 +5,10 @@
 #
 # Author(s) : The Volume_filling_curves authors
 """Has VTK read what the program vfc writes: VTP with lines and point data, the vertices of PLY (its
-edges VTK passes over), the frames that a PVD file lists, and tubes."""
+edges VTK passes over), the frames that a PVD file lists, and tubes. Has vfc read what VTK writes, in
+every encoding."""
 
+import itertools
 import os
 import pathlib
 import subprocess
@@ -20,7 +22,7 @@ except ImportError:
     print("there is no VTK for Python (python3-vtk9)")
     sys.exit(77)
 
-LIMIT = 2  # exit status
+LIMIT, INVALID_INPUT = 2, 4  # exit statuses
 
 
 def vfc(*arguments, expected=0):
@@ -115,8 +117,62 @@ def check_tubes(folder):
     assert sizes[0] == sizes[1] == sizes[2] and sizes[0][1] > 0, sizes
 
 
+def encodings():
+    """Writers of VTP in every encoding but LZ4 and LZMA."""
+    for mode, is_base64, is_compressed, is_long, is_big in itertools.product(
+            ("Ascii", "Binary", "Appended"), *[(False, True)] * 4):
+        writer = vtk.vtkXMLPolyDataWriter()
+        getattr(writer, f"SetDataModeTo{mode}")()
+        writer.SetEncodeAppendedData(is_base64)
+        (writer.SetCompressorTypeToZLib if is_compressed else writer.SetCompressorTypeToNone)()
+        (writer.SetHeaderTypeToUInt64 if is_long else writer.SetHeaderTypeToUInt32)()
+        (writer.SetByteOrderToBigEndian if is_big else writer.SetByteOrderToLittleEndian)()
+        writer.SetBlockSize(4096)
+        yield writer, (mode, is_base64, is_compressed, is_long, is_big)
+
+
+def written(writer, data, file):
+    writer.SetInputData(data)
+    writer.SetFileName(str(file))
+    assert writer.Write() == 1
+    return file
+
+
+def stripped(data):
+    stripper = vtk.vtkStripper()
+    stripper.SetInputData(data)
+    stripper.Update()
+    assert stripper.GetOutput().GetNumberOfStrips() > 0
+    return stripper.GetOutput()
+
+
+def check_encodings(folder):
+    knot, file, again = folder / "binary.obj", folder / "binary.vtp", folder / "again.obj"
+    vfc("generate", "torus-knot", "--nodes", 300, "-o", knot)
+    vfc("convert", knot, "-o", file)
+    curve = read(vtk.vtkXMLPolyDataReader(), file)
+    source = vtk.vtkSphereSource()
+    source.SetThetaResolution(40)
+    source.SetPhiResolution(40)
+    source.Update()
+    for writer, encoding in encodings():
+        vfc("convert", written(writer, curve, file), "-o", again, "--force")
+        assert read_obj(again) == read_obj(knot), encoding
+    surfaces = set()
+    for writer, encoding in encodings():
+        for data in (source.GetOutput(), stripped(source.GetOutput())):
+            vfc("convert", written(writer, data, file), "-o", folder / "sphere.off", "--force")
+            vfc("check", file)
+            surfaces.add((data.GetNumberOfStrips() > 0, (folder / "sphere.off").read_text()))
+    assert len(surfaces) == 2, "the same in every encoding"
+    for compressor in ("LZ4", "LZMA"):
+        writer = vtk.vtkXMLPolyDataWriter()
+        getattr(writer, f"SetCompressorTypeTo{compressor}")()
+        vfc("check", written(writer, curve, file), expected=INVALID_INPUT)
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        for check in (check_curves, check_pinned_nodes, check_frames, check_tubes):
+        for check in (check_curves, check_pinned_nodes, check_frames, check_tubes, check_encodings):
             check(pathlib.Path(name))
             print(check.__name__, "passed")

@@ -9,7 +9,6 @@
 #include "support/curve_io_test_support.h"
 #include "support/shared_curves.h"
 
-#include <CGAL/Volume_filling_curves/IO/curve_frames.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
@@ -222,19 +221,6 @@ TEST(Node_values, that_cannot_be_written_are_refused)
   }
   EXPECT_FALSE(CGAL::IO::write_curve_network(folder.file("a.pdb"), network));
   EXPECT_EQ(folder.number_of_files(), 0u);
-}
-
-TEST(Frames, are_listed_for_paraview)
-{
-  const Folder folder;
-  std::error_code error;
-  ASSERT_TRUE(CGAL::IO::write_curve_frames(folder.file("a.pvd"),
-                                           {{0, "a 0.vtp"}, {2.5, "a<&\"1.vtp"}}, error));
-  const std::string text = content(folder.file("a.pvd"));
-  EXPECT_NE(text.find("timestep=\"2.5\" part=\"0\" file=\"a&lt;&amp;&quot;1.vtp\""),
-            std::string::npos);
-  EXPECT_FALSE(CGAL::IO::write_curve_frames(folder.file("none/a.pvd"), {}, error));
-  EXPECT_TRUE(error);
 }
 
 using Shared_value_formats = shared_curves::Shared_data_test;

@@ -11,7 +11,7 @@
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
-#include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

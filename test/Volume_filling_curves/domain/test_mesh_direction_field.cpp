@@ -6,7 +6,7 @@
 
 #include "support/mesh_test_support.h"
 
-#include <CGAL/Volume_filling_curves/Mesh_direction_field_3.h>
+#include <CGAL/Volume_filling_curves/Mesh_fields_3.h>
 
 #include <gtest/gtest.h>
 

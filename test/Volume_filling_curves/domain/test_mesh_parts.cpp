@@ -43,7 +43,7 @@ void expect_parts(const std::vector<Soup>& shells, std::size_t number)
     all += shell;
     surfaces.emplace_back(shell);
   }
-  const Mesh_domain domain(meshes::to_mesh(all));
+  const Mesh_domain domain(meshes::to_mesh(all), parameters::check_mesh(false));
   std::map<std::size_t, std::vector<bool>> shells_around;
   CGAL::Random random(1);
   const CGAL::Bbox_3 box = domain.bbox();

@@ -6,10 +6,13 @@
 
 #include "support/mesh_test_support.h"
 
-#include <CGAL/Volume_filling_curves/Mesh_thickness_field_3.h>
+#include <CGAL/Volume_filling_curves/Mesh_fields_3.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <vector>
 
@@ -36,6 +39,27 @@ TEST(Mesh_thickness_field, interpolates_on_the_surface)
   EXPECT_EQ(Mesh_thickness_field_3<>(mesh, map)({.3, .4, .1}), field({.3, .4, .1}));
   EXPECT_THROW(Mesh_thickness_field_3<>(mesh, {1, 2}), std::invalid_argument);
   EXPECT_THROW(Mesh_thickness_field_3<>(Mesh(), {}), std::invalid_argument);
+}
+
+// Faces that are not connected crashed the shells of the mesh.
+TEST(Mesh_thickness_field, takes_meshes_that_are_not_closed)
+{
+  const meshes::Soup cube = meshes::voxels({{0, 0, 0}});
+  Mesh apart;
+  std::vector<double> values;
+  for(const meshes::Face& f : cube.faces) {
+    std::vector<Mesh::Vertex_index> corners;
+    for(const std::size_t v : f) {
+      corners.push_back(apart.add_vertex(cube.points[v]));
+      values.push_back(1 + cube.points[v].x());
+    }
+    apart.add_face(corners);
+  }
+  EXPECT_NEAR(Mesh_thickness_field_3<>(apart, values)({.3, .4, .1}), 1.3, 1e-15);
+  Mesh open = meshes::to_mesh(cube);
+  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
+  open.collect_garbage();
+  EXPECT_EQ(Mesh_thickness_field_3<>(open, std::vector<double>(8, 2.))({.3, .4, .1}), 2);
 }
 
 } // namespace test_mesh_thickness_field

@@ -7,7 +7,7 @@
 #include "support/fill_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
-#include <CGAL/Volume_filling_curves/alignment.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 
 #include <CGAL/tags.h>
 

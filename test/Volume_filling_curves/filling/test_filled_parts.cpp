@@ -10,9 +10,9 @@
 #include "support/mesh_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
-#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
-#include <CGAL/Volume_filling_curves/verify_certificate_in_domain.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/verify_certificate.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include <CGAL/Volume_filling_curves/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 
 #include <gtest/gtest.h>
 

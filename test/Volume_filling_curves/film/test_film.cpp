@@ -5,8 +5,8 @@
 // Author(s) : The Volume_filling_curves authors
 
 #include "film/Film.h"
-#include "film/base64.h"
 #include "film/film_page.h"
+#include "formats/base64.h"
 
 #include <CGAL/boost/graph/generators.h>
 
@@ -49,17 +49,6 @@ std::vector<Number> numbers(const Json& text)
   std::vector<Number> result(bytes.size() / sizeof(Number));
   std::memcpy(result.data(), bytes.data(), bytes.size());
   return result;
-}
-
-TEST(Base64, is_that_of_the_standard) // RFC 4648, section 10
-{
-  EXPECT_EQ(base64(std::string()), "");
-  EXPECT_EQ(base64(std::string("f")), "Zg==");
-  EXPECT_EQ(base64(std::string("fo")), "Zm8=");
-  EXPECT_EQ(base64(std::string("foo")), "Zm9v");
-  EXPECT_EQ(base64(std::string("foob")), "Zm9vYg==");
-  EXPECT_EQ(base64(std::string("fooba")), "Zm9vYmE=");
-  EXPECT_EQ(base64(std::string("foobar")), "Zm9vYmFy");
 }
 
 TEST(Base64, has_the_least_byte_first)

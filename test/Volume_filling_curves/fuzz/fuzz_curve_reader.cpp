@@ -8,7 +8,7 @@
 // accept must come back unchanged from a file. Build with clang++
 // -fsanitize=fuzzer,address,undefined.
 
-#include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include "support/guard_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
-#include <CGAL/Volume_filling_curves/Unbounded_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "support/guard_test_support.h"
 
-#include <CGAL/Volume_filling_curves/is_embedded.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 
 #include "support/flow_test_support.h"
 
-#include <CGAL/Volume_filling_curves/alignment.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 
 #include <gtest/gtest.h>
 

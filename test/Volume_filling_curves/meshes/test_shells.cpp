@@ -4,10 +4,10 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/shell_places.h"
 #include "support/exact_surface.h"
 #include "support/mesh_file_test_support.h"
 
+#include <CGAL/Volume_filling_curves/internal/domain/shell_places.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <gtest/gtest.h>
@@ -21,6 +21,7 @@ namespace test_shells {
 
 using namespace mesh_file_test;
 using CGAL::Volume_filling_curves::internal::Random_source;
+using CGAL::Volume_filling_curves::internal::Shell_places;
 
 using Shells = Mesh_file;
 
@@ -113,7 +114,7 @@ TEST_F(Shells, have_the_places_that_brute_force_finds_at_every_scale)
         faces.emplace_back(mesh.faces().begin() + static_cast<std::ptrdiff_t>(first),
                            mesh.faces().end());
       }
-      const auto places = vfc::places_of_shells(mesh, faces);
+      const auto places = Shell_places<vfc::Mesh>::find(mesh, faces);
       for(std::size_t i = 0; i < faces.size(); ++i) {
         const Soup& inner = nest.shells[i];
         const Point middle = CGAL::midpoint(inner.points[0], inner.points[1]);

@@ -75,12 +75,12 @@ TEST_F(Vertex_values, that_are_bad_are_named_with_their_line)
           Case{"e.csv", "1\n2\n3\n", "wrong value count", 0},
           Case{"f.csv", "", "wrong value count", 0},
           Case{"g.ply", minus.c_str(), "bad value", 0},
-          Case{"h.ply", word.c_str(), "unreadable file", 0},
+          Case{"h.ply", word.c_str(), "unparsable number", 8},
           Case{"i.ply", cut.c_str(), "truncated file", 8},
           Case{"j.ply",
                "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n0\n0\n",
                "missing property", 0},
-          Case{"k.ply", "nonsense", "missing property", 0},
+          Case{"k.ply", "nonsense", "unknown format", 1},
       }) {
     EXPECT_FALSE(read_values(c.name, c.text)) << c.name;
     ASSERT_FALSE(defects.empty());

@@ -7,8 +7,8 @@
 // Named parameters fill the structs of parameters, and what a function does not take is an error at
 // compile time: the trait that its static_assert uses is tested here.
 
-#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
-#include <CGAL/Volume_filling_curves/Run_checkpoint.h>
+#include <CGAL/Volume_filling_curves/Run_state.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
 
@@ -37,6 +37,11 @@ Isotopy_certificate certificate;
 const Run_state state;
 
 void note(const Run_checkpoint&) {}
+
+bool go_on(const Run_progress&)
+{
+  return true;
+}
 
 double one(const Point&)
 {
@@ -92,6 +97,8 @@ static_assert(takes<Fill, decltype(parameters::resume_from(std::cref(state)))>);
 static_assert(!takes<Fill, decltype(parameters::resume_from(state))>);
 static_assert(takes<Untangle, decltype(parameters::checkpoint(note))>);
 static_assert(!takes<Simplify, decltype(parameters::checkpoint(note))>);
+static_assert(takes<Untangle, decltype(parameters::progress(go_on))>);
+static_assert(!takes<Untangle, decltype(parameters::progress(note))>);
 static_assert(!takes<Untangle, decltype(parameters::checkpoint(one))>);
 
 TEST(Named_parameters, fill_a_struct)

@@ -6,12 +6,12 @@
 
 // The names of statuses, proofs and choices, which users print.
 
-#include <CGAL/Volume_filling_curves/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/Filling_result.h>
-#include <CGAL/Volume_filling_curves/Polyline_conventions.h>
-#include <CGAL/Volume_filling_curves/Untangling_result.h>
-#include <CGAL/Volume_filling_curves/Untangling_strategy.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include "pictures/edge_values.h"
 #include "session/errors.h"
 
-#include <CGAL/Volume_filling_curves/default_thickness.h>
 #include <CGAL/Volume_filling_curves/generators.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <gtest/gtest.h>
 

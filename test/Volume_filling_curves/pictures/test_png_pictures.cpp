@@ -181,7 +181,7 @@ TEST(Png_picture, has_the_size_and_the_scale_that_are_asked_for)
 {
   const Curve curve({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 1, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
   Picture_options options;
-  options.pixels = 400;
+  options.pixels = {400, 400};
   for(const auto coloring : {Coloring::COMPONENT, Coloring::ARCLENGTH}) {
     options.coloring = coloring;
     const Rgb_image picture = read_png(png_picture(curve, Mesh(), options));

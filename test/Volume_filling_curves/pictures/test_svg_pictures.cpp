@@ -6,6 +6,7 @@
 
 #include "pictures/Curve_view.h"
 #include "pictures/Stroke_layers.h"
+#include "pictures/Tube_colors.h"
 #include "pictures/curve_pictures.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
@@ -17,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -133,6 +135,87 @@ TEST(Stroke_layers, put_the_upper_strand_into_the_higher_layer)
     EXPECT_GT(crossings, 2);
     EXPECT_EQ(wrong, 0);
   }
+}
+
+Picture_options colored(Coloring coloring)
+{
+  Picture_options options;
+  options.coloring = coloring;
+  return options;
+}
+
+// The paths of white strokes, each of which begins with an M.
+std::size_t number_of_gaps(const std::string& text)
+{
+  std::size_t n = 0;
+  const std::string begin = "<path stroke=\"#fff\"";
+  for(std::size_t i = text.find(begin); i != std::string::npos; i = text.find(begin, i + 1))
+    n += count(text.substr(i, text.find("/>", i) - i), "M");
+  return n;
+}
+
+// A gap that began anew with each color made 65 of them.
+TEST(Svg_picture, has_whole_gaps_at_three_crossings_however_many_colors_there_are)
+{
+  const Curve trefoil = generators::closed_network(generators::torus_knot(2, 3, 200));
+  for(const Coloring coloring : {Coloring::COMPONENT, Coloring::ARCLENGTH, Coloring::CURVATURE,
+                                 Coloring::RADIUS, Coloring::THICKNESS}) {
+    const std::size_t gaps = number_of_gaps(svg_picture(trefoil, Mesh(), colored(coloring)));
+    EXPECT_GE(gaps, 3u);
+    EXPECT_LE(gaps, 12u); // a strand may pass over another one in several layers
+  }
+}
+
+TEST(Stroke_layers, have_pieces_whose_colors_are_next_to_each_other)
+{
+  const Curve curve = generators::closed_network(generators::lattice_polygon(30, 1));
+  const Edge_values values = edge_values(curve, Coloring::ARCLENGTH);
+  const Tube_colors colors(Coloring::ARCLENGTH, values);
+  const Drawn_curve drawn(curve, Curve_view(curve), values);
+  const Stroke_layers layers(drawn, colors.level_step());
+  std::size_t changes = 0;
+  for(const Stroke_piece& piece : layers.pieces()) {
+    if(&piece == &layers.pieces().back()) continue; // there the length begins anew
+    const std::size_t level = colors.level(piece.value);
+    const std::size_t next = colors.level(layers.pieces()[piece.next].value);
+    changes += next != level;
+    EXPECT_LE(next, level + 1);
+    EXPECT_LE(level, next + 1);
+  }
+  EXPECT_GT(changes, 40u);
+}
+
+TEST(Curve_view, fills_the_picture_with_what_a_cut_leaves)
+{
+  const Curve line({Point(0, 0, 0), Point(4, 0, 0), Point(4, 1, 0), Point(0, 1, 0)},
+                   {{0, 1}, {1, 2}, {2, 3}});
+  const Vector front(0, 0, 1);
+  const Curve_view whole(line, Triangle_soup(), {front});
+  const Curve_view cut(line, Triangle_soup(), {front, false, Plane{Vector(2, 0, 0), 2}});
+  const double margin = whole.place(Vector(0, 0, 0)).x();
+  EXPECT_NEAR(whole.place(Vector(4, 0, 0)).x(), 800 - margin, 1e-9);
+  EXPECT_NEAR(cut.place(Vector(0, 0, 0)).x(), margin, 1e-9);
+  EXPECT_NEAR(cut.place(Vector(1, 0, 0)).x(), 800 - margin, 1e-9);
+}
+
+TEST(Curve_view, draws_a_tube_as_thick_as_it_is_and_has_room_for_it)
+{
+  const Curve line({Point(0, 0, 0), Point(4, 0, 0)}, {{0, 1}});
+  const Curve_view view(line, Triangle_soup(), {Vector(0, 0, 1), false, std::nullopt, 0.5});
+  const Vector a = view.place(Vector(0, 0, 0)), b = view.place(Vector(4, 0, 0));
+  EXPECT_NEAR(view.width(), (b - a).norm() / 4, 1e-9);
+  EXPECT_GT(a.x(), view.width() / 2);
+  EXPECT_LT(b.x(), Curve_view::picture_size - view.width() / 2);
+}
+
+TEST(Curve_view, fits_a_picture_that_is_wider_than_high)
+{
+  const Curve line({Point(0, 0, 0), Point(4, 0, 0), Point(4, 2, 0)}, {{0, 1}, {1, 2}});
+  const Curve_view view(line, Triangle_soup(),
+                        {Vector(0, 0, 1), false, std::nullopt, 0, {1600, 800}});
+  EXPECT_GT(view.place(Vector(4, 0, 0)).x() - view.place(Vector(0, 0, 0)).x(), 1400);
+  EXPECT_NEAR(view.place(Vector(2, 1, 0)).x(), 800, 1e-9);
+  EXPECT_NEAR(view.place(Vector(2, 1, 0)).y(), 400, 1e-9);
 }
 
 TEST(Svg_picture, draws_components_in_their_own_colors_and_ends_as_dots)

@@ -8,7 +8,7 @@
 #include "support/knot_invariants.h"
 #include "support/shared_curves.h"
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <gtest/gtest.h>

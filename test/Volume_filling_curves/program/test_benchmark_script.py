@@ -5,7 +5,8 @@
 #
 # Author(s) : The Volume_filling_curves authors
 """Runs scripts/benchmark on small cases, with the program against itself and as a peer of itself:
-both take the same time and get the same, all is recorded, told and drawn, and a session goes on."""
+both get the same, all is recorded, reported and drawn, and a session goes on. No figure of time is
+tested, since it depends on the machine."""
 
 import json
 import os
@@ -22,7 +23,7 @@ sys.path.insert(0, str(PACKAGE / "benchmark" / "Volume_filling_curves"))
 from side_by_side.ratios import growth, growth_of_large, ratio  # noqa: E402
 
 VFC = os.environ["VFC_PROGRAM"]
-TWICE, TIME = 2, 2.0  # runs of a case, and the factor by which times of the same work may differ
+TWICE = 2  # runs of a case
 
 
 def benchmark(*arguments):
@@ -66,11 +67,11 @@ class Quick(unittest.TestCase):
         order = [(line["program"], line["turn"]) for line in self.lines if line["suite"] == "fillings"]
         self.assertEqual(order, [(p, turn) for turn in range(TWICE) for p in ("here", "there", "peer")])
 
-    def test_the_same_program_gets_the_same_in_the_same_time(self):
+    def test_the_same_program_gets_the_same(self):
         here, there = self.of("fillings", "here"), self.of("fillings", "there")
         self.assertEqual({line["curve"] for line in here}, {line["curve"] for line in there})
         times = [{line["turn"]: line["cpu_seconds"] for line in lines} for lines in (here, there)]
-        self.assertTrue(1 / TIME < ratio(*times).median < TIME, times)
+        self.assertIn(ratio(*times).text(), (self.out / "tables.md").read_text())
 
     def test_a_peer_is_measured_by_what_it_wrote(self):
         here, peer = (self.of("fillings", program)[0]["report"] for program in ("here", "peer"))
@@ -113,6 +114,14 @@ class Errors(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("| hard_unknot, endless | ended after 1 CPU seconds |", done.stdout)
             self.assertFalse(list(out.glob("*.svg")), "nothing to compare with")
+
+    def test_the_signal_of_the_limit_decides_and_not_the_seconds(self):
+        with tempfile.TemporaryDirectory() as name:
+            for sent, said in (("XCPU", "ended after 1000 CPU seconds"), ("KILL", "exit status 137")):
+                ended = f"ended=sh -c 'kill -{sent} $$' {{input}}"
+                done = session(pathlib.Path(name) / sent, "--suite", "unknots", "--repeat", 1,
+                               "--most-seconds", 1000, "--peer", ended)
+                self.assertIn(f"| hard_unknot, ended | {said}", done.stdout)
 
     def test_missing_programs_and_data_are_named(self):
         with tempfile.TemporaryDirectory() as name:

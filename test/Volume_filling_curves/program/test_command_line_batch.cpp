@@ -159,6 +159,38 @@ TEST_F(Command_line_batch, a_list_is_checked_before_work_starts)
   EXPECT_TRUE(files("more").empty());
 }
 
+// Another file would overwrite the reports, or the file of another input.
+TEST_F(Command_line_batch, files_that_would_overwrite_others_are_refused)
+{
+  make_curves();
+  fs::rename(path("a.obj"), path("results.obj"));
+  write("list", "b.obj\nresults.obj\n");
+  const std::string refusal = "list:2: error: second result of the same name";
+  for(const std::string option : {"--map jsonl", "--certificate jsonl", "--frames jsonl"})
+    expect_refused("untangle --batch list -o x " + option, 4, refusal);
+  write("list", "b.off\nb.cert.start.off\n");
+  expect_refused("fill --batch list -o x --certificate cert", 4, refusal);
+  write("list", "b.obj\n");
+  expect_refused("untangle --batch list -o x --map map --certificate map", 4, "list:1: error");
+  expect_refused("untangle --batch list -o x --map obj", 4, "list:1: error");
+  EXPECT_FALSE(exists("x"));
+  write("list", "b.obj\nresults.obj\n");
+  EXPECT_EQ(run("simplify --batch list -o y").status, 0);
+}
+
+TEST_F(Command_line_batch, an_exit_status_that_there_is_not_is_refused)
+{
+  make_curves();
+  EXPECT_EQ(run("simplify --batch list -o x").status, 0);
+  const std::string line = read("x/results.jsonl").substr(0, read("x/results.jsonl").find('\n'));
+  const std::string status = "\"exit_status\":";
+  const std::size_t begin = line.find(status) + status.size(), end = line.find(',', begin);
+  for(const std::string wrong : {"99999999999999", "18446744073709551615", "-1", "256", "0.5"}) {
+    write("x/results.jsonl", line.substr(0, begin) + wrong + line.substr(end) + '\n');
+    expect_refused("simplify --batch list -o x", 1, "results.jsonl:1: is no result of");
+  }
+}
+
 TEST_F(Command_line_batch, takes_the_place_of_input_and_report)
 {
   make_curves();

@@ -57,7 +57,7 @@ protected:
                               "film", "--checkpoint", "state"})
       arguments.push_back(option);
     program_test::Background_program vfc(path("."), arguments);
-    ASSERT_TRUE(wait_for("film/frame_000002.obj"));
+    ASSERT_TRUE(vfc.wait_for([&] { return exists("film/frame_000002.obj"); }));
     ASSERT_EQ(vfc.end(SIGTERM), 5);
     ASSERT_TRUE(exists("state"));
     EXPECT_NE(read("part.obj"), read("whole.obj"));
@@ -78,6 +78,22 @@ TEST_F(Command_line_checkpoints, a_run_goes_on_where_a_limit_ended_it)
   ASSERT_EQ(run(trefoil + "-o rest.obj --report rest.json --resume state").status, 0);
   EXPECT_EQ(read("rest.obj"), read("whole.obj"));
   EXPECT_EQ(json("rest.json")["iterations"], json("whole.json")["iterations"]);
+}
+
+TEST_F(Command_line_checkpoints, a_state_carries_the_commit_that_version_and_report_name)
+{
+  make_state();
+  const std::string out = run("--version").out;
+  const std::size_t line = out.find("\ncommit ");
+  run(trefoil + "-o whole.obj --report r.json");
+  if(line == std::string::npos) {
+    EXPECT_TRUE(json("r.json")["commit"].is_null());
+    GTEST_SKIP() << "the program was not built from a git checkout";
+  }
+  const std::size_t begin = line + std::string("\ncommit ").size();
+  const std::string commit = out.substr(begin, out.find('\n', begin) - begin);
+  EXPECT_EQ(json("r.json")["commit"], commit);
+  EXPECT_NE(read("state").find(commit), std::string::npos);
 }
 
 TEST_F(Command_line_checkpoints, untangling_goes_on_after_a_signal)
@@ -123,13 +139,14 @@ TEST_F(Command_line_checkpoints, a_state_that_is_damaged_is_invalid_input)
 TEST_F(Command_line_checkpoints, a_state_of_another_run_is_invalid_input)
 {
   make_state();
-  const Finished refused = run(trefoil + "--thickness 0.25 --resume state");
+  const Finished refused = run(trefoil + "--thickness 0.25 -o x.obj --resume state");
   EXPECT_EQ(refused.status, 4);
   EXPECT_NE(refused.err.find("another thickness"), std::string::npos) << refused.err;
   ASSERT_EQ(run("generate torus-knot --p 2 --q 5 -o other.obj").status, 0);
-  EXPECT_EQ(run("untangle other.obj --strategy flow --thickness 0.2 --resume state").status, 4);
+  EXPECT_EQ(
+      run("untangle other.obj -o x.obj --strategy flow --thickness 0.2 --resume state").status, 4);
   make_tetrahedron();
-  EXPECT_EQ(run("fill mesh.off --resume state").status, 4);
+  EXPECT_EQ(run("fill mesh.off -o x.obj --resume state").status, 4);
 }
 
 TEST_F(Command_line_checkpoints, a_state_is_overwritten_by_its_own_run_only)

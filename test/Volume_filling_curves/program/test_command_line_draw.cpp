@@ -23,7 +23,7 @@ using program_test::Finished;
 class Command_line_draw : public program_test::Program_test
 {
 protected:
-  // A film of three frames, and a library that is none.
+  // A film of four frames, the last one at the end of the run, and a library that is none.
   void make_film() const
   {
     make_trefoil();
@@ -48,6 +48,8 @@ TEST_F(Command_line_draw, options_of_pictures_show)
   const std::string plain = svg("");
   EXPECT_EQ(svg("--color component --size 800"), plain);
   EXPECT_NE(svg("--size 300").find("width=\"300\""), std::string::npos);
+  EXPECT_NE(svg("--size 1600x900").find("width=\"1600\" height=\"900\""), std::string::npos);
+  EXPECT_NE(svg("--tube 0.05"), svg("--tube 0.1"));
   EXPECT_NE(svg("--color curvature").find(">curvature<"), std::string::npos);
   EXPECT_NE(svg("--labels").find("<text"), std::string::npos);
   EXPECT_EQ(svg("--view 0,90"), svg("--view 0,1,0"));
@@ -60,7 +62,8 @@ TEST_F(Command_line_draw, wrong_values_are_refused)
   make_trefoil();
   for(const std::string option :
       {"--color blue", "--view 1", "--view 0,0,0", "--view 10,100", "--size 0", "--size 1000000",
-       "--size 1.5", "--cut w=1", "--cut 1,2,3", "--cut 0,0,0,1", "--tube 0.1"}) {
+       "--size 1.5", "--size 800x", "--size 800x90", "--size 8x800x8", "--cut w=1", "--cut 1,2,3",
+       "--cut 0,0,0,1", "--tube 0"}) {
     const Finished wrong = run("draw trefoil.obj -o a.svg " + option);
     EXPECT_EQ(wrong.status, 1) << option;
     EXPECT_NE(wrong.err.find(option.substr(0, option.find(' '))), std::string::npos) << wrong.err;
@@ -78,8 +81,18 @@ TEST_F(Command_line_draw, films_are_one_file)
   const std::string page = read("a.html");
   EXPECT_NE(page.find("exports.REVISION = 'none';"), std::string::npos);
   EXPECT_NE(page.find("\"tube\":"), std::string::npos);
-  for(const std::string iteration : {"0", "3", "6"})
+  for(const std::string iteration : {"0", "3", "6", "7"})
     EXPECT_NE(page.find("{\"iteration\":" + iteration + ','), std::string::npos) << iteration;
+}
+
+TEST_F(Command_line_draw, films_end_with_the_result)
+{
+  make_trefoil();
+  ASSERT_EQ(run("untangle trefoil.obj -o o.obj --keep-length --frames film --every 3 "
+                "--max-iterations 7")
+                .status,
+            2);
+  EXPECT_EQ(read("film/frame_000007.obj"), read("o.obj"));
 }
 
 TEST_F(Command_line_draw, films_come_in_order_and_with_a_surface)

@@ -12,7 +12,10 @@
 
 #include "support/program_test_support.h"
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -155,15 +158,15 @@ TEST_F(Command_line_files, writes_polylines_and_pictures)
   EXPECT_NE(read("tight.svg").find("</svg>"), std::string::npos);
 }
 
-TEST_F(Command_line_files, frames_are_curves_of_every_kth_iteration)
+TEST_F(Command_line_files, frames_are_curves_of_every_kth_iteration_and_the_result)
 {
   make_trefoil();
   EXPECT_EQ(run("untangle trefoil.obj --frames film --every 3 --max-iterations 7").status, 2);
   std::set<std::string> files;
   for(const auto& entry : fs::directory_iterator(path("film")))
     files.insert(entry.path().filename().string());
-  EXPECT_EQ(files,
-            std::set<std::string>({"frame_000000.obj", "frame_000003.obj", "frame_000006.obj"}));
+  EXPECT_EQ(files, std::set<std::string>({"frame_000000.obj", "frame_000003.obj",
+                                          "frame_000006.obj", "frame_000007.obj"}));
   EXPECT_EQ(run("check film/frame_000003.obj").status, 0);
 }
 
@@ -181,6 +184,31 @@ TEST_F(Command_line_files, map_names_the_nodes_of_the_input)
     ASSERT_NE(found, map.end());
     EXPECT_EQ(after[static_cast<std::size_t>(found - map.begin())], before[pinned - 1]);
   }
+}
+
+TEST_F(Command_line_files, rings_in_lists_of_points_need_closed_or_open)
+{
+  std::string ring;
+  for(int i = 0; i < 24; ++i)
+    ring += std::to_string(std::cos(i * CGAL_PI / 12)) + ' ' +
+            std::to_string(std::sin(i * CGAL_PI / 12)) + " 0\n";
+  write("ring.xyz", ring);
+  for(const std::string arguments :
+      {"untangle ring.xyz -o o.obj", "simplify ring.xyz -o o.obj", "check ring.xyz",
+       "measure ring.xyz", "draw ring.xyz -o o.svg", "convert ring.xyz -o o.obj"}) {
+    const Finished refused = run(arguments + " --force");
+    EXPECT_EQ(refused.status, 4) << arguments;
+    const std::string said = refused.out + refused.err;
+    EXPECT_NE(said.find("--closed"), std::string::npos) << said;
+    EXPECT_NE(said.find("--open"), std::string::npos) << said;
+    EXPECT_EQ(run(arguments + " --closed --open").status, 1) << arguments;
+    EXPECT_EQ(run(arguments + " --closed --force").status, 0) << arguments;
+    EXPECT_EQ(run(arguments + " --open --force").status, 0) << arguments;
+  }
+  ASSERT_EQ(run("convert ring.xyz --closed -o ring.obj").status, 0);
+  EXPECT_NE(read("ring.obj").find(" 24 1\n"), std::string::npos) << read("ring.obj");
+  ASSERT_EQ(run("convert ring.obj --open -o arc.obj").status, 0);
+  EXPECT_EQ(read("arc.obj").find(" 24 1\n"), std::string::npos) << read("arc.obj");
 }
 
 } // namespace test_command_line_files

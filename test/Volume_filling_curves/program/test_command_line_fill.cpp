@@ -53,6 +53,31 @@ TEST_F(Command_line_fill, curve_stays_inside_and_covers)
   EXPECT_GT(report["medial_radius"], 0);
 }
 
+TEST_F(Command_line_fill, empty_regions_are_null_or_told)
+{
+  make_cube();
+  const std::string fill = "fill cube.off --thickness 0.6 --report r.json --force ";
+  for(const std::string limit : {"--time-limit 0 ", "--max-iterations 1 "}) {
+    const bool is_dash =
+        run(fill + limit + "-o a.obj").out.find("empty regions -\n") != std::string::npos;
+    EXPECT_EQ(json("r.json")["empty_regions"].is_null(), is_dash) << limit;
+  }
+  EXPECT_TRUE(json("r.json")["empty_regions"].is_array()) << "there was time";
+}
+
+TEST_F(Command_line_fill, what_is_kept_clear_of_counts_in_the_share_of_the_whole)
+{
+  make_cube();
+  const Finished fill =
+      run("fill cube.off --thickness 0.6 --wall keep-clear -o c.obj --report r.json");
+  const double whole = json("r.json")["uncovered_fraction"];
+  EXPECT_GT(whole, 0.01);
+  EXPECT_LE(json("r.json")["unfilled_fraction"], 0.01);
+  EXPECT_NE(fill.out.find(" (apart from the boundary "), std::string::npos) << fill.out;
+  run("measure c.obj cube.off --thickness 0.6 --report m.json");
+  EXPECT_NEAR(json("m.json")["unfilled_fraction"], whole, 0.01);
+}
+
 // A run in the cube was not one in its lower half.
 TEST_F(Command_line_fill, can_be_verified_to_have_stayed_inside)
 {
@@ -60,8 +85,13 @@ TEST_F(Command_line_fill, can_be_verified_to_have_stayed_inside)
   write("half.off", "OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   run("fill cube.off -o c.obj --certificate c.cert --thickness 0.6 --max-iterations 20");
   const std::string check = "check --certificate c.cert c.cert.start.obj c.obj";
-  EXPECT_EQ(run(check).status, 0);
-  EXPECT_EQ(run(check + " --domain cube.off").status, 0);
+  const std::string isotopic = "operations; c.obj is ambient isotopic to c.cert.start.obj";
+  EXPECT_NE(run(check).out.find(isotopic + "\n"), std::string::npos);
+  const Finished verified = run(check + " --domain cube.off");
+  EXPECT_EQ(verified.status, 0);
+  EXPECT_EQ(verified.out.substr(0, 10), "verified: ");
+  EXPECT_NE(verified.out.find(isotopic + " and never left cube.off\n"), std::string::npos)
+      << verified.out;
   const Finished rejected = run(check + " --domain half.off");
   EXPECT_EQ(rejected.status, 4);
   EXPECT_NE(rejected.out.find("domain"), std::string::npos) << rejected.out;
@@ -112,13 +142,14 @@ TEST_F(Command_line_fill, untangling_stays_inside_of_a_domain)
   EXPECT_EQ(run("check --certificate u.cert loop.obj out.obj --domain cube.off").status, 0);
   EXPECT_EQ(run(untangle + "cube.off --strategy tighten").status, 1);
   write("far.obj", "v 1 1 2\nv 9 1 2\nv 1 3 2\nl 1 2 3 1\n");
-  EXPECT_EQ(run("untangle far.obj --domain cube.off").status, 4);
+  EXPECT_EQ(run("untangle far.obj -o x.obj --domain cube.off").status, 4);
 }
 
 TEST_F(Command_line_fill, default_thickness_is_told)
 {
   make_cube();
-  EXPECT_NE(run("fill cube.off --max-iterations 1").err.find("thickness 0.4"), std::string::npos);
+  EXPECT_NE(run("fill cube.off -o c.obj --max-iterations 1").err.find("thickness 0.4"),
+            std::string::npos);
 }
 
 TEST_F(Command_line_fill, length_can_be_asked_for)
@@ -165,14 +196,14 @@ TEST_F(Command_line_fill, bad_values_of_the_thickness_are_named)
   make_cube();
   const auto expect_refused = [&](const std::string& text, const std::string& message) {
     write("r.csv", text);
-    const Finished fill = run("fill cube.off --thickness-field r.csv");
+    const Finished fill = run("fill cube.off -o c.obj --thickness-field r.csv");
     EXPECT_EQ(fill.status, 4) << text;
     EXPECT_NE(fill.err.find(message), std::string::npos) << fill.err;
   };
   expect_refused("0.4\n0.8\n", "2 values for 8 vertices");
   expect_refused("thickness\n0.4\nhello\n", "r.csv:3: error");
   expect_refused("1\n1\n1\n1\n1\n1\n1\n-1\n", "r.csv:8: error");
-  EXPECT_EQ(run("fill cube.off --thickness-field missing.csv").status, 4);
+  EXPECT_EQ(run("fill cube.off -o c.obj --thickness-field missing.csv").status, 4);
 }
 
 TEST_F(Command_line_fill, strands_follow_a_direction_field)
@@ -203,15 +234,15 @@ TEST_F(Command_line_fill, bad_direction_fields_are_named)
   make_cube();
   const auto expect_refused = [&](const std::string& text, const std::string& message) {
     write("d.csv", text);
-    const Finished fill = run("fill cube.off --direction-field d.csv");
+    const Finished fill = run("fill cube.off -o c.obj --direction-field d.csv");
     EXPECT_EQ(fill.status, 4) << text;
     EXPECT_NE(fill.err.find(message), std::string::npos) << fill.err;
   };
   expect_refused("1,0,0\n0,1,0\n", "2 values for 8 vertices");
   expect_refused("x,y,z\n1,0,0\n1,0\n", "d.csv:3: error");
   expect_refused("x,y,z\n1,0,0\n1,0,inf\n", "d.csv:3: error");
-  EXPECT_EQ(run("fill cube.off --direction-field missing.csv").status, 4);
-  EXPECT_EQ(run("fill cube.off --direction-weight 1").status, 1) << "there is no field";
+  EXPECT_EQ(run("fill cube.off -o c.obj --direction-field missing.csv").status, 4);
+  EXPECT_EQ(run("fill cube.off -o c.obj --direction-weight 1").status, 1) << "there is no field";
 }
 
 TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
@@ -219,7 +250,7 @@ TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
   make_cube();
   for(const std::string options :
       {"--thickness 1e-6", "--thickness 1e300", "--length 1e30", "--thickness 0.5 --spacing 1e-9"})
-    EXPECT_EQ(run("fill cube.off " + options).status, 1) << options;
+    EXPECT_EQ(run("fill cube.off -o c.obj " + options).status, 1) << options;
 }
 
 TEST_F(Command_line_fill, the_mesh_is_never_replaced)

@@ -85,7 +85,8 @@ TEST_F(Command_line_motion, pinned_nodes_stay)
   EXPECT_EQ(points("tight.obj").back(), points("arc.obj").back());
   run("untangle arc.obj -o free.obj --thickness 0.5 --free-ends --max-iterations 3");
   EXPECT_NE(points("free.obj").front(), points("arc.obj").front());
-  EXPECT_NE(run("untangle arc.obj --free-ends").out.find("shrinks to a point"), std::string::npos);
+  EXPECT_NE(run("untangle arc.obj -o point.obj --free-ends").out.find("shrinks to a point"),
+            std::string::npos);
   write("fixed.obj", read("arc.obj") + "fixed 2\n");
   ASSERT_EQ(run("untangle fixed.obj -o fixed_tight.obj --pin 3 --thickness 0.5").status, 0);
   const auto after = points("fixed_tight.obj");
@@ -113,7 +114,8 @@ TEST_F(Command_line_motion, junctions_need_the_network_option)
   EXPECT_EQ(run("untangle y.polylines.txt --network -o y.obj --thickness 0.3").status, 0);
   EXPECT_EQ(run("check y.obj").status, 4);
   EXPECT_EQ(run("check y.obj --network").status, 0);
-  EXPECT_NE(run("untangle y.obj").err.find("--network accepts junctions"), std::string::npos);
+  EXPECT_NE(run("untangle y.obj -o x.obj").err.find("--network accepts junctions"),
+            std::string::npos);
 }
 
 TEST_F(Command_line_motion, threads_do_not_change_the_result)
@@ -193,7 +195,7 @@ TEST_F(Command_line_motion, signals_interrupt_and_save_the_curve)
     program_test::Background_program vfc(path("."), {"untangle", "tangle.obj", "-o", name + ".obj",
                                                      "--report", name + ".json", "--frames", name,
                                                      "--quiet", "--tolerance", "0"});
-    ASSERT_TRUE(wait_for(name + "/frame_000001.obj"));
+    ASSERT_TRUE(vfc.wait_for([&] { return exists(name + "/frame_000001.obj"); }));
     EXPECT_EQ(vfc.end(signal), 5);
     EXPECT_EQ(json(name + ".json")["status"], "interrupted");
     EXPECT_GE(json(name + ".json")["iterations"], 1);

@@ -4,12 +4,10 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/examine_mesh.h"
 #include "meshes/mesh_to_text.h"
-#include "repair/repair_mesh.h"
 #include "repair/repair_steps.h"
 #include "repair/surface_distance.h"
-#include "support/mesh_file_test_support.h"
+#include "support/repair_test_support.h"
 
 #include <gtest/gtest.h>
 
@@ -21,33 +19,13 @@
 
 namespace test_repair_mesh {
 
-using namespace mesh_file_test;
+using namespace repair_test;
 
-class Repair : public Mesh_file
+Soup at(Soup soup, const Point& origin)
 {
-protected:
-  // mends a mesh that is not sound, into `mesh`; the result must be
-  vfc::Mending mend(const Soup& soup, double alpha = 0)
-  {
-    vfc::Mesh_soup faces;
-    faces.points = soup.points;
-    faces.faces = soup.faces;
-    for(std::size_t f = 0; f < soup.faces.size(); ++f) faces.face_numbers.push_back(f + 1);
-    vfc::Mesh_findings findings("");
-    EXPECT_FALSE(vfc::examine(faces, findings).is_valid);
-    EXPECT_TRUE(findings.is_mendable());
-    const vfc::Mending mending = vfc::repair_mesh(faces, alpha, mesh);
-    EXPECT_TRUE(vfc::is_sound(mesh));
-    // the file of the result is as sound
-    EXPECT_TRUE(read("mended.off", vfc::to_text(mesh, ".off")));
-    return mending;
-  }
-
-  static bool is_wrapped(const vfc::Mending& mending)
-  {
-    return !mending.steps.empty() && mending.steps.back().find("wrapped") == 0;
-  }
-};
+  for(Point& p : soup.points) p = p + (origin - CGAL::ORIGIN);
+  return soup;
+}
 
 TEST_F(Repair, drops_degenerate_and_repeated_faces)
 {
@@ -56,7 +34,7 @@ TEST_F(Repair, drops_degenerate_and_repeated_faces)
   soup.faces.push_back(soup.faces[3]);
   const vfc::Mending mending = mend(soup);
   ASSERT_EQ(mending.steps.size(), 1u);
-  EXPECT_EQ(mending.steps[0], "1 faces without three corners dropped, 1 repeated faces dropped");
+  EXPECT_EQ(mending.steps[0], "1 face without three corners dropped, 1 repeated face dropped");
   EXPECT_EQ(mesh.number_of_faces(), 12u);
   EXPECT_NEAR(volume(), 1, 1e-14);
   EXPECT_LT(mending.from_file, 1e-12);
@@ -138,7 +116,7 @@ TEST_F(Repair, unites_shells)
   for(Point& p : b.points) p = Point(p.x() + 1, p.y() + 1, p.z() + 1);
   for(Point& p : c.points) p = Point(p.x() + .25, p.y() + .25, p.z() + .25); // within a, as a solid
   for(Point& p : far.points) p = Point(p.x() + 9, p.y(), p.z());
-  const vfc::Mending mending = mend(a + b.inverted() + c + far);
+  const vfc::Mending mending = mend(a + b + c + far.inverted());
   EXPECT_FALSE(is_wrapped(mending));
   EXPECT_NEAR(volume(), 8 + 8 - 1 + 8, 1e-12);
   EXPECT_LT(mending.from_file, 1e-12);
@@ -154,6 +132,28 @@ TEST_F(Repair, keeps_the_cavity_where_shells_are_united)
   EXPECT_LT(hollow, 0);
   EXPECT_LT(volume(), 2 * ball + hollow);
   EXPECT_GT(volume(), 1.5 * ball + hollow);
+}
+
+// A cavity is turned inside out. One that touches the bottom is a pit, one that pokes through it
+// takes less away, and an island in one that touches its floor stays.
+TEST_F(Repair, keeps_cavities_that_touch_or_cross_the_wall)
+{
+  const Soup block = meshes::cube(3), hole = at(meshes::cube(), Point(1, 1, 0)).inverted();
+  EXPECT_FALSE(is_wrapped(mend(block + hole)));
+  EXPECT_NEAR(volume(), 26, 1e-12);
+  const vfc::Mending mending = mend(block + at(hole, Point(.01, .02, -.5)));
+  EXPECT_NEAR(volume(), 26.5, 1e-12);
+  ASSERT_FALSE(is_wrapped(mending));
+  EXPECT_NE(mending.steps[0].find("taken away as a cavity"), std::string::npos);
+  mend(at(meshes::cube(9), Point(-3, -3, -3)) + block.inverted() + hole.inverted());
+  EXPECT_NEAR(volume(), 729 - 27 + 1, 1e-9);
+}
+
+// What is inside out as a whole is turned first.
+TEST_F(Repair, takes_the_largest_of_shells_that_meet_for_a_solid)
+{
+  mend((meshes::cube(3) + at(meshes::cube(), Point(1, 1, -.5)).inverted()).inverted());
+  EXPECT_NEAR(volume(), 26.5, 1e-12);
 }
 
 // Two cubes with a common edge: no mesh without a gap can have it.
@@ -186,23 +186,28 @@ TEST_F(Repair, leaves_a_sound_mesh_alone)
 {
   const Soup soup = meshes::sphere(1, 2);
   mesh = meshes::to_mesh(soup);
+  vfc::Work_watch no_limit;
   for(const auto step : {vfc::merge_near_vertices, vfc::drop_sheets, vfc::remove_flat_faces,
                          vfc::close_holes, vfc::remove_self_intersections, vfc::unite_shells})
-    EXPECT_EQ(step(mesh), "");
+    EXPECT_EQ(step(mesh, no_limit), "");
   EXPECT_EQ(mesh.number_of_faces(), soup.faces.size());
 }
 
 TEST(Surface_distance, is_that_of_spheres_and_sheets)
 {
+  vfc::Work_watch no_limit;
+  const auto distance = [&](const vfc::Mesh& from, const vfc::Mesh& to) {
+    return vfc::surface_distance(from, to, no_limit);
+  };
   const vfc::Mesh ball = meshes::to_mesh(meshes::sphere(1, 4));
   const vfc::Mesh large = meshes::to_mesh(meshes::sphere(1.5, 4));
-  EXPECT_NEAR(vfc::surface_distance(ball, large), 0.5, 0.01);
-  EXPECT_NEAR(vfc::surface_distance(large, ball), 0.5, 0.01);
-  EXPECT_LT(vfc::surface_distance(ball, ball), 1e-12);
+  EXPECT_NEAR(distance(ball, large), 0.5, 0.01);
+  EXPECT_NEAR(distance(large, ball), 0.5, 0.01);
+  EXPECT_LT(distance(ball, ball), 1e-12);
   const vfc::Mesh two =
       meshes::to_mesh(meshes::sphere(1, 4) + meshes::sphere(1, 4, Point(5, 0, 0)));
-  EXPECT_LT(vfc::surface_distance(ball, two), 1e-12) << "one way only";
-  EXPECT_NEAR(vfc::surface_distance(two, ball), 5, 0.01);
+  EXPECT_LT(distance(ball, two), 1e-12) << "one way only";
+  EXPECT_NEAR(distance(two, ball), 5, 0.01);
 }
 
 } // namespace test_repair_mesh

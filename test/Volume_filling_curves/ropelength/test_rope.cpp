@@ -10,10 +10,10 @@
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/nearest_points.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/ropelength/Rollback.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
-#include <CGAL/Volume_filling_curves/internal/ropelength/Way_back.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/rope_motion.h>
 
 #include <gtest/gtest.h>
@@ -106,7 +106,7 @@ TEST(Rope, becomes_a_ring_if_it_is_free)
     std::vector<Vector> workspace;
     for(int k = 0; k < 2000; ++k) {
       internal::pull(rope, 0.25, workspace);
-      internal::unbend(rope);
+      internal::straighten(rope);
     }
     EXPECT_NEAR(rope.length(), internal::least_length_of_ring, 0.1) << radius;
   }
@@ -141,9 +141,9 @@ TEST(Rope, unbends_where_it_kinks)
   std::vector<Vector> workspace;
   for(int k = 0; k < 1000; ++k) {
     internal::pull(kinked, 0, workspace);
-    internal::unbend(kinked);
+    internal::straighten(kinked);
   }
-  internal::unbend(loose);
+  internal::straighten(loose);
   EXPECT_NEAR(least_bend_radius(kinked), 1, 1e-3);
   EXPECT_EQ(loose.x, before);
 }
@@ -184,14 +184,14 @@ TEST(Rope_contacts, leave_bends_to_the_curvature)
 }
 
 // Motions that make it worse, between halvings, are all taken back.
-TEST(Way_back, leads_to_the_start_if_nothing_was_better)
+TEST(Rollback, leads_to_the_start_if_nothing_was_better)
 {
   Network curve = braid("1 1 1", 60);
   const auto start = contents(curve);
   const Vector_field before = internal::coordinates(curve);
   Guard guard(curve);
   Random random(4);
-  internal::Way_back<Guard, CGAL::Sequential_tag> way(guard);
+  internal::Rollback<Guard, CGAL::Sequential_tag> way(guard);
   for(int k = 0; k < 3; ++k) {
     for(int i = 0; i < 3; ++i)
       EXPECT_GT(way.move(internal::coordinates(curve) +
@@ -206,14 +206,14 @@ TEST(Way_back, leads_to_the_start_if_nothing_was_better)
   EXPECT_EQ(contents(curve), start);
 }
 
-TEST(Way_back, leads_to_the_least_ropelength)
+TEST(Rollback, leads_to_the_least_ropelength)
 {
   Network curve = internal::closed_network({circle(20)});
   Guard guard(curve);
   Vector_field flat = internal::coordinates(curve);
   flat.col(0) *= 0.8;
   ASSERT_EQ(guard.move_nodes(flat), 1);
-  internal::Way_back<Guard, CGAL::Sequential_tag> way(guard);
+  internal::Rollback<Guard, CGAL::Sequential_tag> way(guard);
   Vector_field rounder = flat, flatter = flat;
   rounder.col(0) *= 1.1;
   flatter.col(0) *= 0.9;
@@ -226,13 +226,13 @@ TEST(Way_back, leads_to_the_least_ropelength)
 }
 
 // A side of this triangle has no double between its ends.
-TEST(Way_back, does_not_mistake_a_refused_halving_for_a_motion)
+TEST(Rollback, does_not_mistake_a_refused_halving_for_a_motion)
 {
   const double next = std::nextafter(1., 2.);
   Network curve = internal::closed_network({{{1, 1, 1}, {next, 1, 1}, {1, next, 1}}});
   const auto start = contents(curve);
   Guard guard(curve);
-  internal::Way_back<Guard, CGAL::Sequential_tag> way(guard);
+  internal::Rollback<Guard, CGAL::Sequential_tag> way(guard);
   EXPECT_FALSE(way.halve_edges());
   EXPECT_TRUE(way.return_to_least_ropelength());
   EXPECT_EQ(contents(curve), start);

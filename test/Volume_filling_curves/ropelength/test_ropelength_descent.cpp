@@ -8,7 +8,7 @@
 #include "support/untangle_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>

@@ -153,13 +153,13 @@ TEST(Box_tree, visits_few_pairs)
 
 void expect_sound(const Box_tree& tree, const Part& part)
 {
-  for(std::size_t k = tree.first(part); k <= tree.last(part); ++k)
+  for(std::size_t k = tree.first(part); k < tree.end(part); ++k)
     EXPECT_EQ(part.hull() + tree.box(k), part.hull());
   if(part.number_of_runs() == 1) return;
   const auto [left, right] = tree.children(part);
   EXPECT_EQ(tree.first(left), tree.first(part));
-  EXPECT_EQ(tree.first(right), tree.last(left) + 1);
-  EXPECT_EQ(tree.last(right), tree.last(part));
+  EXPECT_EQ(tree.first(right), tree.end(left));
+  EXPECT_EQ(tree.end(right), tree.end(part));
   EXPECT_EQ(left.number_of_runs() + right.number_of_runs(), part.number_of_runs());
   expect_sound(tree, left);
   expect_sound(tree, right);
@@ -172,7 +172,7 @@ TEST(Box_tree, has_parts_of_consecutive_boxes)
     ASSERT_EQ(tree.is_empty(), boxes.empty());
     if(boxes.empty()) return;
     EXPECT_EQ(tree.first(tree.root()), 0u);
-    EXPECT_EQ(tree.last(tree.root()), boxes.size() - 1);
+    EXPECT_EQ(tree.end(tree.root()), boxes.size());
     expect_sound(tree, tree.root());
   });
 }

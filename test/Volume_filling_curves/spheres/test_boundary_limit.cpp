@@ -9,10 +9,10 @@
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Domain_boundary.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Boundary_limit.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/mean_medial_radius.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <CGAL/number_type_config.h>

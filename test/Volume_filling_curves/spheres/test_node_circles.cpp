@@ -6,8 +6,7 @@
 
 #include "support/flow_test_support.h"
 
-#include <CGAL/Volume_filling_curves/default_thickness.h>
-#include <CGAL/Volume_filling_curves/mean_medial_radius.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "support/flow_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/spheres/Node_sieve.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Node_prefilter.h>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using namespace flow_test;
 
 // Nodes a little inside of all spheres together, and a little outside, wherever the ball is and
 // however large.
-TEST(Node_sieve, keeps_what_spheres_touch_and_little_else)
+TEST(Node_prefilter, keeps_what_spheres_touch_and_little_else)
 {
   Random random(2);
   for(double unit : {1., 1e-100, 1e100}) {
@@ -38,7 +38,7 @@ TEST(Node_sieve, keeps_what_spheres_touch_and_little_else)
       }
       nodes.push_back(k, p + size * d);
     }
-    internal::Node_sieve sieve(nodes);
+    internal::Node_prefilter sieve(nodes);
     sieve.start(center, unit);
     sieve.add(0, 1000);
     sieve.add(1000, nodes.size());
@@ -51,12 +51,12 @@ TEST(Node_sieve, keeps_what_spheres_touch_and_little_else)
   }
 }
 
-TEST(Node_sieve, leaves_nodes_out_that_are_not_in_the_ball)
+TEST(Node_prefilter, leaves_nodes_out_that_are_not_in_the_ball)
 {
   internal::Node_list nodes, sifted;
   nodes.push_back(0, Vector(0.5, 0, 0));
   nodes.push_back(1, Vector(1.5, 0, 0));
-  internal::Node_sieve sieve(nodes);
+  internal::Node_prefilter sieve(nodes);
   sieve.start(Vector(), 1);
   sieve.add(0, 2);
   sieve(Vector(), Vector(0, 0, 1), 1, sifted);

@@ -93,7 +93,7 @@ TEST(Resumed_untangling, of_a_link_to_its_length)
   expect_resumed(run_untangle, tangled(braid("1 1 1 1", 120), 3), parameters, {2, 11, 29});
 }
 
-TEST(Resumed_untangling, of_an_arc_with_tails)
+TEST(Resumed_untangling, of_an_arc_with_closing_rays)
 {
   Network arc({{0, 0, 0}, {1, 2, 0}, {2, 0, 1}, {1, 1, 2}, {0, 1, 0.5}, {3, 0, 0}},
               {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});

@@ -7,7 +7,9 @@
 #include "support/resume_test_support.h"
 #include "support/untangle_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/state/Decisions.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
+#include <CGAL/Volume_filling_curves/internal/state/Replay_log.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 
@@ -33,7 +35,7 @@ using CGAL::Volume_filling_curves::make_torus_knot;
 using CGAL::Volume_filling_curves::Run_state_error;
 using CGAL::Volume_filling_curves::Untangling_parameters;
 using CGAL::Volume_filling_curves::Untangling_strategy;
-using internal::Decisions;
+using internal::Replay_log;
 using internal::State_reader;
 using internal::State_writer;
 
@@ -99,13 +101,13 @@ TEST(Run_state, archives_that_end_early_are_refused)
 
 TEST(Run_state, decisions_are_taken_once)
 {
-  Decisions first;
+  Replay_log first;
   first([] { return 3; });
   first([] { return std::vector<double>{0.1, 0.2}; });
   State_writer writer;
   writer(first);
   State_reader reader(writer.bytes());
-  Decisions second;
+  Replay_log second;
   reader(second);
   EXPECT_EQ(second([] { return 4; }), 3);
   EXPECT_EQ(second([] { return std::vector<double>(); }), (std::vector<double>{0.1, 0.2}));
@@ -175,6 +177,84 @@ TEST(Run_state, bytes_that_are_cut_off_or_too_many_are_refused)
   EXPECT_THROW(Run_state("v 0 0 0\n"), Run_state_error);
 }
 
+// A state with other bytes, and the checksum of these.
+Run_state forged(const Run_state& state, const std::string& from, const std::string& to)
+{
+  const std::size_t checksum_size = 32;
+  std::string bytes = state.bytes().substr(0, state.bytes().size() - checksum_size);
+  const std::size_t begin = bytes.find(from);
+  EXPECT_NE(begin, std::string::npos);
+  bytes.replace(begin, from.size(), to);
+  const auto digest = internal::sha256(bytes);
+  return Run_state(bytes + std::string(digest.begin(), digest.end()));
+}
+
+template <typename... Objects>
+std::string archived(const Objects&... objects)
+{
+  State_writer writer;
+  writer(objects...);
+  return writer.bytes();
+}
+
+// Numbers of nodes, edges, components and chains among them: none leads anywhere else.
+TEST(Run_state, networks_with_forged_numbers_are_refused)
+{
+  using Point = Network::Point_3;
+  const Network curve({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(5, 0, 0),
+                       Point(6, 0, 0), Point(5, 1, 0), Point(5, 0, 1)},
+                      {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {3, 5}, {3, 6}});
+  const std::string bytes = archived(curve);
+  std::size_t number_refused = 0;
+  for(std::size_t i = 0; i + 8 <= bytes.size(); i += 8)
+    for(const std::uint64_t number : {0ull, 1ull, 7ull, 0xffffffffull, 1ull << 63}) {
+      std::string other = bytes;
+      other.replace(i, 8, archived(number));
+      State_reader reader(other);
+      Network read;
+      try {
+        reader(read);
+      } catch(const Run_state_error&) {
+        ++number_refused;
+        continue;
+      }
+      EXPECT_EQ(read.number_of_nodes(), curve.number_of_nodes());
+      for(const auto& origin : curve_origins(read)) EXPECT_LE(origin.parameter, 1);
+    }
+  EXPECT_GT(number_refused, 100u);
+}
+
+TEST(Run_state, curves_that_are_forged_to_touch_themselves_are_refused)
+{
+  const Run_state state = state_of_trefoil();
+  Network curve = trefoil();
+  Untangling_parameters parameters = flow_parameters();
+  parameters.number_of_iterations = 3;
+  untangle(curve, parameters);
+  const auto at = [&](std::size_t v) {
+    return archived(curve.point(v).x(), curve.point(v).y(), curve.point(v).z());
+  };
+  const Run_state other = forged(state, at(0), at(curve.number_of_nodes() / 2));
+  EXPECT_THROW(run_from(run, trefoil(), flow_parameters(), other, after(4)), Run_state_error);
+  EXPECT_NO_THROW(run_from(run, trefoil(), flow_parameters(), state, after(4)));
+}
+
+// A run that took 2^60 directions for its own would take all memory, and with a thickness of NaN it
+// would not know where its edges end.
+TEST(Run_state, parameters_that_are_forged_are_refused)
+{
+  const Run_state state = state_of_trefoil();
+  const Untangling_parameters p = flow_parameters();
+  const std::string directions = archived(p.number_of_directions, p.max_radius);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(const Run_state& other :
+      {forged(state, directions, archived(std::size_t(1) << 60, p.max_radius)),
+       forged(state, directions, archived(std::size_t(0), p.max_radius)),
+       forged(state, directions, archived(p.number_of_directions, nan)),
+       forged(state, archived(p.thickness) + directions, archived(nan) + directions)})
+    EXPECT_THROW(run_from(run, trefoil(), p, other, after(4)), Run_state_error);
+}
+
 std::string complaint(const Network& curve, const Untangling_parameters& parameters)
 {
   try {
@@ -199,6 +279,14 @@ TEST(Run_state, a_run_with_another_parameter_does_not_resume)
   parameters.random_seed = 1;
   EXPECT_EQ(complaint(trefoil(), parameters),
             "the state is that of a run with another random_seed: 0, not 1");
+}
+
+TEST(Run_state, another_build_of_the_same_version_does_not_resume)
+{
+  Untangling_parameters parameters = flow_parameters();
+  parameters.build_name = "1a2b3c4";
+  EXPECT_EQ(complaint(trefoil(), parameters),
+            "the state is that of a run with another build_name: , not 1a2b3c4");
 }
 
 TEST(Run_state, a_run_of_another_curve_does_not_resume)

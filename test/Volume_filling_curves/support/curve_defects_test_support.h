@@ -7,7 +7,7 @@
 #ifndef VFC_CURVE_DEFECTS_TEST_SUPPORT_H
 #define VFC_CURVE_DEFECTS_TEST_SUPPORT_H
 
-#include <CGAL/Volume_filling_curves/IO/embedded_polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 
 #include <gtest/gtest.h>
 

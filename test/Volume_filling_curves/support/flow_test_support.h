@@ -81,7 +81,7 @@ inline Network path(const std::vector<Vector>& points)
   return network_of(points, edges);
 }
 
-// A ring of n nodes with a tail, a star of three arms, and a path that doubles back on itself.
+// A ring of n nodes with a ray, a star of three arms, and a path that doubles back on itself.
 inline Network junctions_and_ends(std::size_t n, Random& random)
 {
   std::vector<Vector> points = random_polygon(n + 10, random);

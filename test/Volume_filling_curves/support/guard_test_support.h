@@ -115,7 +115,7 @@ inline void add_strand(Curve& curve, std::size_t n, bool is_closed, std::size_t 
   if(is_closed) curve.edges.push_back({last, first});
 }
 
-// The graph of a ring, a path, two of them, a star, a ring with a tail, or a theta.
+// The graph of a ring, a path, two of them, a star, a ring with a ray, or a theta.
 inline Curve random_graph(Random& random)
 {
   constexpr std::size_t no_node = brute_force::no_node;

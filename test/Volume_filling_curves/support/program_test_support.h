@@ -13,6 +13,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -80,13 +81,6 @@ protected:
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("out"), read("err")};
   }
 
-  bool wait_for(const std::string& name) const
-  {
-    using namespace std::chrono_literals;
-    for(int i = 0; i < 2000 && !exists(name); ++i) std::this_thread::sleep_for(10ms);
-    return exists(name);
-  }
-
   // A trefoil, tight after a dozen iterations.
   void make_trefoil() const
   {
@@ -117,6 +111,7 @@ private:
 class Background_program
 {
 public:
+  // Standard error goes to the file `err` in the folder.
   Background_program(const std::filesystem::path& folder, std::vector<std::string> arguments)
   {
     arguments.insert(arguments.begin(), VFC_PROGRAM);
@@ -125,7 +120,8 @@ public:
     argv.push_back(nullptr);
     m_process = fork();
     if(m_process != 0) return;
-    if(chdir(folder.c_str()) == 0) execv(VFC_PROGRAM, argv.data());
+    if(chdir(folder.c_str()) == 0 && std::freopen("err", "w", stderr) != nullptr)
+      execv(VFC_PROGRAM, argv.data());
     _exit(127);
   }
 
@@ -134,18 +130,44 @@ public:
     if(m_process > 0) end(SIGKILL);
   }
 
+  // Waits until a condition holds, however long that takes; false if the program ends before.
+  template <typename Condition>
+  bool wait_for(const Condition& holds)
+  {
+    using namespace std::chrono_literals;
+    while(!holds()) {
+      if(has_ended()) return holds();
+      std::this_thread::sleep_for(1ms);
+    }
+    return true;
+  }
+
+  void send(int signal) const { kill(m_process, signal); }
+
+  // Waits for the end and returns the exit status.
+  int wait()
+  {
+    if(!has_ended()) waitpid(m_process, &m_status, 0);
+    m_process = 0;
+    return WIFEXITED(m_status) ? WEXITSTATUS(m_status) : -1;
+  }
+
   // Sends a signal, waits for the end and returns the exit status.
   int end(int signal)
   {
-    int status = -1;
-    kill(m_process, signal);
-    waitpid(m_process, &status, 0);
-    m_process = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if(!has_ended()) send(signal);
+    return wait();
   }
 
 private:
+  bool has_ended()
+  {
+    if(m_process > 0 && waitpid(m_process, &m_status, WNOHANG) == m_process) m_process = 0;
+    return m_process == 0;
+  }
+
   pid_t m_process;
+  int m_status = -1;
 };
 
 } // namespace program_test

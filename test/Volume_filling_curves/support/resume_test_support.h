@@ -7,10 +7,9 @@
 #ifndef VFC_TEST_RESUME_TEST_SUPPORT_H
 #define VFC_TEST_RESUME_TEST_SUPPORT_H
 
-#include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
-#include <CGAL/Volume_filling_curves/Isotopy_certificate.h>
-#include <CGAL/Volume_filling_curves/Run_checkpoint.h>
 #include <CGAL/Volume_filling_curves/Run_state.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 
 #include <gtest/gtest.h>
 

@@ -53,8 +53,7 @@ struct Known_curve
   std::string path() const { return (folder() / file).string(); }
 };
 
-// Reads "1*x^2 -1*x^8", or "1". The manifest's polynomials are those of the mirror images, as that
-// of its Hopf link with the linking number -1 shows, so exponents change their signs.
+// Reads a polynomial of the manifest, such as "1*x^2 -1*x^8" or "1".
 inline knot_test::Laurent laurent(const std::string& text)
 {
   knot_test::Laurent result;
@@ -62,7 +61,7 @@ inline knot_test::Laurent laurent(const std::string& text)
   for(std::string term; terms >> term;) {
     const std::size_t power = term.find("*x^");
     const int exponent = power == std::string::npos ? 0 : std::stoi(term.substr(power + 3));
-    result[-exponent] = std::stoll(term);
+    result[exponent] = std::stoll(term);
   }
   return result;
 }

@@ -6,8 +6,8 @@
 
 #include "support/untangle_test_support.h"
 
-#include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include "support/knot_invariants.h"
 #include "support/shared_curves.h"
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/polylines.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <gtest/gtest.h>

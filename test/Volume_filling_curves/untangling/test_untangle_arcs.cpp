@@ -7,11 +7,11 @@
 #include "support/shared_curves.h"
 #include "support/untangle_test_support.h"
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Tails.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
+#include <CGAL/Volume_filling_curves/untangle.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
-#include <CGAL/Volume_filling_curves/without_tails.h>
 
 #include <gtest/gtest.h>
 
@@ -97,10 +97,10 @@ knot_test::Invariants invariants_of_arc(const Network& arc)
   return knot_test::invariants_of({shared_curves::closed_far_away(loop)});
 }
 
-// Ends in the middle of a tangle: without tails the knots slip off them.
+// Ends in the middle of a tangle: without rays the knots slip off them.
 TEST(Untangle_arcs, keeps_the_knot_of_a_tangle_cut_open)
 {
-  int number_of_knots = 0, number_of_losses_without_tails = 0;
+  int number_of_knots = 0, number_of_losses_without_rays = 0;
   for(const unsigned seed : {3u, 4u, 6u, 9u, 11u}) {
     const Network closed = tangled(braid(seed % 2 == 1 ? "1 1 1" : "1 -2 1 -2", 62), seed, 300);
     Network arc = arc_of(closed, 17 * seed, closed.number_of_nodes() - 8);
@@ -120,10 +120,10 @@ TEST(Untangle_arcs, keeps_the_knot_of_a_tangle_cut_open)
     CGAL::Volume_filling_curves::Isotopy_guard_3 guard(other);
     Curve_flow_3 flow(guard);
     for(int k = 0; k < 500 && flow.gradient_norm() > 7e-3; ++k) flow.step();
-    number_of_losses_without_tails += !(invariants_of_arc(other) == expected);
+    number_of_losses_without_rays += !(invariants_of_arc(other) == expected);
   }
   EXPECT_EQ(number_of_knots, 5);
-  EXPECT_GE(number_of_losses_without_tails, 2);
+  EXPECT_GE(number_of_losses_without_rays, 2);
 }
 
 // Whether `untangle()` ends with a closure that has the type of the arc's, if it says so.
@@ -189,14 +189,14 @@ struct Stop_soon : CGAL::Volume_filling_curves::Default_curve_flow_visitor
   void on_iteration(const Flow& flow)
   {
     const Network& curve = flow.curve();
-    const Network arc = CGAL::Volume_filling_curves::without_tails(curve);
+    const Network arc = CGAL::Volume_filling_curves::without_closing_rays(curve);
     EXPECT_LT(arc.number_of_nodes(), curve.number_of_nodes());
     EXPECT_EQ(arc.origin(0), 0u);
     if(flow.statistics().iterations == 3) throw 17;
   }
 };
 
-TEST(Untangle_arcs, leaves_no_tails_behind_when_a_visitor_throws)
+TEST(Untangle_arcs, leaves_no_rays_behind_when_a_visitor_throws)
 {
   Network arc = arc_of(tangled(braid("1 1 1", 60), 1), 5, 100);
   const std::size_t n = arc.number_of_nodes();
@@ -218,7 +218,7 @@ TEST(Untangle_arcs, refuses_bad_parameters_as_for_closed_curves)
   EXPECT_EQ(contents(arc), before);
 }
 
-// The certificate is about the arc; the tails were more than that.
+// The certificate is about the arc; the rays were more than that.
 TEST(Untangle_arcs, can_be_verified_by_others)
 {
   Network arc = arc_of(tangled(braid("1 1 1", 60), 3), 5, 100);

@@ -10,7 +10,7 @@
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
-#include <CGAL/Volume_filling_curves/verify_certificate_in_domain.h>
+#include <CGAL/Volume_filling_curves/verify_certificate.h>
 
 #include <gtest/gtest.h>
 
