@@ -27,9 +27,9 @@
  * A visitor that is passed by value is copied, so that what the run leaves in it is lost; a model
  * is copyable if it is to be passed so. Pass `std::ref()` of a visitor to keep its state.
  *
- * The curve that a visitor of `untangle()` sees has tails at pinned ends: pinned nodes whose
+ * The curve that a visitor of `untangle()` sees has rays at pinned ends: pinned nodes whose
  * `CGAL::Volume_filling_curves::Curve_network_3::origin()` is null.
- * `CGAL::Volume_filling_curves::without_tails()` gives the curve itself.
+ * `CGAL::Volume_filling_curves::without_closing_rays()` gives the curve itself.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Volume_filling_curves::Default_curve_flow_visitor}
@@ -45,7 +45,7 @@ public:
   /// unless the run resumes in the middle of this flow.
   /// In `fill()` it is called once, with the thickness asked for, although the curve then grows
   /// with a coarser one first. `Flow` is an instance of
-  /// `CGAL::Volume_filling_curves::Curve_flow_3`.
+  /// `CGAL::Volume_filling_curves::Curve_flow_3`, or has the same functions for reading.
   template <typename Flow>
   void on_start(const Flow& flow);
 
