@@ -10,9 +10,9 @@ include_guard(GLOBAL)
 set(VFC_SANITIZE "" CACHE STRING "Sanitizers to build with, such as address,undefined or thread")
 option(VFC_WARNINGS_ARE_ERRORS "Stop at the first warning" ON)
 option(VFC_PRECOMPILE "Precompile the headers of CGAL and Eigen" ON)
-# The rooms use the same templates, which are compiled only a few times then.
-option(VFC_ROOMS_AT_ONCE
-  "Compile the rooms of the program, and of the tests, together: faster from scratch, slower after a change"
+# Sources of one module use the same templates, which are compiled only a few times then.
+option(VFC_UNITY_BUILD
+  "Compile the sources of a module together: faster from scratch, slower after a change"
   OFF)
 
 add_library(Volume_filling_curves_development INTERFACE)

@@ -7,7 +7,7 @@
 #ifndef VFC_BENCHMARK_FILLING_OPTIONS_H
 #define VFC_BENCHMARK_FILLING_OPTIONS_H
 
-#include <CGAL/Volume_filling_curves/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,8 +7,8 @@
 #ifndef VFC_BENCHMARK_STAGE_PROFILE_H
 #define VFC_BENCHMARK_STAGE_PROFILE_H
 
-#include <CGAL/Volume_filling_curves/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/Default_curve_flow_visitor.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 
 #include <CGAL/Real_timer.h>
 

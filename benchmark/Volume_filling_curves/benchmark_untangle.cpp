@@ -28,7 +28,7 @@
 #include "read_curve.h"
 #include "surroundings.h"
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 

@@ -9,7 +9,7 @@
 
 #include "Flow_sample.h"
 
-#include <CGAL/Volume_filling_curves/internal/remeshing/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
 
 #include <array>
 #include <vector>

@@ -9,7 +9,7 @@
 
 #include "Flow_sample.h"
 
-#include <CGAL/Volume_filling_curves/internal/direction/Touching_nodes.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Touching_nodes.h>
 
 namespace {
 

@@ -10,8 +10,8 @@
 
 #include "Flow_sample.h"
 
-#include <CGAL/Volume_filling_curves/internal/direction/Contact_stiffness.h>
-#include <CGAL/Volume_filling_curves/internal/direction/Tridiagonal_conjugate_gradients.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Contact_stiffness.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Tridiagonal_conjugate_gradients.h>
 
 #include <Eigen/SparseCholesky>
 

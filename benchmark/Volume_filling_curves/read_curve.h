@@ -7,7 +7,7 @@
 #ifndef VFC_BENCHMARK_READ_CURVE_H
 #define VFC_BENCHMARK_READ_CURVE_H
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 
 #include <stdexcept>
 #include <string>

@@ -9,10 +9,10 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/Filling_result.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
 

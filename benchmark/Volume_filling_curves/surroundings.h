@@ -7,7 +7,7 @@
 #ifndef VFC_BENCHMARK_SURROUNDINGS_H
 #define VFC_BENCHMARK_SURROUNDINGS_H
 
-#include <CGAL/Volume_filling_curves/version.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 #include <CGAL/version.h>
 #include <boost/config.hpp>

@@ -6,7 +6,7 @@
 
 // A user who only reads curves.
 
-#include <CGAL/Volume_filling_curves/IO/polylines.h>
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 
 #include <iostream>
 #include <vector>

@@ -16,14 +16,17 @@ import json
 import os
 import pathlib
 import shlex
+import signal
 import subprocess
 import time
 
 FINISHED = (0, 2, 3)  # exit statuses of vfc with which there is a result
 
 # A shell of its own limits the CPU seconds, and keeps the memory of this script out of what a program
-# counts as its peak. More than one command, so that it does not become the program.
-FROM_SHELL = ("sh", "-c", 'ulimit -t "$0"; "$@"; exit $?')
+# counts as its peak. The soft limit comes with SIGXCPU, which the exit status shows; the hard one kills
+# a program that ignores it. More than one command, so that the shell does not become the program.
+FROM_SHELL = ("sh", "-c", 'ulimit -S -t "$0"; ulimit -H -t $(($0 + 5)); "$@"; exit $?')
+AFTER_LIMIT = 128 + signal.SIGXCPU  # the shell's exit status
 
 # Of a report, what is kept.
 KEYS = ("status", "iterations", "seconds", "seconds_by_stage", "nodes_start", "nodes_end", "length_end",
@@ -92,9 +95,7 @@ def measure(program, case, folder, settings, judge):
                    user_seconds=usage.ru_utime, wall_seconds=wall,
                    peak_memory_bytes=1024 * usage.ru_maxrss, report={})
     if process.returncode not in ((0,) if program.is_peer else FINISHED):
-        is_late = figures["cpu_seconds"] > 0.9 * settings.most_seconds
-        figures["error"] = f"ended after {settings.most_seconds} CPU seconds" if is_late else (
-            reason(process.returncode, log))
+        figures["error"] = reason(process.returncode, figures["cpu_seconds"], settings, log)
     elif program.is_peer:
         figures["report"] = judged(judge, case, output)
     else:
@@ -105,8 +106,11 @@ def measure(program, case, folder, settings, judge):
     return figures
 
 
-def reason(exit_code, log):
-    """Why a run has no result."""
+def reason(exit_code, cpu_seconds, settings, log):
+    """Why a run has no result. The seconds decide only for what survived SIGXCPU: the system may count
+    less than the limit when it ends a program."""
+    if exit_code == AFTER_LIMIT or cpu_seconds >= settings.most_seconds:
+        return f"ended after {settings.most_seconds} CPU seconds"
     lines = log.read_text(errors="replace").split("\n")
     last = next((line.strip() for line in reversed(lines) if line.strip()), "no reason given")
     return f"exit status {exit_code}: {last[:200]}"
