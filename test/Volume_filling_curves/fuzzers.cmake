@@ -15,14 +15,16 @@ add_custom_target(fuzzers)
 set(fuzzer_flags -fsanitize=address,undefined -fno-sanitize-recover=all
   -fsanitize-ignorelist=${package_dir}/cmake/sanitizer_ignorelist.txt)
 
-# The modules of the program that read meshes, each compiled as one unit.
+# The modules of the program that read and mend meshes, each compiled as one unit.
 find_package(ZLIB REQUIRED)
 set(program_dir ${package_dir}/demo/Volume_filling_curves)
 add_library(fuzzed_parts STATIC EXCLUDE_FROM_ALL
   ${program_dir}/options/numbers.cpp ${program_dir}/reports/Defect.cpp)
-foreach(module formats meshes)
+foreach(module formats meshes repair)
   file(GLOB parts CONFIGURE_DEPENDS ${program_dir}/${module}/*.cpp)
-  list(FILTER parts EXCLUDE REGEX "/(mesh_to_text|vertex_values)[.]cpp$") # read or write no mesh
+  # Those that neither read nor mend a mesh, and those that need a session:
+  list(FILTER parts EXCLUDE REGEX
+       "/(mesh_to_text|vertex_values|obstacles|read_mended_mesh)[.]cpp$")
   set_source_files_properties(${parts} PROPERTIES UNITY_GROUP ${module})
   target_sources(fuzzed_parts PRIVATE ${parts})
 endforeach()
@@ -42,3 +44,4 @@ foreach(source IN LISTS sources)
   add_dependencies(fuzzers ${name})
 endforeach()
 target_link_libraries(fuzz_mesh_reader PRIVATE fuzzed_parts)
+target_link_libraries(fuzz_repair PRIVATE fuzzed_parts)

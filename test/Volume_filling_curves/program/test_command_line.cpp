@@ -53,7 +53,7 @@ TEST_F(Command_line, version_names_all_parts)
 
 TEST_F(Command_line, version_is_that_of_the_build_system)
 {
-  const fs::path lists = fs::path(VFC_TEST_DATA_DIR "/../../../CMakeLists.txt").lexically_normal();
+  const fs::path lists = fs::path(VFC_DATA_DIR "/../CMakeLists.txt").lexically_normal();
   const std::string text = program_test::read_file(lists);
   if(text.empty()) GTEST_SKIP() << "no " << lists;
   const std::string out = run("--version").out;
