@@ -75,6 +75,8 @@ public:
       m_is_wide.push_back(is_wide(place.center(), place.radius()));
   }
 
+  const Parameters& parameters() const { return m_parameters; }
+  Run_watch& watch() const { return m_watch; }
   const Samples& samples() const { return m_samples; }
 
   // of the samples
@@ -85,6 +87,14 @@ public:
 
   // the thickness to start from, the mean in the domain if it varies
   double thickness() const { return m_thickness; }
+
+  // the thickness that a curve starts with, the mean of its nodes if it varies
+  double start_thickness(const Curve_network_3<Traits>& curve) const
+  {
+    return m_parameters.thickness_field
+               ? mean_thickness(m_parameters.thickness_field, curve.points())
+               : m_thickness;
+  }
 
   // the default thickness, if a larger one is taken, since there would be too many nodes; else 0
   double refused_thickness() const

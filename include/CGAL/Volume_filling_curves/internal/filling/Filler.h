@@ -10,31 +10,41 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
-#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/filling/measure_filling.h>
-#include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <functional>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Lets fingers reach out from a curve all over the domain, and returns whether any did. They end by
+// themselves.
+template <typename Guard, typename Survey>
+bool reach_out(Guard& guard, const Survey& survey)
+{
+  const Watched_scope scope(nullptr);
+  survey.watch().begin(Run_stage::BRANCHING);
+  const auto& parameters = survey.parameters();
+  const auto thickness = [&](const auto& p) { return survey.thickness_at(p); };
+  auto tree = finger_tree(guard, survey.samples().domain(), thickness, parameters.random_seed,
+                          survey.watch());
+  tree.follow(parameters.direction_field, parameters.direction_weight);
+  tree.grow();
+  return tree.number_of_fingers() > 0;
+}
 
 // Lets a curve fill a domain. If fingers have reached out all over it, the curve opens in a few
 // iterations; otherwise it grows, coarse to fine: with a multiple of the thickness first, which
@@ -42,42 +52,32 @@ namespace internal {
 // to. While it opens or grows, a large cap of the medial radii pulls it into empty space, and
 // lambda is large, which makes the preconditioner close to the Hessian; at last it settles with
 // what was asked for.
-template <typename Flow, typename Samples, typename Visitor>
+template <typename Flow, typename Survey, typename Visitor>
 class Filler
 {
   using Network = typename Flow::Curve_network;
   using Guard = typename Flow::Guard;
   using Point_3 = typename Flow::Point_3;
   using Thickness_field = typename Flow::Thickness_field;
-  using Parameters = Filling_parameters<Point_3>;
   using Result = Filling_result<Point_3>;
-  using Unfilled = Unfilled_space<Network, Samples, typename Flow::Concurrency_tag>;
 
 public:
-  // lets fingers grow from the curve, and returns how many
-  using Reach_out = std::function<std::size_t()>;
-
-  // Takes the thickness to start from, and the radius of the widest ball inside. If the saver has a
-  // state to read, the curve is the one of that state.
+  // If the saver has a state to read, the curve is the one of that state.
   Filler(Guard& guard,
-         const Samples& samples,
-         const typename Unfilled::Distances& boundary_distances,
-         const Parameters& parameters,
-         double thickness,
-         double widest_radius,
-         Reach_out reach_out,
-         Run_watch& watch,
+         const Survey& survey,
          Visitor& visitor,
          Run_saver& saver,
          Filling_record& record)
-      : m_parameters(parameters),
-        m_coarsest_thickness(coarsest_share * widest_radius),
-        m_reach_out(std::move(reach_out)),
-        m_watch(watch),
-        m_unfilled(samples, boundary_distances, parameters.wall),
-        m_stages(guard, parameters, thickness, watch, visitor, saver, record),
-        m_thickness(m_stages.decide([&] { return thickness; }))
-  {}
+      : m_guard(guard),
+        m_survey(survey),
+        m_parameters(survey.parameters()),
+        m_watch(survey.watch()),
+        m_unfilled(survey.samples(), survey.distances_to_boundary(), m_parameters.wall),
+        m_thickness(survey.start_thickness(guard.curve())),
+        m_stages(guard, m_parameters, m_thickness, m_watch, visitor, saver, record)
+  {
+    m_thickness = m_stages.decide([this] { return m_thickness; });
+  }
 
   Result operator()()
   {
@@ -115,7 +115,7 @@ private:
   void grow_coarse_to_fine()
   {
     double factor = 1;
-    while(2 * factor * m_thickness <= m_coarsest_thickness) factor *= 2;
+    while(2 * factor * m_thickness <= coarsest_share * m_survey.widest_radius()) factor *= 2;
     for(; factor > 1; factor /= 2) run(Filling_stage::coarse_growth(), factor);
     run(Filling_stage::growth());
   }
@@ -124,8 +124,9 @@ private:
   bool reaches_out_further()
   {
     if(m_stages.end()) return false;
-    return m_stages.decide(
-        [this] { return m_unfilled.is_much(curve(), thickness()) && m_reach_out() > 0; });
+    return m_stages.decide([this] {
+      return m_unfilled.is_much(curve(), thickness()) && reach_out(m_guard, m_survey);
+    });
   }
 
   void settle()
@@ -216,13 +217,14 @@ private:
     return result;
   }
 
-  const Parameters& m_parameters;
-  const double m_coarsest_thickness; // with which the curve starts to grow
-  const Reach_out m_reach_out;
+  Guard& m_guard;
+  const Survey& m_survey;
+  const Filling_parameters<Point_3>& m_parameters;
   Run_watch& m_watch;
-  const Unfilled m_unfilled;
-  Filling_stages<Flow, Visitor> m_stages;
+  const Unfilled_space<Network, typename Survey::Samples, typename Flow::Concurrency_tag>
+      m_unfilled;
   double m_thickness; // the one that is asked for, or that is to lead to the length asked for
+  Filling_stages<Flow, Visitor> m_stages;
   Thickness_field m_thinning; // for good, where the domain is too thin
 };
 

@@ -17,7 +17,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
@@ -162,7 +161,7 @@ private:
     if(reader)
       (*reader)(guard);
     else if(m_parameters.start == Filling_start::TREE)
-      reach_out(guard);
+      reach_out(guard, m_survey);
     const Result result = let_flow(guard);
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
     return result;
@@ -174,20 +173,11 @@ private:
     try {
       const Watched_scope scope(m_saver.is_saving() ? nullptr : &m_watch);
       m_watch.begin(Run_stage::FLOWING);
-      return fill(guard);
+      return Filler<Flow, Survey, Visitor>(guard, m_survey, m_visitor, m_saver, m_record)();
     } catch(const Run_stopped&) {
       if(m_curves.has_garbage()) guard.collect_garbage();
       return stopped();
     }
-  }
-
-  Result fill(Isotopy_guard_3<Traits, Domain>& guard)
-  {
-    Filler<Flow, typename Survey::Samples, Visitor> filler(
-        guard, m_survey.samples(), m_survey.distances_to_boundary(), m_parameters,
-        start_thickness(), m_survey.widest_radius(), [&] { return reach_out(guard); }, m_watch,
-        m_visitor, m_saver, m_record);
-    return filler();
   }
 
   // The result of a run that was stopped within a step, or before the first one.
@@ -195,7 +185,7 @@ private:
   {
     Result result;
     result.status = m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
-    result.thickness = start_thickness();
+    result.thickness = m_survey.start_thickness(m_curves);
     result.medial_radius = std::numeric_limits<double>::quiet_NaN();
     result.gradient_norm = m_record.gradient_norm;
     result.statistics = m_record.statistics;
@@ -204,25 +194,6 @@ private:
                             m_parameters.wall);
     measure_filling(result, unfilled, m_curves, thickness, m_watch);
     return result;
-  }
-
-  // Returns how many fingers have grown.
-  std::size_t reach_out(Isotopy_guard_3<Traits, Domain>& guard) const
-  {
-    const Watched_scope scope(nullptr); // fingers end by themselves
-    m_watch.begin(Run_stage::BRANCHING);
-    const auto thickness = [this](const Point_3& p) { return m_survey.thickness_at(p); };
-    auto tree = finger_tree(guard, m_domain, thickness, m_parameters.random_seed, m_watch);
-    tree.follow(m_parameters.direction_field, m_parameters.direction_weight);
-    tree.grow();
-    return tree.number_of_fingers();
-  }
-
-  double start_thickness() const
-  {
-    return m_parameters.thickness_field
-               ? mean_thickness(m_parameters.thickness_field, m_curves.points())
-               : m_survey.thickness();
   }
 
   void report_parts(Result& result) const
