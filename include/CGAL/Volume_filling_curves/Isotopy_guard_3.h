@@ -11,7 +11,9 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
+#include <CGAL/Volume_filling_curves/internal/curve/ray_nodes.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Domain_boundary.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
@@ -36,11 +38,6 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 
-namespace internal {
-template <typename Guard>
-class Closing_rays;
-} // namespace internal
-
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
@@ -61,7 +58,6 @@ class Closing_rays;
  * certificate.
  *
  * Inserting and removing nodes leaves gaps in the numbering, which `collect_garbage()` closes.
- *
  * Positions are rounded to `double` before they are certified; those that are not finite, or have
  * coordinates beyond 1e150, are refused.
  *
@@ -99,13 +95,15 @@ public:
   /// the type of the indices of nodes and edges
   using size_type = typename Curve_network::size_type;
 
+  /// the type of observers of changes
+  using Observer = Curve_network_observer_3<Traits>;
+
   /// @}
 
   /// constructs a guard of `curve` without a domain.
   explicit Isotopy_guard_3(Curve_network& curve) : Isotopy_guard_3(curve, Domain_boundary()) {}
 
-  /// constructs a guard of `curve`, which keeps it inside `domain`. The guard borrows the domain,
-  /// which must outlive it.
+  /// constructs a guard of `curve`, which keeps it inside `domain`, which must outlive the guard.
   ///
   /// \pre the curve lies inside `domain`
   Isotopy_guard_3(Curve_network& curve, const Domain& domain)
@@ -135,7 +133,11 @@ public:
   bool move_node(size_type v, const Point_3& target)
   {
     CGAL_precondition_msg(!m_curve.is_removed_node(v), "the node has not been removed");
-    return count(is_in_range(target) && move_node_if_safe(v, rounded(target)));
+    if(is_in_range(target) && m_predicates.are_equal(m_curve.point(v), rounded(target)))
+      return change_if(true, [] {});
+    return change_if(is_in_range(target) &&
+                         m_certifier.is_move_safe(v, rounded(target), m_clearance),
+                     [&] { m_editor.move_node(v, rounded(target)); });
   }
 
   /// replaces edge `e` by two edges to a new node at `position` if that is certified, and returns
@@ -146,12 +148,18 @@ public:
   bool insert_node(size_type e, const Point_3& position)
   {
     CGAL_precondition_msg(!m_curve.is_removed_edge(e), "the edge has not been removed");
-    return count(is_in_range(position) && insert_node_if_safe(e, rounded(position)));
+    return change_if(is_in_range(position) &&
+                         m_certifier.is_insertion_safe(e, rounded(position), m_clearance),
+                     [&] { m_editor.insert_node(e, rounded(position)); });
   }
 
   /// removes node `v` and joins its two neighbors by an edge if that is certified, and returns
   /// whether it did. Ends, junctions and pinned nodes stay, and a closed component keeps 3 edges.
-  bool remove_node(size_type v) { return count(remove_node_if_safe(v)); }
+  bool remove_node(size_type v)
+  {
+    return change_if(!m_curve.is_pinned(v) && m_certifier.is_removal_safe(v, m_clearance),
+                     [&] { m_editor.remove_node(v); });
+  }
 
   /*!
    * moves all nodes towards their targets, as far as that is certified.
@@ -173,13 +181,9 @@ public:
   double move_nodes(const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& targets,
                     double least_fraction = 1)
   {
-    check_targets(targets);
-    const size_type n = m_curve.number_of_nodes();
     CGAL_precondition_msg(least_fraction > 0, "`least_fraction` is positive");
-    if(!are_in_range(targets)) {
-      m_number_of_rejected += n;
-      return 0;
-    }
+    if(!are_in_range(targets)) return 0;
+    const size_type n = m_curve.number_of_nodes();
     const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
     const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
@@ -214,12 +218,8 @@ public:
   std::vector<double> advance_nodes(
       const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& targets)
   {
-    check_targets(targets);
     const size_type n = m_curve.number_of_nodes();
-    if(!are_in_range(targets)) {
-      m_number_of_rejected += n;
-      return std::vector<double>(n, 0);
-    }
+    if(!are_in_range(targets)) return std::vector<double>(n, 0);
     const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
     internal::Shortened_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     m_editor.move_nodes(motion());
@@ -230,14 +230,38 @@ public:
     return motion.fractions();
   }
 
+  /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if it is certified to
+  /// meet nothing but `v`, and returns whether it did. No strand slips off an end that has a ray.
+  /// Nodes of rays are pinned and have no origin; certificates leave them out.
+  ///
+  /// \pre the node has not been removed
+  bool add_ray(size_type v, const Point_3& tip)
+  {
+    CGAL_precondition_msg(!m_curve.is_removed_node(v), "the node has not been removed");
+    return change_if(is_in_range(tip) && m_certifier.is_ray_safe(v, rounded(tip), m_clearance),
+                     [&] { m_editor.append_leaf(v, rounded(tip)); });
+  }
+
+  /// removes all rays, and closes the gaps that they leave.
+  void remove_rays() { internal::remove_rays(m_curve, m_editor); }
+
   /// @}
+
+  /// pins node `v`, or frees it, as `Curve_network_3::set_pinned()` does.
+  void set_pinned(size_type v, bool is_pinned = true) { m_editor.set_pinned(v, is_pinned); }
 
   /// closes the gaps that removed nodes left, numbers the nodes along the curve again, and returns
   /// the former index of each node.
   std::vector<std::uint32_t> collect_garbage() { return m_editor.collect_garbage(); }
 
-  /// \name Certificate
+  /// \name Observers and Certificate
   /// @{
+
+  /// calls `observer` right after every change. It must outlive the guard or be removed before.
+  void add_observer(Observer& observer) { m_editor.add(observer); }
+
+  /// stops calling an observer.
+  void remove_observer(Observer& observer) { m_editor.remove(observer); }
 
   /// starts to record all changes from here on; a former record is forgotten.
   ///
@@ -304,10 +328,6 @@ public:
   /// \endcond
 
 private:
-  // Leaves are no part of the curve that is certified. Closing_rays makes sure that they meet
-  // nothing.
-  friend class internal::Closing_rays<Isotopy_guard_3>;
-
   Isotopy_guard_3(Curve_network& curve, Domain_boundary&& walls)
       : m_curve(curve),
         m_editor(curve),
@@ -321,16 +341,11 @@ private:
 
   using Motion_limits = internal::Motion_limits<Curve_network, Domain_boundary>;
 
-  void check_targets([[maybe_unused]] const internal::Vector_field& targets) const
-  {
-    CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
-    CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == m_curve.number_of_nodes(),
-                          "`targets` has one row per node");
-  }
-
-  bool count(bool is_certified)
+  template <typename Change>
+  bool change_if(bool is_certified, const Change& change)
   {
     ++(is_certified ? m_number_of_certified : m_number_of_rejected);
+    if(is_certified) change();
     return is_certified;
   }
 
@@ -339,38 +354,23 @@ private:
     return internal::is_in_range(internal::to_vector(p));
   }
 
-  static bool are_in_range(const internal::Vector_field& targets)
+  // Counts targets beyond the range as refused.
+  bool are_in_range(const internal::Vector_field& targets)
   {
+    CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
+    CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == m_curve.number_of_nodes(),
+                          "`targets` has one row per node");
     for(Eigen::Index v = 0; v < targets.rows(); ++v)
-      if(!internal::is_in_range(internal::row(targets, v))) return false;
+      if(!internal::is_in_range(internal::row(targets, v))) {
+        m_number_of_rejected += m_curve.number_of_nodes();
+        return false;
+      }
     return true;
   }
 
   Point_3 rounded(const Point_3& p) const
   {
     return internal::to_point(internal::to_vector(p), m_curve.traits());
-  }
-
-  bool move_node_if_safe(size_type v, const Point_3& target)
-  {
-    if(m_predicates.are_equal(m_curve.point(v), target)) return true;
-    if(!m_certifier.is_move_safe(v, target, m_clearance)) return false;
-    m_editor.move_node(v, target);
-    return true;
-  }
-
-  bool insert_node_if_safe(size_type e, const Point_3& b)
-  {
-    if(!m_certifier.is_insertion_safe(e, b, m_clearance)) return false;
-    m_editor.insert_node(e, b);
-    return true;
-  }
-
-  bool remove_node_if_safe(size_type v)
-  {
-    if(m_curve.is_pinned(v) || !m_certifier.is_removal_safe(v, m_clearance)) return false;
-    m_editor.remove_node(v);
-    return true;
   }
 
   const Curve_network& m_curve;

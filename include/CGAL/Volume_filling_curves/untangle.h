@@ -27,7 +27,6 @@
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Strategic_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/keep_tighter_input.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/ray_nodes.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
@@ -313,8 +312,7 @@ template <typename Traits>
 {
   CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   Curve_network_3<Traits> copy(curve);
-  internal::Network_editor<Curve_network_3<Traits>> editor(copy);
-  internal::remove_rays(copy, editor);
+  Isotopy_guard_3<Traits>(copy).remove_rays();
   return copy;
 }
 

@@ -208,6 +208,43 @@ TEST(Isotopy_guard, counts_moves_of_all_nodes_by_node)
   EXPECT_EQ(guard.number_of_refused_changes(), 4u);
 }
 
+TEST(Isotopy_guard, adds_rays_that_meet_nothing)
+{
+  Random random(4);
+  std::array<int, 2> count{};
+  for(int k = 0; k < 5000; ++k) {
+    const Curve curve = random_curve(3, k % 2 == 0, random);
+    Network network = to_network(curve);
+    const std::vector<double> before = contents(network);
+    Guard guard(network);
+    const std::size_t v = below(network.number_of_nodes(), random);
+    const Lattice_point tip = random_point(4, k % 2 == 0, random);
+    Curve with_ray = to_curve(network);
+    with_ray.edges.push_back({v, with_ray.points.size()});
+    with_ray.points.push_back(tip);
+    const bool is_added = guard.add_ray(v, to_point(tip));
+    ++count[is_added];
+    ASSERT_EQ(is_added, network.degree(v) == 1 + std::size_t(is_added) && is_embedded(with_ray));
+    guard.remove_rays();
+    ASSERT_EQ(contents(network), before);
+  }
+  EXPECT_GT(count[0], 100);
+  EXPECT_GT(count[1], 100);
+}
+
+TEST(Isotopy_guard, keeps_rays_clear_and_in_range)
+{
+  Network network({{0, 0, 0}, {1, 0, 0}, {3, 1, 0}, {3, 2, 0}}, {{0, 1}, {2, 3}});
+  Guard guard(network);
+  EXPECT_FALSE(guard.add_ray(1, {1e151, 0, 0}));
+  guard.set_clearance(1.1);
+  EXPECT_FALSE(guard.add_ray(1, {5, 0, 0}));
+  guard.set_clearance(0.9);
+  EXPECT_TRUE(guard.add_ray(1, {5, 0, 0}));
+  EXPECT_FALSE(guard.move_node(2, {3, -1, 0}));
+  EXPECT_EQ(guard.number_of_refused_changes(), 3u);
+}
+
 // A node that goes to and fro for ever leaves no trail behind.
 TEST(Isotopy_guard, does_not_slow_down_with_the_number_of_changes)
 {

@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/curve/Network_observer.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,16 +21,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The only one who changes points and edges of a network. It does what it is told to, whether or
-// not that is an isotopy: Isotopy_guard_3 owns an editor and asks first. Observers that registered
-// hear of every change. (After mutation_manager of geometry-central, where everything that belongs
-// to a mesh registers with the one object that changes it.) Constant time for changes of one node.
+// Changes points and edges of a network, whether or not that is an isotopy: Isotopy_guard_3 owns an
+// editor and asks first. All others edit copies of their own. Observers are called after every
+// change. (After mutation_manager of geometry-central, where everything that belongs to a mesh
+// registers with the one object that changes it.) Constant time for changes of one node.
 template <typename Network>
 class Network_editor
 {
 public:
   using Point_3 = typename Network::Point_3;
-  using Observer = Network_observer<Network>;
+  using Observer = Curve_network_observer_3<typename Network::Traits>;
 
   // The network must outlive the editor. Throws std::logic_error if it has another one.
   explicit Network_editor(Network& network) : m_network(network)
@@ -84,14 +84,19 @@ public:
   {
     const std::size_t v = m_network.m_topology.add_leaf(end);
     m_network.m_points.push_back(position);
-    set_pinned(v);
-    tell([&](Observer& observer) { observer.on_new_leaf(v); });
+    set_pinned(v, true);
+    tell([&](Observer& observer) { observer.on_new_ray(v); });
   }
 
   // Removes a node with one edge, and this edge. \pre its neighbor has another one
-  void remove_leaf(std::size_t v) { m_network.m_topology.remove_leaf(v); }
+  void remove_leaf(std::size_t v)
+  {
+    const std::size_t e = m_network.incident_edge(v, 0);
+    m_network.m_topology.remove_leaf(v);
+    tell([&](Observer& observer) { observer.on_shorter_ray(v, e); });
+  }
 
-  void set_pinned(std::size_t v) { m_network.set_pinned(v); }
+  void set_pinned(std::size_t v, bool is_pinned) { m_network.set_pinned(v, is_pinned); }
 
   // Closes the gaps in the numbering; returns the former index of each node.
   std::vector<std::uint32_t> collect_garbage()

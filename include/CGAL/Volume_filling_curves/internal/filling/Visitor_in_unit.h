@@ -37,11 +37,10 @@ public:
   Flow_in_unit(const Flow& flow, double unit)
       : m_flow(flow),
         m_unit(unit),
-        m_curve(flow.curve()),
+        m_curve(scaled(flow.curve(), unit)),
         m_parameters(flow.parameters()),
         m_direction(unit * flow.direction())
   {
-    scale(m_curve, unit);
     m_parameters.thickness *= unit;
   }
 

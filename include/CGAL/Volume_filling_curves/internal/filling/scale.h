@@ -34,11 +34,12 @@ typename Traits::Point_3 scaled(const typename Traits::Point_3& p,
 }
 
 template <typename Traits>
-void scale(Curve_network_3<Traits>& curve, double factor)
+Curve_network_3<Traits> scaled(Curve_network_3<Traits> curve, double factor)
 {
   Network_editor<Curve_network_3<Traits>> editor(curve);
   for(const std::size_t v : curve.nodes())
     editor.move_node(v, scaled(curve.point(v), factor, curve.traits()));
+  return curve;
 }
 
 inline void scale(Thickness_fit& fit, double factor)
@@ -96,10 +97,10 @@ class Scaled_scope
 public:
   Scaled_scope(Network& curve, double factor) : m_curve(curve), m_factor(factor)
   {
-    scale(m_curve, m_factor);
+    m_curve = scaled(m_curve, m_factor);
   }
 
-  ~Scaled_scope() { scale(m_curve, 1 / m_factor); }
+  ~Scaled_scope() { m_curve = scaled(m_curve, 1 / m_factor); }
 
   Scaled_scope(const Scaled_scope&) = delete;
   Scaled_scope& operator=(const Scaled_scope&) = delete;

@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/curve/Network_observer.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_limits.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 
@@ -33,7 +33,7 @@ class Certified_motion
   using Network = std::decay_t<decltype(std::declval<Limits>().curve())>;
 
 public:
-  using Rounds = typename Network_observer<Network>::Rounds;
+  using Rounds = typename Curve_network_observer_3<typename Network::Traits>::Rounds;
 
   explicit Certified_motion(const Limits& limits, Run_watch* watch = nullptr)
       : m_limits(limits), m_watch(watch)

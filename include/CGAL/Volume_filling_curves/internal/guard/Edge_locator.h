@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/curve/Network_observer.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 #include <CGAL/Volume_filling_curves/internal/search/Dynamic_box_tree.h>
 
 #include <cstddef>
@@ -26,9 +26,9 @@ namespace internal {
 // logarithmic time per change; a query takes near constant time for edges that are short or few,
 // and no edge is found in vain but for rounding.
 template <typename Network>
-class Edge_locator final : public Network_observer<Network>
+class Edge_locator final : public Curve_network_observer_3<typename Network::Traits>
 {
-  using Base = Network_observer<Network>;
+  using Base = Curve_network_observer_3<typename Network::Traits>;
 
 public:
   using typename Base::Point_3;
@@ -39,7 +39,7 @@ public:
   void on_move(std::size_t v) override { update_edges_at(v); }
   void on_insertion(std::size_t v) override { update_edges_at(v); }
   void on_removal(std::size_t, std::size_t e) override { update(e); }
-  void on_new_leaf(std::size_t v) override { update_edges_at(v); }
+  void on_new_ray(std::size_t v) override { update_edges_at(v); }
 
   // The curve has changed altogether.
   void on_motion(const std::vector<Point_3>&, const Rounds&) override { m_is_built = false; }

@@ -81,6 +81,18 @@ public:
     return m_clearance.is_kept({ab, cb}, {new_edge}, clearance, is_at_v);
   }
 
+  // whether an edge from an end of the curve to a new node meets nothing but that end
+  bool is_ray_safe(std::size_t end, const Point_3& tip, const Clearance_rule& clearance) const
+  {
+    if(m_curve.degree(end) != 1 || m_predicates.are_equal(m_curve.point(end), tip)) return false;
+    const Taken_out is_nothing{m_curve, none, none};
+    const Vector a = position(end), b = to_vector(tip);
+    const Filtered_triangle<Traits> segment(a, b, b, m_curve.traits());
+    return is_triangle_free(m_locator, end, none, segment, is_nothing, No_clearance()) &&
+           is_inside(m_curve.point(end), tip, tip) &&
+           m_clearance.is_kept({}, {{end, none, a, b}}, clearance, is_nothing);
+  }
+
 private:
   static constexpr std::size_t none = Network::null_node();
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Canonical_curve.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Certificate_writer.h>
-#include <CGAL/Volume_filling_curves/internal/curve/Network_observer.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,10 +29,10 @@ namespace internal {
 // network are obstacles for a while, and no part of the curve, hence left out: what misses the
 // curve and them misses the curve. Constant time per change.
 template <typename Network>
-class Motion_record final : public Network_observer<Network>
+class Motion_record final : public Curve_network_observer_3<typename Network::Traits>
 {
   using Kind = Certificate_operation::Kind;
-  using Base = Network_observer<Network>;
+  using Base = Curve_network_observer_3<typename Network::Traits>;
 
 public:
   using typename Base::Point_3;
@@ -69,7 +69,7 @@ public:
   void on_insertion(std::size_t v) override
   {
     const std::size_t a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
-    if(is_obstacle(a) || is_obstacle(c)) return on_new_leaf(v);
+    if(is_obstacle(a) || is_obstacle(c)) return on_new_ray(v);
     Certificate_operation operation;
     operation.kind = Kind::INSERT;
     operation.node = m_numbers[a];
@@ -88,7 +88,7 @@ public:
     m_writer.write(operation);
   }
 
-  void on_new_leaf(std::size_t) override { m_numbers.push_back(obstacle); }
+  void on_new_ray(std::size_t) override { m_numbers.push_back(obstacle); }
 
   void on_renumbering(const std::vector<std::uint32_t>& former) override
   {

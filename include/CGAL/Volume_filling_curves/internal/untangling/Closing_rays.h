@@ -10,19 +10,22 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/ray_nodes.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Ray_directions.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Ray_turn.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/ray_nodes.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -48,7 +51,7 @@ public:
 
   Closing_rays(const Closing_rays&) = delete;
   Closing_rays& operator=(const Closing_rays&) = delete;
-  ~Closing_rays() { remove_rays(m_curve, m_guard.m_editor); }
+  ~Closing_rays() { m_guard.remove_rays(); }
 
   bool are_needed() const { return !m_ends.empty(); }
 
@@ -65,8 +68,7 @@ public:
           m_curve, parameters.number_of_directions, m_guard.watch())();
     if(!is_positive(parameters.thickness) || !is_positive(parameters.spacing)) return;
     set_ball(parameters.thickness);
-    const std::vector<Point_3> tips = Ray_directions<Network>(m_curve, m_ends, m_ball).tips();
-    for(std::size_t k = 0; k < m_ends.size(); ++k) append(m_ends[k], tips[k]);
+    add_rays();
     divide(largest_spacing * parameters.spacing * parameters.thickness);
     m_guard.collect_garbage();
   }
@@ -121,6 +123,8 @@ public:
 
 private:
   static constexpr double radius_over_size = 1.25, margin_over_thickness = 5;
+  static constexpr int max_attempts = 100; // to find a direction
+  static constexpr int halvings = 12;      // the first direction after a refusal is off by 2^-11
   static constexpr double largest_spacing = 1.5; // in units of the flow's, which splits from 2 on
 
   void find_ends()
@@ -149,10 +153,35 @@ private:
     m_inner_radius = m_ball.radius - (std::min)(thickness, margin / 2);
   }
 
-  void append(std::size_t end, const Point_3& tip)
+  // Rays go away from the center of the ball or, where that is refused, in the nearest of some
+  // random directions that is not.
+  void add_rays()
   {
-    m_length += (to_vector(tip) - to_vector(m_curve.point(end))).norm();
-    m_guard.m_editor.append_leaf(end, tip);
+    Random_source random(0);
+    std::vector<std::size_t> ends = m_ends;
+    for(int attempt = 0; !ends.empty(); ++attempt) {
+      if(attempt == max_attempts)
+        throw std::invalid_argument("node " + std::to_string(ends[0]) +
+                                    ", an end, is shut in by the curves");
+      std::vector<std::size_t> refused_ends;
+      for(const std::size_t v : ends) {
+        const Vector tilt =
+            attempt == 0
+                ? Vector()
+                : Vector(std::ldexp(1., (std::min)(attempt - halvings, 1)) * random.direction());
+        if(!m_guard.add_ray(v, tip(v, tilt))) refused_ends.push_back(v);
+      }
+      ends = refused_ends;
+    }
+    for(const std::size_t v : m_ends)
+      m_length += edge_vector(m_curve, m_curve.incident_edge(v, 1)).norm();
+  }
+
+  Point_3 tip(std::size_t end, const Vector& tilt) const
+  {
+    const Vector p = to_vector(m_curve.point(end)), outwards = p - m_ball.center;
+    const Vector direction = outwards.norm() > 0 ? outwards.normalized() : Vector(1, 0, 0);
+    return to_point(m_ball.tip(p, (direction + tilt).normalized()), m_curve.traits());
   }
 
   // Leaves garbage.
@@ -168,7 +197,7 @@ private:
     if(edge_vector(m_curve, e).norm() <= length) return;
     if(!halve_edge(m_guard, e)) return;
     const std::size_t middle = m_curve.target(e);
-    m_guard.m_editor.set_pinned(middle);
+    m_guard.set_pinned(middle);
     divide(e, length);
     divide(m_curve.incident_edge(middle, 1), length);
   }

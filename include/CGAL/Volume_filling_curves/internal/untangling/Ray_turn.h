@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Ray_directions.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <cstddef>
 #include <vector>
@@ -18,6 +18,20 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// A ball around a curve. A straight ray that starts inside it is long enough to leave it in any
+// direction.
+struct Ball
+{
+  Vector center;
+  double radius = 0;
+
+  // returns where a ray ends
+  Vector tip(const Vector& start, const Vector& direction) const
+  {
+    return start + (radius + (start - center).norm()) * direction;
+  }
+};
 
 // Do two closures of an open curve have the same type, the one along its rays, and the one away
 // from the mean of its nodes? Surely if the rays, taken as straight, can turn from there to here

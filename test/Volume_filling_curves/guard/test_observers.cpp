@@ -6,28 +6,26 @@
 
 #include "support/guard_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
 
 // What observers hear is enough to follow every change of a network.
-namespace test_network_editor {
+namespace test_observers {
 
 using namespace guard_test;
 using Network = CGAL::Volume_filling_curves::Curve_network_3<>;
-using Editor = CGAL::Volume_filling_curves::internal::Network_editor<Network>;
-using Base = CGAL::Volume_filling_curves::internal::Network_observer<Network>;
+using Guard = CGAL::Volume_filling_curves::Isotopy_guard_3<>;
 using Point = Network::Point_3;
 
 // Nodes and edges of its own, kept by nothing but what it is told.
-class Mirror final : public Base
+class Mirror final : public CGAL::Volume_filling_curves::Curve_network_observer_3<>
 {
 public:
   explicit Mirror(const Network& network) : m_network(network)
@@ -62,10 +60,16 @@ public:
     add_edge(m_network.source(e), m_network.target(e));
   }
 
-  void on_new_leaf(std::size_t v) override
+  void on_new_ray(std::size_t v) override
   {
     m_points.push_back(m_network.point(v));
     add_edge(m_network.neighbor(v, 0), v);
+  }
+
+  void on_shorter_ray(std::size_t v, std::size_t) override
+  {
+    for(auto edge = m_edges.begin(); edge != m_edges.end();)
+      edge = edge->first == v || edge->second == v ? m_edges.erase(edge) : std::next(edge);
   }
 
   void on_renumbering(const std::vector<std::uint32_t>& former) override
@@ -104,50 +108,45 @@ Network path()
           {{0, 1}, {1, 2}, {2, 3}}};
 }
 
-TEST(Network_editor, tells_observers_of_every_change)
+TEST(Observers, hear_of_every_change)
 {
   Network network = path();
-  Editor editor(network);
+  Guard guard(network);
   Mirror mirror(network);
-  editor.add(mirror);
-  editor.move_node(1, Point(1, 1, 0));
+  guard.add_observer(mirror);
+  EXPECT_TRUE(guard.move_node(1, Point(1, 1, 0)));
   mirror.expect_equal();
-  editor.insert_node(1, Point(1.5, 1, 0));
+  EXPECT_TRUE(guard.insert_node(1, Point(1.5, 1, 0)));
   mirror.expect_equal();
-  editor.append_leaf(3, Point(4, 0, 0));
+  EXPECT_TRUE(guard.add_ray(3, Point(4, 0, 0)));
   mirror.expect_equal();
   EXPECT_TRUE(network.is_pinned(5));
-  editor.remove_node(2);
+  EXPECT_TRUE(guard.remove_node(2));
   mirror.expect_equal();
-  EXPECT_EQ(editor.collect_garbage().size(), 5u);
+  EXPECT_EQ(guard.collect_garbage().size(), 5u);
   mirror.expect_equal();
-  EXPECT_FALSE(network.has_garbage());
-  const std::vector<Point> there(5, Point(7, 7, 7)), places(5, Point(8, 8, 8));
-  editor.move_nodes({{there, places}, false});
+  Targets targets = CGAL::Volume_filling_curves::internal::coordinates(network);
+  targets.col(2).setConstant(7);
+  EXPECT_EQ(guard.move_nodes(targets), 1);
   mirror.expect_equal();
-  EXPECT_EQ(network.point(3), Point(8, 8, 8));
+  targets.col(0).array() += 1;
+  EXPECT_EQ(guard.advance_nodes(targets), std::vector<double>(5, 1));
+  mirror.expect_equal();
+  guard.remove_rays();
+  mirror.expect_equal();
+  EXPECT_EQ(network.number_of_nodes(), 4u);
 }
 
-TEST(Network_editor, tells_no_one_who_has_left)
+TEST(Observers, hear_nothing_once_removed)
 {
   Network network = path();
-  Editor editor(network);
+  Guard guard(network);
   Mirror stays(network), leaves(network);
-  editor.add(stays);
-  editor.add(leaves);
-  editor.remove(leaves);
-  editor.insert_node(0, Point(0.5, 0, 0));
+  guard.add_observer(stays);
+  guard.add_observer(leaves);
+  guard.remove_observer(leaves);
+  EXPECT_TRUE(guard.insert_node(0, Point(0.5, 0, 0)));
   stays.expect_equal();
 }
 
-TEST(Network_editor, takes_back_a_leaf)
-{
-  Network network = path();
-  Editor editor(network);
-  editor.append_leaf(0, Point(-1, 0, 0));
-  editor.remove_leaf(4);
-  editor.collect_garbage();
-  EXPECT_EQ(contents(network), contents(path()));
-}
-
-} // namespace test_network_editor
+} // namespace test_observers

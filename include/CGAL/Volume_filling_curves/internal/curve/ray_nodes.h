@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_RAY_NODES_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_RAY_NODES_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_RAY_NODES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_RAY_NODES_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -67,4 +67,4 @@ void remove_rays(const Network& curve, Network_editor<Network>& editor)
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_RAY_NODES_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_RAY_NODES_H
