@@ -15,11 +15,11 @@
 #include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
 #include <CGAL/Volume_filling_curves/internal/flow/read_flow.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/mean_radius.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/medial_spheres_at.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
@@ -35,7 +35,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -115,18 +114,23 @@ public:
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
-      : Curve_flow_3(guard, parameters, nullptr)
+      : Curve_flow_3(guard, parameters, Thickness(parameters.thickness), nullptr)
   {}
 
   /// \cond SKIP_IN_MANUAL
-  // With a reader, a flow that waits for resume(). Without one it is as above.
+  using Thickness = internal::Thickness<Point_3>;
+
+  // With a thickness in place of the one in the parameters. With a reader, a flow that waits for
+  // resume(). Without one it is as above.
   Curve_flow_3(Guard& guard,
                const Curve_flow_parameters& parameters,
+               const Thickness& thickness,
                const internal::State_reader* reader)
       : m_guard(guard),
         m_first_certified_change(guard.number_of_certified_changes()),
         m_first_refused_change(guard.number_of_refused_changes()),
         m_parameters(parameters),
+        m_thickness(thickness),
         m_step(guard, parameters.max_displacement)
   {
     if(!reader) start();
@@ -164,17 +168,24 @@ public:
   /// \throws std::invalid_argument if a parameter is not positive and finite, as above
   void set_parameters(const Curve_flow_parameters& parameters)
   {
-    set_parameters(parameters, nullptr);
+    set_parameters(parameters, Thickness(parameters.thickness));
   }
 
   /// likewise, with a thickness that varies in space instead of the one in the parameters.
   void set_parameters(const Curve_flow_parameters& parameters, Thickness_field thickness)
   {
+    set_parameters(parameters, Thickness(parameters.thickness, std::move(thickness)));
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  void set_parameters(const Curve_flow_parameters& parameters, const Thickness& thickness)
+  {
     m_parameters = parameters;
-    m_thickness_field = std::move(thickness);
+    m_thickness = thickness;
     m_step.start_anew(parameters.max_displacement);
     start();
   }
+  /// \endcond
 
   /*!
    * lets the curve follow a direction field: an edge that includes an angle with the field counts
@@ -207,7 +218,7 @@ public:
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     update_thickness();
-    m_direction.update(curve(), m_guard.walls(), m_parameters, m_thickness, m_statistics,
+    m_direction.update(curve(), m_guard.walls(), m_parameters, m_node_thickness, m_statistics,
                        m_guard.watch());
   }
 
@@ -220,10 +231,10 @@ public:
   }
 
   // Reads what another flow has written of the same curve, and goes on with that.
-  void resume(internal::State_reader& reader, Thickness_field thickness = nullptr)
+  void resume(internal::State_reader& reader, const Thickness& thickness = Thickness())
   {
     internal::read_flow(reader, *this);
-    m_thickness_field = std::move(thickness);
+    m_thickness = thickness.varies() ? thickness : Thickness(m_parameters.thickness);
     update();
   }
 
@@ -249,7 +260,7 @@ public:
   double thickness() const { return m_parameters.thickness; }
 
   /// returns the thickness at node `v`.
-  double thickness(size_type v) const { return m_thickness[v]; }
+  double thickness(size_type v) const { return m_node_thickness[v]; }
 
   /// returns the length of all edges.
   double length() const { return m_direction.length(); }
@@ -304,11 +315,12 @@ private:
   void start()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
+    m_parameters.thickness = m_thickness.number();
     internal::check_parameters(m_parameters);
-    if(!(m_parameters.thickness > 0) && !m_thickness_field) {
+    if(!m_thickness.is_given()) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
           curve(), m_parameters.number_of_directions, m_guard.watch());
-      m_parameters.thickness = measure();
+      m_thickness = Thickness(measure());
     }
     remesh_until_even();
     update();
@@ -316,21 +328,20 @@ private:
 
   void update_thickness()
   {
-    m_thickness = internal::node_thicknesses(curve(), m_parameters.thickness, m_thickness_field);
-    const auto n = static_cast<double>(m_thickness.size());
-    if(m_thickness_field && n > 0)
-      m_parameters.thickness = std::accumulate(m_thickness.begin(), m_thickness.end(), 0.) / n;
-    const double least = n > 0 ? *std::min_element(m_thickness.begin(), m_thickness.end()) : 0;
+    m_node_thickness = m_thickness.at_each(curve().points());
+    m_parameters.thickness = m_thickness.mean(m_node_thickness);
+    const auto least = std::min_element(m_node_thickness.begin(), m_node_thickness.end());
     // A step leaves strands a tenth of the thickness apart, so that they can move on.
     constexpr double clearance_over_thickness = 0.1;
-    m_guard.set_clearance(clearance_over_thickness * least);
+    m_guard.set_clearance(least == m_node_thickness.end() ? 0 : clearance_over_thickness * *least);
   }
 
   // Returns whether any node moved.
   bool move()
   {
     const internal::Stage_timer stage(m_statistics.seconds_motion);
-    return m_step(m_direction.positions(), direction(), m_parameters, m_thickness, m_statistics);
+    return m_step(m_direction.positions(), direction(), m_parameters, m_node_thickness,
+                  m_statistics);
   }
 
   void remesh()
@@ -353,7 +364,7 @@ private:
 
   Remesher make_remesher()
   {
-    std::vector<double> spacing = m_thickness;
+    std::vector<double> spacing = m_node_thickness;
     for(double& h : spacing) h *= m_parameters.spacing;
     return {m_guard, std::move(spacing)};
   }
@@ -378,12 +389,12 @@ private:
   size_type m_first_certified_change,
       m_first_refused_change; // of the guard's, where the flow began
   Curve_flow_parameters m_parameters;
-  Thickness_field m_thickness_field; // none if the thickness is the same everywhere
+  Thickness m_thickness;
   Curve_flow_statistics m_statistics;
   internal::Guarded_step<Guard, ConcurrencyTag> m_step;
 
   // of the curve as it stands
-  std::vector<double> m_thickness; // per node
+  std::vector<double> m_node_thickness;
   internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
 };
 

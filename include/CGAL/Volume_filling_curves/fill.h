@@ -16,10 +16,10 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_call.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/thickness_at.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
@@ -310,12 +310,9 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
   CGAL_precondition_msg(!guard.curve().has_garbage(), "the network has no garbage");
   const auto parameters = internal::get_parameters<internal::Finger_signature<Point_3>>(np);
   internal::check_parameters(parameters);
-  if(!parameters.thickness_field && !(parameters.thickness > 0))
+  const internal::Thickness<Point_3> thickness(parameters.thickness, parameters.thickness_field);
+  if(!thickness.is_given())
     throw std::invalid_argument("thickness: there is none, and fingers have no default");
-  const auto thickness = [&](const Point_3& p) {
-    return parameters.thickness_field ? internal::thickness_at(parameters.thickness_field, p)
-                                      : parameters.thickness;
-  };
   internal::Run_watch watch(parameters.time_limit, parameters.progress);
   watch.begin(Run_stage::BRANCHING);
   auto tree = internal::finger_tree(guard, guard.walls().domain(), thickness,

@@ -74,7 +74,13 @@ public:
         m_watch(survey.watch()),
         m_unfilled(survey.samples(), survey.distances_to_boundary(), m_parameters.wall),
         m_thickness(survey.start_thickness(guard.curve())),
-        m_stages(guard, m_parameters, m_thickness, m_watch, visitor, saver, record)
+        m_stages(guard,
+                 m_parameters,
+                 typename Flow::Thickness(m_thickness),
+                 m_watch,
+                 visitor,
+                 saver,
+                 record)
   {
     m_thickness = m_stages.decide([this] { return m_thickness; });
   }
@@ -165,7 +171,7 @@ private:
 
   void run(const Filling_stage& stage, double factor = 1)
   {
-    m_stages.run(stage, factor * m_thickness, thickness_field(factor));
+    m_stages.run(stage, typename Flow::Thickness(factor * m_thickness, thickness_field(factor)));
   }
 
   // None if the thickness is the same everywhere.

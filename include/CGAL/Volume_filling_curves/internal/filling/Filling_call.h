@@ -19,7 +19,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/thickness_at.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
@@ -88,7 +88,7 @@ private:
   {
     const double size = diagonal(domain.bbox());
     check_filling(m_parameters, size);
-    m_parameters.thickness_field = checked_thickness_field(m_parameters.thickness_field, size);
+    if(auto& field = m_parameters.thickness_field) field = Thickness<Point_3>(0, field, size);
     m_unit = length_unit<Domain>(domain.bbox());
     if constexpr(Is_scalable<Domain>::value)
       if(m_unit != 1) return fill_in_unit(domain);

@@ -13,7 +13,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/state/Replay_log.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
@@ -45,7 +44,7 @@ template <typename Flow, typename Visitor>
 class Filling_stages
 {
   using Guard = typename Flow::Guard;
-  using Thickness_field = typename Flow::Thickness_field;
+  using Thickness = typename Flow::Thickness;
   using Parameters = Filling_parameters<typename Flow::Point_3>;
 
 public:
@@ -53,7 +52,7 @@ public:
   // that state.
   Filling_stages(Guard& guard,
                  const Parameters& parameters,
-                 double thickness,
+                 const Thickness& thickness,
                  Run_watch& watch,
                  Visitor& visitor,
                  Run_saver& saver,
@@ -61,7 +60,7 @@ public:
       : m_parameters(parameters),
         m_watch(watch),
         m_guard(guard),
-        m_flow(guard, with_thickness(parameters, thickness), saver.reader()),
+        m_flow(guard, parameters, thickness, saver.reader()),
         m_visitor(visitor),
         m_saver(saver),
         m_record(record)
@@ -87,17 +86,15 @@ public:
     return m_decisions(decide);
   }
 
-  // Runs a stage with a thickness, which may vary. \pre a field that is not empty is safe to call
-  // concurrently
-  void run(const Filling_stage& stage, double thickness, const Thickness_field& field)
+  void run(const Filling_stage& stage, const Thickness& thickness)
   {
     if(m_end || ++m_stage < m_resumed_stage) return;
     m_flow.set_direction_field(m_parameters.direction_field,
                                stage.direction_weight * m_parameters.direction_weight);
     if(m_stage == m_resumed_stage)
-      resume(field);
+      resume(thickness);
     else
-      start(stage, thickness, field);
+      start(stage, thickness);
     while(!(m_end = end_between_steps()) &&
           !m_lengths.has_settled(stage.window, stage.change_of_length)) {
       m_idle_steps.note(step());
@@ -126,9 +123,9 @@ private:
   }
 
   // Goes on in the middle of a stage.
-  void resume(const Thickness_field& field)
+  void resume(const Thickness& thickness)
   {
-    m_flow.resume(*m_saver.reader(), field);
+    m_flow.resume(*m_saver.reader(), thickness);
     (*m_saver.reader())(m_lengths, m_displacement, m_idle_steps);
     m_visitor.on_start(m_flow);
   }
@@ -139,16 +136,16 @@ private:
     writer(m_flow, m_lengths, m_displacement, m_idle_steps);
   }
 
-  void start(const Filling_stage& stage, double thickness, const Thickness_field& field)
+  void start(const Filling_stage& stage, const Thickness& thickness)
   {
-    Curve_flow_parameters p = with_thickness(m_parameters, thickness);
+    Curve_flow_parameters p = m_parameters;
     p.screening *= stage.screening;
     p.number_of_directions = (std::min)(p.number_of_directions, stage.directions);
     p.spacing = (std::max)(p.spacing, stage.spacing);
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
     m_flow.keep_apart(stage.separation);
     p.max_displacement = m_displacement = (std::min)(p.max_displacement, stage.max_displacement);
-    m_flow.set_parameters(p, field);
+    m_flow.set_parameters(p, thickness);
     m_lengths = {};
     m_lengths.add(m_flow.length());
   }

@@ -17,7 +17,6 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Boundary_limit.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_sphere_search.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/node_thicknesses.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>

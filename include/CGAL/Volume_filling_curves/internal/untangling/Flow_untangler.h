@@ -13,7 +13,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/turning.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/with_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
@@ -59,7 +58,10 @@ class Flow_untangler
 public:
   Flow_untangler(const Untangling_run<Guard, Visitor>& run, const Flow_start& start)
       : m_run(run),
-        m_flow(run.guard, with_thickness(run.parameters, start.thickness), run.saver.reader()),
+        m_flow(run.guard,
+               run.parameters,
+               typename Flow::Thickness(start.thickness),
+               run.saver.reader()),
         m_start(start)
   {
     State_reader* const reader = run.saver.reader();

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_THICKNESS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_THICKNESS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/text/point_text.h>
+
+#include <functional>
+#include <limits>
+#include <locale>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The thickness of a curve: a number or a field, times a factor, times a thinning in some places.
+// It is made in untangle() and fill(), and handed down by value. Safe to call concurrently if the
+// field is.
+template <typename Point_3>
+class Thickness
+{
+public:
+  using Field = std::function<double(const Point_3&)>;
+
+  // Takes the number, 0 if it is to be found, and the field that stands in its place, if there is
+  // one, with the size of the domain, which it must not exceed. The number is a mean then.
+  explicit Thickness(double number = 0,
+                     Field field = nullptr,
+                     double size = std::numeric_limits<double>::infinity())
+      : m_number(number), m_size(size), m_field(std::move(field))
+  {}
+
+  bool is_given() const { return m_field || m_number > 0; }
+
+  // whether it differs from point to point
+  bool varies() const { return m_field || m_thinning; }
+
+  double number() const { return m_number; }
+
+  // Throws std::invalid_argument if the field is not positive and finite there, or too large: a
+  // search for places that are as far apart as a NaN says never ends.
+  double at(const Point_3& p) const
+  {
+    const double thickness = m_field ? m_factor * checked(m_field(p), p) : m_number;
+    return m_thinning ? thickness * m_thinning(p) : thickness;
+  }
+
+  double operator()(const Point_3& p) const { return at(p); }
+
+  template <typename Points>
+  std::vector<double> at_each(const Points& points) const
+  {
+    std::vector<double> values;
+    values.reserve(points.size());
+    for(const Point_3& p : points) values.push_back(at(p));
+    return values;
+  }
+
+  // returns the mean of some values, the number if it does not vary
+  double mean(const std::vector<double>& values) const
+  {
+    if(!varies() || values.empty()) return m_number;
+    return std::accumulate(values.begin(), values.end(), 0.) / static_cast<double>(values.size());
+  }
+
+  friend Thickness operator*(double factor, Thickness thickness)
+  {
+    thickness.m_number *= factor;
+    thickness.m_factor *= factor;
+    return thickness;
+  }
+
+  // returns the thickness times a function of the point, in place of any former one
+  Thickness thinned(Field thinning) const
+  {
+    Thickness result = *this;
+    result.m_thinning = std::move(thinning);
+    return result;
+  }
+
+private:
+  double checked(double value, const Point_3& p) const
+  {
+    if(!is_positive(value)) refuse(value, p, demand<double>(Range::POSITIVE));
+    if(value > m_size) refuse(value, p, not_larger_than("the domain", m_size));
+    return value;
+  }
+
+  // Throws "thickness is VALUE at POINT, but DEMAND".
+  [[noreturn]] static void refuse(double value, const Point_3& p, const std::string& demand)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "thickness is " << value << " at " << point_text(p) << ", but " << demand;
+    throw std::invalid_argument(text.str());
+  }
+
+  double m_number, m_factor = 1, m_size;
+  Field m_field, m_thinning; // none if it is the same everywhere
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_PARAMETERS_THICKNESS_H
