@@ -315,8 +315,8 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
     throw std::invalid_argument("thickness: there is none, and fingers have no default");
   internal::Run_watch watch(parameters.time_limit, parameters.progress);
   watch.begin(Run_stage::BRANCHING);
-  auto tree = internal::finger_tree(guard, guard.walls().domain(), thickness,
-                                    parameters.random_seed, watch);
+  internal::Finger_tree tree(guard, guard.walls().domain(), thickness, parameters.random_seed,
+                             watch);
   tree.follow(parameters.direction_field, parameters.direction_weight);
   tree.grow();
   return {tree.number_of_places(), tree.number_of_fingers()};

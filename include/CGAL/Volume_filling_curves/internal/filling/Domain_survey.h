@@ -16,7 +16,8 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_parts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
@@ -43,6 +44,7 @@ public:
 
   Domain_survey(const Domain& domain,
                 const Parameters& parameters,
+                const Thickness<Point_3>& thickness,
                 const Traits& traits,
                 Run_watch& watch,
                 double unit = 1)
@@ -53,23 +55,18 @@ public:
                   parameters.random_seed,
                   traits,
                   [&] { return !watch.must_stop(); }),
-        m_distances(domain,
-                    m_samples.points(),
-                    sufficient_distance(parameters, m_samples.volume()),
-                    &watch,
-                    ConcurrencyTag()),
+        m_thickness(parameters.length > 0 ? thickness_of_length() : thickness),
+        m_distances(domain, m_samples.points(), sufficient_distance(), &watch, ConcurrencyTag()),
         m_parts(m_samples, m_distances, watch),
         m_widest_radius(m_parts.largest_radius()),
-        m_size(m_samples.volume(), m_distances.up_to_limit(), parameters.spacing),
-        m_asked_thickness(parameters.thickness_field
-                              ? mean_thickness(parameters.thickness_field, m_samples.points())
-                              : filling_thickness(parameters, m_widest_radius, m_samples.volume())),
-        m_thickness(is_thickness_asked_for() ? m_asked_thickness : default_thickness())
+        m_size(m_samples.volume(), m_distances.up_to_limit(), parameters.spacing)
   {
+    const bool is_asked_for = is_thickness_asked_for();
+    m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
     if(!watch.must_stop())
-      m_size.check(m_thickness,
-                   is_thickness_asked_for() ? Filling_size::most_nodes
-                                            : Filling_size::most_nodes_of_thin_by_default,
+      m_size.check(m_thickness.number(),
+                   is_asked_for ? Filling_size::most_nodes
+                                : Filling_size::most_nodes_of_thin_by_default,
                    unit);
     for(const auto& place : m_parts.widest_places())
       m_is_wide.push_back(is_wide(place.center(), place.radius()));
@@ -85,30 +82,14 @@ public:
   // the radius of the widest ball inside
   double widest_radius() const { return m_widest_radius; }
 
-  // the thickness to start from, the mean in the domain if it varies
-  double thickness() const { return m_thickness; }
-
-  // the thickness that a curve starts with, the mean of its nodes if it varies
-  double start_thickness(const Curve_network_3<Traits>& curve) const
-  {
-    return m_parameters.thickness_field
-               ? mean_thickness(m_parameters.thickness_field, curve.points())
-               : m_thickness;
-  }
+  // the thickness to start from, with the mean in the domain as its number if it varies
+  const Thickness<Point_3>& thickness() const { return m_thickness; }
 
   // the default thickness, if a larger one is taken, since there would be too many nodes; else 0
-  double refused_thickness() const
-  {
-    return m_thickness > m_asked_thickness ? m_asked_thickness : 0;
-  }
+  double refused_thickness() const { return m_refused_thickness; }
 
   // how large the filling becomes
   const Filling_size& size() const { return m_size; }
-
-  double thickness_at(const Point_3& p) const
-  {
-    return m_parameters.thickness_field ? m_parameters.thickness_field(p) : m_thickness;
-  }
 
   // A circle in each part that is wide enough for a curve, as closed polylines.
   std::vector<std::vector<Point_3>> circles() const
@@ -146,29 +127,33 @@ public:
 
   Thickness_fit thickness_fit() const
   {
-    const auto thickness = [this](const Point_3& p) { return thickness_at(p); };
-    const Thin_walls<Samples, decltype(thickness)> walls(m_samples, m_distances.up_to_limit(),
-                                                         thickness, m_watch);
+    const Thin_walls walls(m_samples, m_distances.up_to_limit(), m_thickness, m_watch);
     Thickness_fit fit;
-    fit.thickness = m_thickness;
+    fit.thickness = m_thickness.number();
     fit.thin_fraction = walls.fraction(1);
     const bool is_thin = fit.thin_fraction > tolerated_unfilled_fraction;
-    fit.fitting_thickness = m_thickness * (is_thin ? walls.fitting_scale() : 1);
+    fit.fitting_thickness = fit.thickness * (is_thin ? walls.fitting_scale() : 1);
     return fit;
   }
 
 private:
-  bool is_thickness_asked_for() const
+  bool is_thickness_asked_for() const { return m_thickness.is_given() || m_parameters.length > 0; }
+
+  Thickness<Point_3> thickness_of_length() const
   {
-    return m_parameters.thickness_field || m_parameters.thickness > 0 || m_parameters.length > 0;
+    return Thickness<Point_3>(thickness_of_filling(m_samples.volume(), m_parameters.length));
   }
 
   // Grown for fewer nodes, but at most to the width of the domain: a curve that is thicker does not
   // fit.
-  double default_thickness() const
+  Thickness<Point_3> default_thickness()
   {
+    constexpr double default_share = 0.25; // of the widest ball
+    const double usual = default_share * m_widest_radius;
     const double large = m_size.thickness_with(Filling_size::most_nodes_by_default);
-    return (std::max)(m_asked_thickness, (std::min)(large, m_widest_radius));
+    const double grown = (std::max)(usual, (std::min)(large, m_widest_radius));
+    if(grown > usual) m_refused_thickness = usual;
+    return Thickness<Point_3>(grown);
   }
 
   // Part by part; at the end true, for points of which it cannot be told. Once the run is to stop
@@ -186,13 +171,13 @@ private:
 
   // returns up to where the distances of samples to the boundary have to be known: a sample with
   // that much room does not lie in thin walls
-  static double sufficient_distance(const Parameters& parameters, double volume)
+  double sufficient_distance() const
   {
-    const bool is_thickness_known =
-        !parameters.thickness_field && (parameters.thickness > 0 || parameters.length > 0);
-    if(!Has_distance_up_to<Domain>::value || !is_thickness_known || parameters.wall != Wall::COVER)
+    const bool is_thickness_known = is_thickness_asked_for() && !m_thickness.varies();
+    if(!Has_distance_up_to<Domain>::value || !is_thickness_known ||
+       m_parameters.wall != Wall::COVER)
       return Boundary_distances<Domain>::no_limit;
-    return needed_width * filling_thickness(parameters, 0, volume);
+    return needed_width * m_thickness.number();
   }
 
   // A ball that a curve is worth being started in, in units of the thickness, or of the widest ball
@@ -206,24 +191,25 @@ private:
     if(m_parameters.start == Filling_start::CIRCLE) return place.circle(place.radius());
     constexpr double radius_of_root = 0.7; // in units of the thickness
     constexpr std::size_t nodes_of_root = 6;
-    const double r = thickness_at(to_point(place.center(), m_samples.traits()));
+    const double r = m_thickness(to_point(place.center(), m_samples.traits()));
     return place.circle(radius_of_root * r, nodes_of_root);
   }
 
   bool is_wide(const Vector& center, double radius) const
   {
-    const double thickness = thickness_at(to_point(center, m_samples.traits()));
+    const double thickness = m_thickness(to_point(center, m_samples.traits()));
     return radius >= least_radius * (std::min)(thickness, m_widest_radius);
   }
 
   const Parameters& m_parameters;
   Run_watch& m_watch;
   Samples m_samples;
+  Thickness<Point_3> m_thickness;
   Boundary_distances<Domain> m_distances; // of the samples
   Parts m_parts;
   double m_widest_radius;
   Filling_size m_size;
-  double m_asked_thickness, m_thickness;
+  double m_refused_thickness = 0;
   std::vector<bool> m_is_wide; // part by part
 };
 

@@ -16,7 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/measure_filling.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -38,9 +38,8 @@ bool reach_out(Guard& guard, const Survey& survey)
   const Watched_scope scope(nullptr);
   survey.watch().begin(Run_stage::BRANCHING);
   const auto& parameters = survey.parameters();
-  const auto thickness = [&](const auto& p) { return survey.thickness_at(p); };
-  auto tree = finger_tree(guard, survey.samples().domain(), thickness, parameters.random_seed,
-                          survey.watch());
+  Finger_tree tree(guard, survey.samples().domain(), survey.thickness(), parameters.random_seed,
+                   survey.watch());
   tree.follow(parameters.direction_field, parameters.direction_weight);
   tree.grow();
   return tree.number_of_fingers() > 0;
@@ -58,7 +57,7 @@ class Filler
   using Network = typename Flow::Curve_network;
   using Guard = typename Flow::Guard;
   using Point_3 = typename Flow::Point_3;
-  using Thickness_field = typename Flow::Thickness_field;
+  using Thickness = typename Flow::Thickness;
   using Result = Filling_result<Point_3>;
 
 public:
@@ -73,16 +72,11 @@ public:
         m_parameters(survey.parameters()),
         m_watch(survey.watch()),
         m_unfilled(survey.samples(), survey.distances_to_boundary(), m_parameters.wall),
-        m_thickness(survey.start_thickness(guard.curve())),
-        m_stages(guard,
-                 m_parameters,
-                 typename Flow::Thickness(m_thickness),
-                 m_watch,
-                 visitor,
-                 saver,
-                 record)
+        m_thickness(survey.thickness().averaged_at(guard.curve().points())),
+        m_stages(
+            guard, m_parameters, Thickness(m_thickness.number()), m_watch, visitor, saver, record)
   {
-    m_thickness = m_stages.decide([this] { return m_thickness; });
+    m_thickness.set_number(m_stages.decide([this] { return m_thickness.number(); }));
   }
 
   Result operator()()
@@ -121,7 +115,8 @@ private:
   void grow_coarse_to_fine()
   {
     double factor = 1;
-    while(2 * factor * m_thickness <= coarsest_share * m_survey.widest_radius()) factor *= 2;
+    while(2 * factor * m_thickness.number() <= coarsest_share * m_survey.widest_radius())
+      factor *= 2;
     for(; factor > 1; factor /= 2) run(Filling_stage::coarse_growth(), factor);
     run(Filling_stage::growth());
   }
@@ -131,7 +126,7 @@ private:
   {
     if(m_stages.end()) return false;
     return m_stages.decide([this] {
-      return m_unfilled.is_much(curve(), thickness()) && reach_out(m_guard, m_survey);
+      return m_unfilled.is_much(curve(), m_thickness) && reach_out(m_guard, m_survey);
     });
   }
 
@@ -145,7 +140,7 @@ private:
       const double excess = m_stages.decide([&] { return flow().length() / m_parameters.length; });
       if(std::abs(excess - 1) < length_tolerance) return;
       // the strands' cross sections fill the volume
-      m_thickness *= std::sqrt(excess);
+      m_thickness = std::sqrt(excess) * m_thickness;
       // the shrinking steps alone do not follow the thickness far
       if(std::abs(excess - 1) > excess_to_open_for) run(Filling_stage::opening());
       run(Filling_stage::settling());
@@ -158,9 +153,10 @@ private:
   bool is_thinned_where_it_drew_back()
   {
     if(m_stages.end()) return false;
-    const auto driven = [&](const Point_3& p) { return pushed_share * thickness_at(p); };
+    const Thickness driven = pushed_share * m_thickness;
     const auto paths = std::make_shared<const Thinned_paths>(m_stages.decide([&] {
-      return m_unfilled.ways_to(m_unfilled.places(curve(), driven), curve(), m_thickness, m_watch);
+      return m_unfilled.ways_to(m_unfilled.places(curve(), driven), curve(), m_thickness.number(),
+                                m_watch);
     }));
     if(paths->are_empty()) return false;
     m_thinning = [paths, last = m_thinning](const Point_3& p) {
@@ -171,27 +167,7 @@ private:
 
   void run(const Filling_stage& stage, double factor = 1)
   {
-    m_stages.run(stage, typename Flow::Thickness(factor * m_thickness, thickness_field(factor)));
-  }
-
-  // None if the thickness is the same everywhere.
-  Thickness_field thickness_field(double factor) const
-  {
-    if(!m_parameters.thickness_field && !m_thinning) return nullptr;
-    return [factor, field = m_parameters.thickness_field, r = m_thickness,
-            thinning = m_thinning](const Point_3& p) {
-      return factor * (field ? field(p) : r) * (thinning ? thinning(p) : 1);
-    };
-  }
-
-  double thickness_at(const Point_3& p) const
-  {
-    return m_parameters.thickness_field ? m_parameters.thickness_field(p) : m_thickness;
-  }
-
-  auto thickness() const
-  {
-    return [this](const Point_3& p) { return thickness_at(p); };
+    m_stages.run(stage, (factor * m_thickness).thinned(m_thinning));
   }
 
   const Flow& flow() const { return m_stages.flow(); }
@@ -213,9 +189,9 @@ private:
   Result result() const
   {
     Result result;
-    measure_filling(result, m_unfilled, curve(), thickness(), m_watch);
+    measure_filling(result, m_unfilled, curve(), m_thickness, m_watch);
     result.status = m_stages.end().value_or(status_of_settled(result));
-    result.thickness = m_parameters.thickness_field ? flow().thickness() : m_thickness;
+    result.thickness = m_thickness.varies() ? flow().thickness() : m_thickness.number();
     result.medial_radius =
         flow().mean_medial_radius(Filling_stage::settling().max_radius * flow().thickness());
     result.gradient_norm = flow().gradient_norm();
@@ -229,9 +205,9 @@ private:
   Run_watch& m_watch;
   const Unfilled_space<Network, typename Survey::Samples, typename Flow::Concurrency_tag>
       m_unfilled;
-  double m_thickness; // the one that is asked for, or that is to lead to the length asked for
+  Thickness m_thickness; // the one that is asked for, or that is to lead to the length asked for
   Filling_stages<Flow, Visitor> m_stages;
-  Thickness_field m_thinning; // for good, where the domain is too thin
+  typename Thickness::Field m_thinning; // for good, where the domain is too thin
 };
 
 } // namespace internal

@@ -15,11 +15,11 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Visitor_in_unit.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
@@ -87,22 +87,34 @@ private:
   Result fill(const Domain& domain)
   {
     const double size = diagonal(domain.bbox());
-    check_filling(m_parameters, size);
-    if(auto& field = m_parameters.thickness_field) field = Thickness<Point_3>(0, field, size);
+    check(size);
+    const Thickness<Point_3> thickness(m_parameters.thickness, m_parameters.thickness_field, size);
     m_unit = length_unit<Domain>(domain.bbox());
     if constexpr(Is_scalable<Domain>::value)
-      if(m_unit != 1) return fill_in_unit(domain);
-    return run(domain, m_parameters);
+      if(m_unit != 1) return fill_in_unit(domain, thickness);
+    return run(domain, m_parameters, thickness);
+  }
+
+  // Throws std::invalid_argument if a domain with a box of that size cannot be filled.
+  void check(double size) const
+  {
+    check_parameters(m_parameters);
+    check_thickness(m_parameters.thickness, size, "the domain");
+    if(m_parameters.length > 0 && (m_parameters.thickness > 0 || m_parameters.thickness_field))
+      refuse_value(internal_np::length_t(), m_parameters.length,
+                   "there is a thickness, too, and only one of them can be asked for");
   }
 
   template <typename Domain>
-  Result fill_in_unit(const Domain& domain)
+  Result fill_in_unit(const Domain& domain, const Thickness<Point_3>& thickness)
   {
     const Network start = m_curves;
     Result result;
     {
       const Scaled_scope scope(m_curves, 1 / m_unit);
-      result = run(domain.scaled(1 / m_unit), scaled(m_parameters, 1 / m_unit, m_curves.traits()));
+      const double factor = 1 / m_unit;
+      result = run(domain.scaled(factor), scaled(m_parameters, factor, m_curves.traits()),
+                   scaled(thickness, factor, m_curves.traits()));
     }
     if(m_parameters.certificate) {
       const Network circles(result.start, CGAL::parameters::default_values(), m_curves.traits());
@@ -114,11 +126,13 @@ private:
   }
 
   template <typename Domain>
-  Result run(const Domain& domain, const Parameters& parameters)
+  Result run(const Domain& domain,
+             const Parameters& parameters,
+             const Thickness<Point_3>& thickness)
   {
     Visitor_in_unit<Visitor> visitor(m_visitor, m_unit);
     return Filling_run<Traits, Domain, ConcurrencyTag, decltype(visitor)>(
-        m_curves, domain, parameters, m_watch, visitor, m_unit)();
+        m_curves, domain, parameters, thickness, m_watch, visitor, m_unit)();
   }
 
   Result unprepared() const

@@ -20,7 +20,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/measure_filling.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
@@ -65,6 +65,7 @@ public:
   Filling_run(Network& curves,
               const Domain& domain,
               const Parameters& parameters,
+              const Thickness<Point_3>& thickness,
               Run_watch& watch,
               Visitor& visitor,
               double unit)
@@ -74,7 +75,7 @@ public:
         m_watch(watch),
         m_visitor(visitor),
         m_unit(unit),
-        m_survey(domain, parameters, curves.traits(), m_watch, unit),
+        m_survey(domain, parameters, thickness, curves.traits(), m_watch, unit),
         m_fit(m_survey.thickness_fit()),
         m_saver(parameters, [this] { return facts(); })
   {}
@@ -92,7 +93,7 @@ public:
 private:
   void announce()
   {
-    const double r = m_survey.thickness();
+    const double r = m_survey.thickness().number();
     Run_progress& progress = m_watch.progress();
     progress.thickness = r;
     progress.default_thickness = m_survey.refused_thickness();
@@ -140,8 +141,8 @@ private:
   Run_facts facts() const
   {
     State_writer thicknesses, directions;
-    if(m_parameters.thickness_field)
-      for(const Point_3& p : m_survey.samples().points()) thicknesses(m_survey.thickness_at(p));
+    if(m_survey.thickness().varies())
+      for(const Point_3& p : m_survey.samples().points()) thicknesses(m_survey.thickness()(p));
     if(m_parameters.direction_field)
       for(const Point_3& p : m_survey.samples().points())
         for(const double coordinate : m_parameters.direction_field(p)) directions(coordinate);
@@ -185,14 +186,13 @@ private:
   {
     Result result;
     result.status = m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
-    result.thickness = m_survey.start_thickness(m_curves);
+    result.thickness = m_survey.thickness().averaged_at(m_curves.points()).number();
     result.medial_radius = std::numeric_limits<double>::quiet_NaN();
     result.gradient_norm = m_record.gradient_norm;
     result.statistics = m_record.statistics;
-    const auto thickness = [this](const Point_3& p) { return m_survey.thickness_at(p); };
     const Unfilled unfilled(m_survey.samples(), m_survey.distances_to_boundary(),
                             m_parameters.wall);
-    measure_filling(result, unfilled, m_curves, thickness, m_watch);
+    measure_filling(result, unfilled, m_curves, m_survey.thickness(), m_watch);
     return result;
   }
 
@@ -220,8 +220,8 @@ private:
     Neck_search<Network, Domain> necks(m_curves, m_domain, [this] { return m_watch.must_stop(); });
     Missed_regions missed;
     for(const Point_3& p : m_survey.points_in_parts_of(m_curves, middles))
-      ++(necks.is_behind_neck(to_vector(p), m_survey.thickness_at(p)) ? missed.behind_necks
-                                                                      : missed.others);
+      ++(necks.is_behind_neck(to_vector(p), m_survey.thickness()(p)) ? missed.behind_necks
+                                                                     : missed.others);
     return missed;
   }
 

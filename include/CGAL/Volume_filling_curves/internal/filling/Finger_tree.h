@@ -224,16 +224,6 @@ private:
   std::priority_queue<Hunger, std::vector<Hunger>, std::greater<Hunger>> m_hungry;
 };
 
-template <typename Guard, typename Domain, typename Thickness>
-Finger_tree<Guard, Domain, Thickness> finger_tree(Guard& guard,
-                                                  const Domain& domain,
-                                                  const Thickness& thickness,
-                                                  std::size_t seed,
-                                                  Run_watch& watch)
-{
-  return {guard, domain, thickness, seed, watch};
-}
-
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL

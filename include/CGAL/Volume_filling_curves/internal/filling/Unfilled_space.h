@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>

@@ -22,6 +22,10 @@ namespace internal {
 // 0.269 on nine domains of run_filling (2026-11-21).
 constexpr double filling_density = 0.26;
 
+// The largest share of the volume farther than 2 r from the curve with which a domain counts as
+// filled.
+constexpr double tolerated_unfilled_fraction = 0.01;
+
 } // namespace internal
 
 /*!

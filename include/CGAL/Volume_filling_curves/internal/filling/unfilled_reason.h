@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_thickness.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/text/counted.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 

@@ -36,7 +36,7 @@ public:
   using Field = std::function<double(const Point_3&)>;
 
   // Takes the number, 0 if it is to be found, and the field that stands in its place, if there is
-  // one, with the size of the domain, which it must not exceed. The number is a mean then.
+  // one, with the size of the domain, which it must not exceed. The number may be its mean then.
   explicit Thickness(double number = 0,
                      Field field = nullptr,
                      double size = std::numeric_limits<double>::infinity())
@@ -49,23 +49,22 @@ public:
   bool varies() const { return m_field || m_thinning; }
 
   double number() const { return m_number; }
+  void set_number(double number) { m_number = number; }
 
   // Throws std::invalid_argument if the field is not positive and finite there, or too large: a
   // search for places that are as far apart as a NaN says never ends.
-  double at(const Point_3& p) const
+  double operator()(const Point_3& p) const
   {
     const double thickness = m_field ? m_factor * checked(m_field(p), p) : m_number;
     return m_thinning ? thickness * m_thinning(p) : thickness;
   }
-
-  double operator()(const Point_3& p) const { return at(p); }
 
   template <typename Points>
   std::vector<double> at_each(const Points& points) const
   {
     std::vector<double> values;
     values.reserve(points.size());
-    for(const Point_3& p : points) values.push_back(at(p));
+    for(const Point_3& p : points) values.push_back((*this)(p));
     return values;
   }
 
@@ -74,6 +73,15 @@ public:
   {
     if(!varies() || values.empty()) return m_number;
     return std::accumulate(values.begin(), values.end(), 0.) / static_cast<double>(values.size());
+  }
+
+  // returns the thickness with the mean at some points as its number, if it varies
+  template <typename Points>
+  Thickness averaged_at(const Points& points) const
+  {
+    Thickness result = *this;
+    if(varies()) result.m_number = mean(at_each(points));
+    return result;
   }
 
   friend Thickness operator*(double factor, Thickness thickness)
