@@ -16,11 +16,6 @@
  * are exact, and answers `false` rather than `true` where it does not know. The two members with
  * distances only steer and need no exactness.
  *
- * A domain whose coordinates are beyond 1e38, or all below 1e-38, also needs a member function
- * `scaled(double factor)`, which returns the domain, of the same type, with all coordinates
- * multiplied by a power of two, so that `CGAL::Volume_filling_curves::fill()` can work in a unit
- * in which nothing overflows. All bounded models below have one.
- *
  * Calling the members concurrently is safe.
  *
  * \cgalHasModelsBegin
@@ -31,6 +26,8 @@
  * \cgalHasModels{CGAL::Volume_filling_curves::Unbounded_domain_3}
  * \cgalHasModelsEnd
  *
+ * \sa `ScalableVolumeFillingDomain_3`
+ * \sa `VolumeFillingDomainWithSurface_3`
  * \sa `CurveFlowTraits_3`
  */
 class VolumeFillingDomain_3

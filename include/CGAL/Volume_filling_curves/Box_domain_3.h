@@ -32,7 +32,7 @@ namespace Volume_filling_curves {
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
- * \cgalModels{VolumeFillingDomain_3}
+ * \cgalModels{ScalableVolumeFillingDomain_3}
  */
 template <typename Traits = Curve_flow_traits_3<>>
 class Box_domain_3

@@ -218,7 +218,7 @@ public:
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     update_thickness();
-    m_direction.update(curve(), m_guard.walls(), m_parameters, m_node_thickness, m_statistics,
+    m_direction.update(curve(), m_guard.boundary(), m_parameters, m_node_thickness, m_statistics,
                        m_guard.watch());
   }
 

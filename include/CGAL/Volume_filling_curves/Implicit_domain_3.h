@@ -54,7 +54,7 @@ namespace Volume_filling_curves {
  * result that `CGAL::to_double()` converts
  * \tparam Traits_ a model of `CurveFlowTraits_3`
  *
- * \cgalModels{VolumeFillingDomain_3}
+ * \cgalModels{ScalableVolumeFillingDomain_3}
  */
 template <typename Function, typename Traits_ = Curve_flow_traits_3<>>
 class Implicit_domain_3

@@ -14,7 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/curve/ray_nodes.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Domain_boundary.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Certified_motion.h>
@@ -80,7 +80,7 @@ class Isotopy_guard_3
 {
 public:
   /// \cond SKIP_IN_MANUAL
-  using Domain_boundary = internal::Domain_boundary<Domain>;
+  using Boundary = internal::Boundary<Domain>;
   /// \endcond
 
   /// \name Types
@@ -101,13 +101,13 @@ public:
   /// @}
 
   /// constructs a guard of `curve` without a domain.
-  explicit Isotopy_guard_3(Curve_network& curve) : Isotopy_guard_3(curve, Domain_boundary()) {}
+  explicit Isotopy_guard_3(Curve_network& curve) : Isotopy_guard_3(curve, Boundary()) {}
 
   /// constructs a guard of `curve`, which keeps it inside `domain`, which must outlive the guard.
   ///
   /// \pre the curve lies inside `domain`
   Isotopy_guard_3(Curve_network& curve, const Domain& domain)
-      : Isotopy_guard_3(curve, Domain_boundary(domain))
+      : Isotopy_guard_3(curve, Boundary(domain))
   {}
 
   Isotopy_guard_3(const Isotopy_guard_3&) = delete;
@@ -184,7 +184,7 @@ public:
     CGAL_precondition_msg(least_fraction > 0, "`least_fraction` is positive");
     if(!are_in_range(targets)) return 0;
     const size_type n = m_curve.number_of_nodes();
-    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
+    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary);
     const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
       if(motion.keeps_clearance(fraction)) {
@@ -220,7 +220,7 @@ public:
   {
     const size_type n = m_curve.number_of_nodes();
     if(!are_in_range(targets)) return std::vector<double>(n, 0);
-    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_walls);
+    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary);
     internal::Shortened_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     m_editor.move_nodes(motion());
     const auto held =
@@ -308,7 +308,7 @@ public:
   /// @}
 
   /// \cond SKIP_IN_MANUAL
-  const Domain_boundary& walls() const { return m_walls; }
+  const Boundary& boundary() const { return m_boundary; }
 
   // Puts motions of all nodes, and those who use the guard, under a watch, or under none if it is
   // null: they throw Run_stopped before they change anything.
@@ -328,18 +328,18 @@ public:
   /// \endcond
 
 private:
-  Isotopy_guard_3(Curve_network& curve, Domain_boundary&& walls)
+  Isotopy_guard_3(Curve_network& curve, Boundary&& boundary)
       : m_curve(curve),
         m_editor(curve),
         m_predicates(curve.traits()),
-        m_walls(std::move(walls)),
+        m_boundary(std::move(boundary)),
         m_locator(curve),
-        m_certifier(curve, m_predicates, m_locator, m_walls)
+        m_certifier(curve, m_predicates, m_locator, m_boundary)
   {
     m_editor.add(m_locator);
   }
 
-  using Motion_limits = internal::Motion_limits<Curve_network, Domain_boundary>;
+  using Motion_limits = internal::Motion_limits<Curve_network, Boundary>;
 
   template <typename Change>
   bool change_if(bool is_certified, const Change& change)
@@ -376,9 +376,9 @@ private:
   const Curve_network& m_curve;
   internal::Network_editor<Curve_network> m_editor;
   internal::Exact_predicates<Traits> m_predicates;
-  Domain_boundary m_walls;
+  Boundary m_boundary;
   internal::Edge_locator<Curve_network> m_locator;
-  internal::Local_change_certifier<Curve_network, Domain_boundary> m_certifier;
+  internal::Local_change_certifier<Curve_network, Boundary> m_certifier;
   internal::Clearance_rule m_clearance;
   std::unique_ptr<internal::Motion_record<Curve_network>> m_record;
   internal::Run_watch* m_watch = nullptr;

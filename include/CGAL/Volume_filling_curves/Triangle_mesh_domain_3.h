@@ -10,8 +10,8 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/Face_tree.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Is_domain.h>
 #include <CGAL/Volume_filling_curves/internal/domain/check_mesh.h>
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -58,7 +58,7 @@ namespace Volume_filling_curves {
  *
  * \tparam Kernel a model of \cgal's `Kernel` with exact predicates, as for `Curve_flow_traits_3`
  *
- * \cgalModels{VolumeFillingDomain_3}
+ * \cgalModels{VolumeFillingDomainWithSurface_3}
  */
 template <typename Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 class Triangle_mesh_domain_3
@@ -151,15 +151,15 @@ public:
     return m_faces->distance_along(internal::to_vector(p), internal::to_vector(direction), limit);
   }
 
-  /// \cond SKIP_IN_MANUAL
-  // The distance, or `limit` if that is less.
+  /// returns the distance of `p` to the surface, or `limit` if that is less.
   double distance_up_to(const Point_3& p, double limit) const
   {
     const auto nearest = m_faces->nearest(internal::to_vector(p), limit * limit);
     return nearest.face == Mesh::null_face() ? limit : std::sqrt(nearest.squared_distance);
   }
 
-  // What `distance_along()` does, for all directions of a plane at once.
+  /// \cond SKIP_IN_MANUAL
+  // see `VolumeFillingDomainWithSurface_3`
   void shorten(internal::Planar_rays& rays) const { m_faces->shorten(rays); }
 
   // the corners of all faces

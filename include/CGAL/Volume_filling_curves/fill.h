@@ -88,10 +88,9 @@ auto fill(Curve_network_3<Traits>& curves,
  * and one that does is broken off, unless there is a `checkpoint`: states are taken between steps.
  *
  * A domain multiplied by a power of two, with its lengths, gives the same curve, multiplied
- * likewise, in every bit. A domain larger than 1e38 or smaller than 1e-38 needs a member function
- * `scaled(double factor)` for that, which returns the domain, of the same type, with all
- * coordinates multiplied by a power of two; all domains of this package have one. A visitor then
- * sees all that can be read of a `Curve_flow_3`, but not the object itself.
+ * likewise, in every bit. A domain larger than 1e38 or smaller than 1e-38 must be a model of
+ * `ScalableVolumeFillingDomain_3` for that, as all domains of this package are. A visitor then sees
+ * all that can be read of a `Curve_flow_3`, but not the object itself.
  *
  * The result is the same for every number of threads. The time is near-linear in the volume divided
  * by the cube of r for a given shape.
@@ -315,7 +314,7 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
     throw std::invalid_argument("thickness: there is none, and fingers have no default");
   internal::Run_watch watch(parameters.time_limit, parameters.progress);
   watch.begin(Run_stage::BRANCHING);
-  internal::Finger_tree tree(guard, guard.walls().domain(), thickness, parameters.random_seed,
+  internal::Finger_tree tree(guard, guard.boundary().domain(), thickness, parameters.random_seed,
                              watch);
   tree.follow(parameters.direction_field, parameters.direction_weight);
   tree.grow();

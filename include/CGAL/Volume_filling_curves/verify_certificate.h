@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Is_domain.h>
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/replay/Certificate_verifier.h>

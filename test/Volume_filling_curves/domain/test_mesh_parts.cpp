@@ -8,7 +8,7 @@
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Has_parts.h>
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 
 #include <CGAL/Random.h>
 
@@ -94,8 +94,8 @@ TEST(Mesh_parts, do_not_depend_on_the_scale)
 
 TEST(Mesh_parts, are_known_to_meshes_only)
 {
-  static_assert(internal::Has_parts<Mesh_domain>::value);
-  static_assert(!internal::Has_parts<Ball_domain_3<>>::value);
+  static_assert(internal::Has_surface<Mesh_domain>::value);
+  static_assert(!internal::Has_surface<Ball_domain_3<>>::value);
 }
 
 } // namespace test_mesh_parts

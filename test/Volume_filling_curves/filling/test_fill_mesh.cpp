@@ -17,7 +17,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
+#include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace test_fill_mesh {
@@ -61,6 +65,60 @@ TEST(Fill_mesh, fills_the_inside_of_any_mesh)
   expect_inside(curve, domain);
   EXPECT_EQ(filled<Surface_mesh>(), points(curve));
   EXPECT_EQ(filled<Polyhedron>().size(), curve.number_of_nodes());
+}
+
+// A model of `VolumeFillingDomainWithSurface_3` and no more.
+class Archetype
+{
+  using Mesh_domain = vfc::Triangle_mesh_domain_3<Kernel>;
+
+public:
+  typedef Kernel::Point_3 Point_3;
+  typedef Kernel::Vector_3 Vector_3;
+
+  explicit Archetype(Mesh_domain domain)
+      : m_domain(std::make_unique<Mesh_domain>(std::move(domain)))
+  {}
+
+  CGAL::Bbox_3 bbox() const { return m_domain->bbox(); }
+  bool is_inside(const Point_3& p) const { return m_domain->is_inside(p); }
+  bool is_triangle_inside(const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    return m_domain->is_triangle_inside(p, q, r);
+  }
+  double distance(const Point_3& p) const { return m_domain->distance(p); }
+  double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
+  {
+    return m_domain->distance_along(p, direction, limit);
+  }
+
+  Archetype scaled(double factor) const { return Archetype(m_domain->scaled(factor)); }
+  double distance_up_to(const Point_3& p, double limit) const
+  {
+    return m_domain->distance_up_to(p, limit);
+  }
+  template <typename Rays>
+  void shorten(Rays& rays) const
+  {
+    m_domain->shorten(rays);
+  }
+  std::size_t part(const Point_3& p) const { return m_domain->part(p); }
+  const std::vector<CGAL::Bbox_3>& part_boxes() const { return m_domain->part_boxes(); }
+
+private:
+  std::unique_ptr<Mesh_domain> m_domain;
+};
+
+TEST(Fill_mesh, asks_a_domain_with_a_surface_what_it_asks_a_mesh)
+{
+  const vfc::Triangle_mesh_domain_3 domain(tetrahedron<Surface_mesh>());
+  for(const double factor : {1., std::ldexp(1., 150)}) {
+    Curve curve, same;
+    const auto steps = np::thickness(0.1 * factor).number_of_iterations(5);
+    vfc::fill(curve, domain.scaled(factor), steps);
+    vfc::fill(same, Archetype(domain.scaled(factor)), steps);
+    EXPECT_EQ(points(same), points(curve));
+  }
 }
 
 TEST(Fill_mesh, takes_a_map_of_points)

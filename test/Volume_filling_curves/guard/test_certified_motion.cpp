@@ -103,7 +103,7 @@ std::pair<double, std::vector<double>> moved(Network network,
 double fraction_by_all_pairs(const Network& network, const Targets& targets, double least_fraction)
 {
   using namespace CGAL::Volume_filling_curves::internal;
-  using Unbounded = Guard::Domain_boundary;
+  using Unbounded = Guard::Boundary;
   const Unbounded walls;
   using Limits = Motion_limits<Network, Unbounded, All_pairs>;
   const Limits limits(Sequential_tag(), network, targets, Clearance_rule(), walls);

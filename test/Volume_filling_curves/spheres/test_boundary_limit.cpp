@@ -10,7 +10,7 @@
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Domain_boundary.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Boundary_limit.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
@@ -188,12 +188,12 @@ void expect_spheres_as_defined(const Space& space,
                                double max_radius,
                                Wall wall)
 {
-  using Domain_boundary = internal::Domain_boundary<std::decay_t<decltype(space.domain)>>;
-  const Domain_boundary walls(space.domain);
+  using Boundary = internal::Boundary<std::decay_t<decltype(space.domain)>>;
+  const Boundary walls(space.domain);
   const Vector_field x = internal::coordinates(curve);
   internal::Medial_sphere_search search(
       CGAL::Sequential_tag(), x, thickness, max_radius,
-      internal::Boundary_limit<Network, Domain_boundary>(curve, walls, wall));
+      internal::Boundary_limit<Network, Boundary>(curve, walls, wall));
   const Medial_spheres spheres = search(internal::node_circles(curve, x), 16);
   for(std::size_t c = 0; c < spheres.circles().size(); ++c)
     for(std::size_t l = 0; l < 16; ++l) {
@@ -272,8 +272,8 @@ TYPED_TEST(Spheres_in, a_domain_do_not_depend_on_what_else_is_sought)
 {
   Random random(5);
   const TypeParam space;
-  using Domain_boundary = internal::Domain_boundary<std::decay_t<decltype(space.domain)>>;
-  const Domain_boundary walls(space.domain);
+  using Boundary = internal::Boundary<std::decay_t<decltype(space.domain)>>;
+  const Boundary walls(space.domain);
   for(const std::size_t n : {60u, 600u})
     for(const Wall wall : {Wall::COVER, Wall::KEEP_CLEAR}) {
       const Network curve = random_curve(space.domain, n, random);
@@ -281,7 +281,7 @@ TYPED_TEST(Spheres_in, a_domain_do_not_depend_on_what_else_is_sought)
       const std::vector<double> thickness(n, 0.2);
       internal::Medial_sphere_search search(
           CGAL::Sequential_tag(), x, thickness, 6,
-          internal::Boundary_limit<Network, Domain_boundary>(curve, walls, wall));
+          internal::Boundary_limit<Network, Boundary>(curve, walls, wall));
       const Medial_spheres all = search(internal::node_circles(curve, x), 16);
       for(std::size_t c = 0; c < all.circles().size(); ++c) {
         const Medial_spheres one = search({all.circles()[c]}, 16);
@@ -298,7 +298,7 @@ TEST(Boundary_limit, leaves_the_spheres_alone_where_the_walls_are_far)
 {
   Random random(4);
   const Ball_domain_3<> domain(Point(0, 0, 0), 1e4);
-  const internal::Domain_boundary<Ball_domain_3<>> walls(domain);
+  const internal::Boundary<Ball_domain_3<>> walls(domain);
   const Network curve = internal::closed_network({random_polygon(200, random)});
   const Vector_field x = internal::coordinates(curve);
   const std::vector<double> thickness(200, 0.05);
@@ -307,8 +307,8 @@ TEST(Boundary_limit, leaves_the_spheres_alone_where_the_walls_are_far)
       const Medial_spheres expected = spheres_of(curve, 16, max_radius, 0.05);
       internal::Medial_sphere_search search(
           CGAL::Sequential_tag(), x, thickness, max_radius,
-          internal::Boundary_limit<Network, internal::Domain_boundary<Ball_domain_3<>>>(
-              curve, walls, wall));
+          internal::Boundary_limit<Network, internal::Boundary<Ball_domain_3<>>>(curve, walls,
+                                                                                 wall));
       const Medial_spheres spheres = search(internal::node_circles(curve, x), 16);
       for(std::size_t c = 0; c < spheres.circles().size(); ++c)
         for(std::size_t l = 0; l < 16; ++l) {

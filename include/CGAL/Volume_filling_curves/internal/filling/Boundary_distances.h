@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/domain/distance_up_to.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 #include <CGAL/Volume_filling_curves/internal/text/point_text.h>
@@ -51,7 +51,7 @@ public:
     for_each_block<ConcurrencyTag>(points.size(), block, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
         if(k == 0 || !watch || !watch->must_stop())
-          m_distances[k] = checked(distance_up_to(domain, points[k], limit), points[k]);
+          m_distances[k] = checked(depth_up_to(domain, points[k], limit), points[k]);
     });
   }
 

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Has_parts.h>
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
@@ -54,7 +54,7 @@ public:
                Run_watch& watch)
       : m_samples(samples), m_watch(watch)
   {
-    if constexpr(Has_parts<Domain>::value) {
+    if constexpr(Has_surface<Domain>::value) {
       ask_domain(distances.up_to_limit());
       look_for_small_parts();
       find_widest(distances.limit());
@@ -78,7 +78,7 @@ public:
   // returns the part of a point inside, `widest_places().size()` if it cannot be told
   std::size_t part(const Point_3& p) const
   {
-    if constexpr(Has_parts<Domain>::value) {
+    if constexpr(Has_surface<Domain>::value) {
       const auto found = m_numbers.find(m_samples.domain().part(p));
       return found == m_numbers.end() ? m_widest.size() : found->second;
     } else {

@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/domain/distance_up_to.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_parts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
@@ -174,8 +174,7 @@ private:
   double sufficient_distance() const
   {
     const bool is_thickness_known = is_thickness_asked_for() && !m_thickness.varies();
-    if(!Has_distance_up_to<Domain>::value || !is_thickness_known ||
-       m_parameters.wall != Wall::COVER)
+    if(!Has_surface<Domain>::value || !is_thickness_known || m_parameters.wall != Wall::COVER)
       return Boundary_distances<Domain>::no_limit;
     return needed_width * m_thickness.number();
   }

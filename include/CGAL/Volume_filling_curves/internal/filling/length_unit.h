@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 
 #include <CGAL/Bbox_3.h>
@@ -19,8 +20,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -29,18 +28,6 @@ namespace internal {
 // The unit of length of a filling. Terms of degree 6 overflow in a domain of the size 2^170 and
 // underflow in one of 2^-170. A run in such a domain therefore measures lengths in units of the
 // domain's box, by a power of two, so that nothing is rounded.
-
-template <typename Domain, typename = void>
-struct Is_scalable : std::false_type
-{};
-
-template <typename Domain>
-struct Is_scalable<Domain,
-                   std::enable_if_t<std::is_same_v<
-                       Domain,
-                       std::decay_t<decltype(std::declval<const Domain&>().scaled(double()))>>>>
-    : std::true_type
-{};
 
 inline double largest_coordinate_of(const CGAL::Bbox_3& box)
 {

@@ -21,7 +21,7 @@ namespace internal {
 // Decides whether a node may move, be inserted or be removed: whether the change is an elementary
 // move of knot theory, stays inside the domain and keeps the clearance. Constant time for edges of
 // similar lengths.
-template <typename Network, typename Domain_boundary>
+template <typename Network, typename Boundary>
 class Local_change_certifier
 {
   using Traits = typename Network::Traits;
@@ -33,7 +33,7 @@ public:
   Local_change_certifier(const Network& curve,
                          const Exact_predicates<Traits>& predicates,
                          Edge_locator<Network>& locator,
-                         const Domain_boundary& boundary)
+                         const Boundary& boundary)
       : m_curve(curve),
         m_predicates(predicates),
         m_locator(locator),
@@ -139,7 +139,7 @@ private:
 
   bool is_inside(const Point_3& a, const Point_3& b, const Point_3& c) const
   {
-    if constexpr(Domain_boundary::is_bounded) return m_boundary.is_triangle_inside(a, b, c);
+    if constexpr(Boundary::is_bounded) return m_boundary.is_triangle_inside(a, b, c);
     return true;
   }
 
@@ -147,7 +147,7 @@ private:
   const Exact_predicates<Traits>& m_predicates;
   Edge_locator<Network>& m_locator;
   Local_clearance<Network> m_clearance;
-  const Domain_boundary& m_boundary;
+  const Boundary& m_boundary;
 };
 
 } // namespace internal

@@ -30,8 +30,8 @@ namespace internal {
 // each pair of edges that can meet, and each node, must pass (section 4.3 of the paper, made
 // exact), and the clearance that they must keep. The broad phase runs once: the edges that can meet
 // while nodes go a part of their ways, each its own, are among those that can meet when all go all
-// the way. With walls, all that the curve sweeps must lie inside them.
-template <typename Network, typename Domain_boundary, typename BroadPhase = Broad_phase>
+// the way. With a boundary, all that the curve sweeps must lie inside it.
+template <typename Network, typename Boundary, typename BroadPhase = Broad_phase>
 class Motion_limits
 {
 public:
@@ -43,10 +43,10 @@ public:
                 const Network& curve,
                 const Vector_field& target,
                 const Clearance_rule& clearance,
-                const Domain_boundary& walls)
+                const Boundary& boundary)
       : m_curve(curve),
         m_clearance(clearance),
-        m_walls(walls),
+        m_boundary(boundary),
         m_start(coordinates(curve)),
         m_target(target),
         m_pairs(BroadPhase(ConcurrencyTag(), curve, m_start, target, clearance.distance())
@@ -106,12 +106,12 @@ public:
     return swept.is_pair_safe(m_pairs[k][0], m_pairs[k][1]);
   }
 
-  // returns whether the edges at v meet only in v at all times, and stay inside the walls
+  // returns whether the edges at v meet only in v at all times, and stay inside the boundary
   bool is_node_safe(std::size_t v, const Swept& swept) const
   {
     const std::size_t degree = m_curve.degree(v);
-    if constexpr(Domain_boundary::is_bounded)
-      if(!swept.is_node_inside(v, m_walls)) return false;
+    if constexpr(Boundary::is_bounded)
+      if(!swept.is_node_inside(v, m_boundary)) return false;
     if(degree == 1) return swept.is_edge_safe(m_curve.incident_edge(v, 0));
     for(std::size_t i = 0; i < degree; ++i)
       for(std::size_t j = 0; j < i; ++j)
@@ -141,7 +141,7 @@ private:
 
   const Network& m_curve;
   Clearance_rule m_clearance;
-  const Domain_boundary& m_walls;
+  const Boundary& m_boundary;
   Vector_field m_start, m_target;
   std::vector<std::array<std::uint32_t, 2>> m_pairs;
 };

@@ -65,13 +65,13 @@ public:
            !does_leave_between(a, b, c);
   }
 
-  // returns whether the triangles that the edges at v sweep while v moves lie inside the walls
-  template <typename Domain_boundary>
-  bool is_node_inside(std::size_t v, const Domain_boundary& walls) const
+  // returns whether the triangles that the edges at v sweep while v moves lie inside the boundary
+  template <typename Boundary>
+  bool is_node_inside(std::size_t v, const Boundary& boundary) const
   {
     if(is_still(v)) return true;
     for(std::size_t k = 0; k < m_curve.degree(v); ++k)
-      if(!walls.is_triangle_inside(m_before[v], m_after[v], position(m_curve.neighbor(v, k), v)))
+      if(!boundary.is_triangle_inside(m_before[v], m_after[v], position(m_curve.neighbor(v, k), v)))
         return false;
     return true;
   }

@@ -27,11 +27,11 @@ struct No_boundary_limit
 // Medial spheres limited by the boundary of a domain. To cover the domain, the curve must come
 // within r of all of it: only the centers must lie inside. To keep clear of the boundary as of
 // another strand (section 3.2 of the paper), the spheres must.
-template <typename Network, typename Domain_boundary>
+template <typename Network, typename Boundary>
 class Boundary_limit
 {
 public:
-  Boundary_limit(const Network& curve, const Domain_boundary& boundary, Wall wall)
+  Boundary_limit(const Network& curve, const Boundary& boundary, Wall wall)
       : m_curve(curve), m_boundary(boundary), m_wall(wall)
   {}
 
@@ -69,19 +69,19 @@ public:
 
 private:
   const Network& m_curve;
-  const Domain_boundary& m_boundary;
+  const Boundary& m_boundary;
   Wall m_wall;
 };
 
 // Returns what limits the medial spheres of a curve. Without a boundary that is of the type that
 // everybody uses, so that the search is not compiled twice.
-template <typename Network, typename Domain_boundary>
+template <typename Network, typename Boundary>
 auto boundary_limit([[maybe_unused]] const Network& curve,
-                    [[maybe_unused]] const Domain_boundary& boundary,
+                    [[maybe_unused]] const Boundary& boundary,
                     [[maybe_unused]] Wall wall)
 {
-  if constexpr(Domain_boundary::is_bounded)
-    return Boundary_limit<Network, Domain_boundary>(curve, boundary, wall);
+  if constexpr(Boundary::is_bounded)
+    return Boundary_limit<Network, Boundary>(curve, boundary, wall);
   else
     return No_boundary_limit();
 }

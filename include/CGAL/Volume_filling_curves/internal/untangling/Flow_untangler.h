@@ -121,7 +121,7 @@ private:
   void complete(Untangling_status& status)
   {
     if(m_coarse_phase.is_on()) flow_coarsely(false);
-    if constexpr(!Guard::Domain_boundary::is_bounded)
+    if constexpr(!Guard::Boundary::is_bounded)
       if(can_lower_ropelength(status)) status = lower_ropelength(status);
     if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve())) finish();
   }
@@ -182,7 +182,7 @@ private:
   // In a domain a curve may be tight around an obstacle.
   bool is_suspicious()
   {
-    return !Guard::Domain_boundary::is_bounded && m_suspected_unknot.is_suspicious(m_flow);
+    return !Guard::Boundary::is_bounded && m_suspected_unknot.is_suspicious(m_flow);
   }
 
   bool has_lingered_for_long()
@@ -194,7 +194,7 @@ private:
   bool ends_round() const
   {
     return !m_run.parameters.stop_at_proof && m_flow.curve().number_of_components() == 1 &&
-           !Guard::Domain_boundary::is_bounded;
+           !Guard::Boundary::is_bounded;
   }
 
   // A curve on its way from the proof to where it settles has got there already.

@@ -10,7 +10,7 @@
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Domain_boundary.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 #include <vector>
 
 // What the flow asks the boundary of a domain, against brute force and closed forms.
-namespace test_domain_boundary {
+namespace test_boundary {
 
 using namespace exact_surface;
 using namespace CGAL::Volume_filling_curves;
@@ -32,7 +32,7 @@ using Box = Box_domain_3<>;
 using Random = std::mt19937;
 
 template <typename Domain>
-using Domain_boundary = internal::Domain_boundary<Domain>;
+using Boundary = internal::Boundary<Domain>;
 
 double between(double low, double high, Random& random)
 {
@@ -77,12 +77,12 @@ std::vector<Soup> some_soups()
   return {meshes::cube(), corner_piece(), two_legs(1e-3), hollow, plate, shifted(hollow, 1e6)};
 }
 
-TEST(Domain_boundary, never_claim_more_clearance_than_there_is)
+TEST(Boundary, never_claims_more_clearance_than_there_is)
 {
   Random random(1);
   for(const Soup& soup : some_soups()) {
     const Mesh_domain domain(meshes::to_mesh(soup));
-    const Domain_boundary<Mesh_domain> walls(domain);
+    const Boundary<Mesh_domain> walls(domain);
     const Surface surface(soup);
     const CGAL::Bbox_3 box = domain.bbox();
     const double size = (std::max)({box.x_span(), box.y_span(), box.z_span()});
@@ -99,14 +99,14 @@ TEST(Domain_boundary, never_claim_more_clearance_than_there_is)
   }
 }
 
-TEST(Domain_boundary, know_a_lower_bound_of_what_an_implicit_domain_knows)
+TEST(Boundary, knows_a_lower_bound_of_what_an_implicit_domain_knows)
 {
   Random random(2);
   const auto torus = [](const Point& p) { // the distance to its surface, negative inside
     return std::hypot(std::hypot(p.x(), p.y()) - 1, p.z()) - 0.4;
   };
   const Implicit_domain_3<decltype(torus)> domain(torus, CGAL::Bbox_3(-2, -2, -1, 2, 2, 1));
-  const Domain_boundary<Implicit_domain_3<decltype(torus)>> walls(domain);
+  const Boundary<Implicit_domain_3<decltype(torus)>> walls(domain);
   for(const Point& p : points_inside(domain, 1000, random)) {
     EXPECT_LT(walls.clearance(p, between(0, 0.5, random)), -torus(p));
     const Vector x = internal::to_vector(p), y = x + 0.2 * random_vector(random),
@@ -132,12 +132,12 @@ Point other_corner(const Point& p, Random& random)
   return to_point(x);
 }
 
-TEST(Domain_boundary, keep_triangles_inside_exactly_where_the_mesh_does)
+TEST(Boundary, keeps_triangles_inside_exactly_where_the_mesh_does)
 {
   Random random(3);
   for(const Soup& soup : some_soups()) {
     const Mesh_domain domain(meshes::to_mesh(soup));
-    const Domain_boundary<Mesh_domain> walls(domain);
+    const Boundary<Mesh_domain> walls(domain);
     const Surface surface(soup);
     int number_of_inside = 0;
     for(const Point& p : points_inside(domain, 150, random)) {
@@ -152,13 +152,13 @@ TEST(Domain_boundary, keep_triangles_inside_exactly_where_the_mesh_does)
   }
 }
 
-TEST(Domain_boundary, keep_triangles_inside_balls_and_boxes)
+TEST(Boundary, keeps_triangles_inside_balls_and_boxes)
 {
   Random random(4);
   const Ball ball(Point(1, 2, 3), 1.5);
   const Box box(Point(-1, 0, 1), Point(1, 1, 1.25));
   const auto expect_convex = [&](const auto& domain) {
-    const Domain_boundary<std::decay_t<decltype(domain)>> walls(domain);
+    const Boundary<std::decay_t<decltype(domain)>> walls(domain);
     for(const Point& p : points_inside(domain, 2000, random)) {
       const Point q = other_corner(p, random), r = other_corner(p, random);
       EXPECT_EQ(walls.is_triangle_inside(p, q, r), domain.is_inside(q) && domain.is_inside(r));
@@ -169,10 +169,10 @@ TEST(Domain_boundary, keep_triangles_inside_balls_and_boxes)
 }
 
 // Touching is not inside, however little is missing.
-TEST(Domain_boundary, count_the_boundary_as_outside)
+TEST(Boundary, counts_the_boundary_as_outside)
 {
   const Mesh_domain domain(meshes::to_mesh(meshes::cube()));
-  const Domain_boundary<Mesh_domain> walls(domain);
+  const Boundary<Mesh_domain> walls(domain);
   const Point p(0.5, 0.5, 0.5), q(0.25, 0.5, 0.5);
   EXPECT_FALSE(walls.is_triangle_inside(p, q, Point(0.5, 0.5, 1)));
   EXPECT_FALSE(walls.is_triangle_inside(p, q, Point(1, 1, 1)));
@@ -182,13 +182,13 @@ TEST(Domain_boundary, count_the_boundary_as_outside)
 }
 
 // Bounds are kept from one question to the next; that must not show.
-TEST(Domain_boundary, answer_alike_in_any_order_and_in_parallel)
+TEST(Boundary, answers_alike_in_any_order_and_in_parallel)
 {
   Random random(5);
   const Mesh_domain domain(meshes::to_mesh(two_legs(0.1)));
   const std::vector<Point> points = points_inside(domain, 2000, random);
   const auto needed = [](std::size_t k) { return 0.001 * static_cast<double>(k % 300); };
-  const Domain_boundary<Mesh_domain> forward(domain), backward(domain), parallel(domain);
+  const Boundary<Mesh_domain> forward(domain), backward(domain), parallel(domain);
   std::vector<double> expected(points.size()), reversed = expected, concurrent = expected;
   for(std::size_t k = 0; k < points.size(); ++k)
     expected[k] = forward.clearance(points[k], needed(k));
@@ -205,18 +205,18 @@ TEST(Domain_boundary, answer_alike_in_any_order_and_in_parallel)
   EXPECT_EQ(concurrent, expected);
 }
 
-TEST(Domain_boundary, scale_with_the_domain_by_powers_of_two)
+TEST(Boundary, scales_with_the_domain_by_powers_of_two)
 {
   Random random(6);
   const Mesh_domain domain(meshes::to_mesh(two_legs(0.125)));
-  const Domain_boundary<Mesh_domain> walls(domain);
+  const Boundary<Mesh_domain> walls(domain);
   const std::vector<Point> points = points_inside(domain, 300, random);
   for(const int exponent : {-40, 3, 40}) {
     const double scale = std::ldexp(1., exponent);
     Soup soup = two_legs(0.125);
     for(Point& p : soup.points) p = to_point(scale * internal::to_vector(p));
     const Mesh_domain scaled_domain(meshes::to_mesh(soup));
-    const Domain_boundary<Mesh_domain> scaled(scaled_domain);
+    const Boundary<Mesh_domain> scaled(scaled_domain);
     for(const Point& p : points)
       EXPECT_EQ(scaled.clearance(to_point(scale * internal::to_vector(p)), 0.1 * scale),
                 scale * walls.clearance(p, 0.1));
@@ -235,7 +235,7 @@ TEST(Tangent_radius, is_known_in_a_ball)
   Random random(7);
   const Vector center(1, 2, 3);
   const Ball ball(to_point(center), 2);
-  const Domain_boundary<Ball> walls(ball);
+  const Boundary<Ball> walls(ball);
   for(const Point& p : points_inside(ball, 1000, random)) {
     const Vector u = random_vector(random).normalized(), x = internal::to_vector(p) - center;
     const double expected = (4 - x.squaredNorm()) / (2 * (2 + x.dot(u)));
@@ -251,7 +251,7 @@ TEST(Tangent_radius, is_known_in_a_box)
   Random random(8);
   const Vector low(0, 0, 0), high(4, 3, 0.5);
   const Box box(to_point(low), to_point(high));
-  const Domain_boundary<Box> walls(box);
+  const Boundary<Box> walls(box);
   for(const Point& p : points_inside(box, 1000, random)) {
     const Vector u = random_vector(random).normalized(), x = internal::to_vector(p);
     double expected = 1e3;
@@ -280,4 +280,4 @@ TEST(Distance_along, is_limited_and_known_in_a_box)
   EXPECT_EQ(domain.distance_along(p, Vector_3(0, -1, 0), 1.5), 1.5);
 }
 
-} // namespace test_domain_boundary
+} // namespace test_boundary

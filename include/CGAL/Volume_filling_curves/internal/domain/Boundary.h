@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_BOUNDARY_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_BOUNDARY_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The distance of a point inside a domain from the boundary, 0 outside.
+template <typename Domain>
+double depth(const Domain& domain, const typename Domain::Point_3& p)
+{
+  return domain.is_inside(p) ? domain.distance(p) : 0;
+}
+
+// The distance of a point inside a domain from the boundary, or the limit if the domain finds out
+// that it is less.
+template <typename Domain>
+double depth_up_to(const Domain& domain,
+                   const typename Domain::Point_3& p,
+                   [[maybe_unused]] double limit)
+{
+  if constexpr(Has_surface<Domain>::value)
+    return domain.distance_up_to(p, limit);
+  else
+    return domain.distance(p);
+}
+
+// The boundary of a domain, as the flow sees it: what a triangle must miss (exact), and how large a
+// sphere that touches a node inside may be. Queries of a tree of faces are slower far from the
+// surface than near it, and they are many; so distances are kept at the centers of the cells of a
+// grid, measured when they are first asked for. The distance changes no faster than the point (it
+// is 1-Lipschitz): a lower bound of it answers nearly all questions, and only near the boundary,
+// where queries are fast, the point itself is measured. Answers do not depend on the order of the
+// questions. Safe to ask in parallel.
+template <typename Domain>
+class Boundary
+{
+  using Point_3 = typename Domain::Point_3;
+
+public:
+  static constexpr bool is_bounded = true;
+
+  explicit Boundary(const Domain& domain) : m_domain(&domain)
+  {
+    const CGAL::Bbox_3 box = domain.bbox();
+    m_low = {box.xmin(), box.ymin(), box.zmin()};
+    m_diagonal = (Vector(box.xmax(), box.ymax(), box.zmax()) - m_low).norm();
+    m_cell = m_diagonal / cells_along_diagonal;
+    for(int i = 0; i < 3; ++i)
+      m_size[i] = static_cast<std::size_t>((box.max(i) - box.min(i)) / m_cell) + 1;
+    const std::size_t n = m_size[0] * m_size[1] * m_size[2];
+    m_distance = std::make_unique<std::atomic<double>[]>(n);
+    for(std::size_t k = 0; k < n; ++k) m_distance[k].store(unknown, std::memory_order_relaxed);
+  }
+
+  const Domain& domain() const { return *m_domain; }
+
+  // returns whether the closed triangle lies inside. \pre p lies inside
+  bool is_triangle_inside(const Point_3& p, const Point_3& q, const Point_3& r) const
+  {
+    const Vector x = to_vector(p);
+    const double reach = (std::max)((to_vector(q) - x).norm(), (to_vector(r) - x).norm());
+    return clearance(p, reach) > reach || m_domain->is_triangle_inside(p, q, r);
+  }
+
+  // returns a distance that p is known to have from the boundary: any that is more than `needed`,
+  // or else the distance itself, but for rounding errors. \pre p lies inside
+  double clearance(const Point_3& p, double needed) const
+  {
+    const double bound = conservative(bound_of_cell(to_vector(p)));
+    if(bound > needed) return bound;
+    // a distance that is still more than `needed` when it is taken conservatively
+    const double enough = (needed + 2 * slack * m_diagonal) * (1 + 2 * slack);
+    return conservative(depth_up_to(*m_domain, p, enough));
+  }
+
+  // returns whether x, inside, is known to be farther from the boundary than that
+  bool is_farther(const Vector& x, double distance) const
+  {
+    return conservative(bound_of_cell(x)) > distance;
+  }
+
+  // Shortens rays from p to where they leave the domain.
+  void shorten(const Point_3& p, Planar_rays& rays) const
+  {
+    if constexpr(Has_surface<Domain>::value)
+      m_domain->shorten(rays);
+    else {
+      using Vector_3 = typename Domain::Vector_3;
+      const double clear = clearance(p, rays.longest());
+      for(std::size_t l = 0; l < rays.size(); ++l)
+        if(rays.lengths[l] >= clear)
+          rays.lengths[l] = m_domain->distance_along(p, Vector_3(rays.x[l], rays.y[l], rays.z[l]),
+                                                     rays.lengths[l]);
+    }
+  }
+
+  // The radius, at most `limit`, of the largest sphere inside that touches p and has its center in
+  // the direction from p. Of such spheres the larger ones hold the smaller ones: bisection.
+  template <typename Traits>
+  double tangent_radius(const Point_3& p,
+                        const Vector& direction,
+                        double limit,
+                        const Traits& traits) const
+  {
+    const Vector x = to_vector(p);
+    const auto is_inside = [&](double radius) {
+      const Point_3 center = to_point(Vector(x + radius * direction), traits);
+      return m_domain->is_inside(center) && m_domain->distance(center) >= (1 - tolerance) * radius;
+    };
+    if(is_inside(limit)) return limit;
+    double low = 0, high = limit;
+    while(high - low > tolerance * high) {
+      const double middle = (low + high) / 2;
+      (is_inside(middle) ? low : high) = middle;
+      if(high < least_radius * limit) break;
+    }
+    return high;
+  }
+
+private:
+  static constexpr double tolerance = 1e-4;    // of a radius, relative
+  static constexpr double least_radius = 1e-6; // in units of the limit
+  static constexpr double cells_along_diagonal = 64;
+  static constexpr double slack = 1e-9; // for the rounding of distances
+  static constexpr double unknown = -1;
+
+  double conservative(double distance) const { return distance * (1 - slack) - slack * m_diagonal; }
+
+  double bound_of_cell(const Vector& x) const
+  {
+    std::size_t k = 0;
+    Vector center;
+    for(int i = 2; i >= 0; --i) {
+      const double place = std::floor((x[i] - m_low[i]) / m_cell);
+      const std::size_t last = m_size[i] - 1;
+      const std::size_t c =
+          !(place > 0) ? 0 : (std::min)(static_cast<std::size_t>((std::min)(place, 1e6)), last);
+      k = k * m_size[i] + c;
+      center[i] = m_low[i] + (static_cast<double>(c) + 0.5) * m_cell;
+    }
+    double d = m_distance[k].load(std::memory_order_relaxed);
+    if(d == unknown) {
+      d = depth(*m_domain, Point_3(center.x(), center.y(), center.z()));
+      m_distance[k].store(d, std::memory_order_relaxed);
+    }
+    return d - (x - center).norm();
+  }
+
+  const Domain* m_domain;
+  Vector m_low;
+  double m_diagonal, m_cell;
+  std::size_t m_size[3]; // cells along the axes
+  std::unique_ptr<std::atomic<double>[]> m_distance;
+};
+
+// There is none.
+template <typename GeomTraits>
+class Boundary<Unbounded_domain_3<GeomTraits>>
+{
+public:
+  static constexpr bool is_bounded = false;
+
+  Boundary() = default;
+  explicit Boundary(const Unbounded_domain_3<GeomTraits>&) {}
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_BOUNDARY_H

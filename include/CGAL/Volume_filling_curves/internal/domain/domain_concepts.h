@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_DOMAIN_CONCEPTS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_DOMAIN_CONCEPTS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Which concept a domain is a model of, told by its members.
+
+// `VolumeFillingDomain_3`: a domain, and not a mesh
+template <typename Domain, typename = void>
+struct Is_domain : std::false_type
+{};
+
+template <typename Domain>
+struct Is_domain<Domain,
+                 std::void_t<decltype(std::declval<const Domain&>().is_inside(
+                     std::declval<const typename Domain::Point_3&>()))>> : std::true_type
+{};
+
+// `ScalableVolumeFillingDomain_3`
+template <typename Domain, typename = void>
+struct Is_scalable : std::false_type
+{};
+
+template <typename Domain>
+struct Is_scalable<Domain, std::void_t<decltype(std::declval<const Domain&>().scaled(double()))>>
+    : std::is_same<Domain, std::decay_t<decltype(std::declval<const Domain&>().scaled(double()))>>
+{};
+
+// `VolumeFillingDomainWithSurface_3`
+template <typename Domain, typename = void>
+struct Has_surface : std::false_type
+{};
+
+template <typename Domain>
+struct Has_surface<
+    Domain,
+    std::void_t<decltype(std::declval<const Domain&>().distance_up_to(
+                    std::declval<const typename Domain::Point_3&>(), double())),
+                decltype(std::declval<const Domain&>().shorten(std::declval<Planar_rays&>())),
+                decltype(std::declval<const Domain&>().part(
+                    std::declval<const typename Domain::Point_3&>())),
+                decltype(std::declval<const Domain&>().part_boxes())>> : std::true_type
+{};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_DOMAIN_CONCEPTS_H
