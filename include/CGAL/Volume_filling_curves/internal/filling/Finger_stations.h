@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_list.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Node_neighborhoods.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -42,15 +43,18 @@ struct Finger_station
 // The stations of a tree of fingers: stretches of the curves, which are its roots, well-spaced
 // points in the domain, and places on the way to those that are hard to get to. Near linear in
 // their number.
-template <typename Guard, typename Domain, typename Thickness>
+template <typename Guard, typename Domain>
 class Finger_stations
 {
   using Network = typename Guard::Curve_network;
   using Point_3 = typename Guard::Point_3;
 
 public:
-  // Takes the thickness at a point, and how far stations are apart, in units of it.
-  Finger_stations(Guard& guard, const Domain& domain, const Thickness& thickness, double spacing)
+  // Takes how far stations are apart, in units of the thickness.
+  Finger_stations(Guard& guard,
+                  const Domain& domain,
+                  const Thickness<Point_3>& thickness,
+                  double spacing)
       : m_guard(guard), m_domain(domain), m_thickness(thickness), m_spacing(spacing)
   {
     add_stretches_of_curves();
@@ -158,7 +162,7 @@ private:
 
   Guard& m_guard;
   const Domain& m_domain;
-  const Thickness& m_thickness;
+  const Thickness<Point_3>& m_thickness;
   const double m_spacing; // in units of the thickness
   std::vector<Finger_station> m_stations;
   std::size_t m_number_of_roots = 0, m_number_of_places = 0;

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_scope.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
@@ -36,20 +37,20 @@ namespace internal {
 // proportional to the number of points. Of several components the one that has got least of the
 // volume goes on first. Points that no straight finger got to, as beyond a neck, are led to along
 // ways that are looked for, by thin fingers.
-template <typename Guard, typename Domain, typename Thickness>
+template <typename Guard, typename Domain>
 class Finger_tree
 {
   using Network = typename Guard::Curve_network;
   using Traits = typename Network::Traits;
-  using Stations = Finger_stations<Guard, Domain, Thickness>;
+  using Stations = Finger_stations<Guard, Domain>;
   using Connections = Finger_connections<Stations, Traits>;
   using Ways = Path_search<Domain, Traits>;
 
 public:
-  // Takes the thickness at a point. Once the run is to stop nothing grows any more.
+  // Once the run is to stop nothing grows any more.
   Finger_tree(Guard& guard,
               const Domain& domain,
-              const Thickness& thickness,
+              const Thickness<typename Guard::Point_3>& thickness,
               std::size_t seed,
               Run_watch& watch)
       : m_guard(guard),
@@ -205,7 +206,7 @@ private:
 
   Guard& m_guard;
   const Domain& m_domain;
-  const Thickness& m_thickness;
+  const Thickness<typename Guard::Point_3> m_thickness;
   Run_watch& m_watch;
   Random_source m_random;
   Finger_reach<Guard, Domain> m_reach_out;

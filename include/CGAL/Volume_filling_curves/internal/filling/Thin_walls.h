@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ constexpr double needed_width = 0.8;
 // needs, the sample lies in walls that are too thin. Takes hardly
 // any query of the domain where it is wide, and up to some hundred for each of the samples where it
 // is not.
-template <typename Samples, typename Thickness>
+template <typename Samples>
 class Thin_walls
 {
   using Point_3 = typename Samples::Point_3;
@@ -45,7 +46,7 @@ public:
   // stop no further samples are looked at.
   Thin_walls(const Samples& samples,
              const std::vector<double>& distances,
-             const Thickness& thickness,
+             const Thickness<Point_3>& thickness,
              Run_watch& watch)
       : m_samples(samples), m_thickness(thickness), m_watch(watch)
   {
@@ -139,7 +140,7 @@ private:
   }
 
   const Samples& m_samples;
-  const Thickness& m_thickness;
+  const Thickness<Point_3>& m_thickness;
   Run_watch& m_watch;
   std::vector<Ball> m_balls; // around the samples, the largest first
 };
