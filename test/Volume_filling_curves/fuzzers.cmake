@@ -15,7 +15,7 @@ add_custom_target(fuzzers)
 set(fuzzer_flags -fsanitize=address,undefined -fno-sanitize-recover=all
   -fsanitize-ignorelist=${package_dir}/cmake/sanitizer_ignorelist.txt)
 
-# The modules of the program that read and mend meshes, each compiled as one unit.
+# The modules of the program that read curves and read and mend meshes, each compiled as one unit.
 find_package(ZLIB REQUIRED)
 set(program_dir ${package_dir}/demo/Volume_filling_curves)
 add_library(fuzzed_parts STATIC EXCLUDE_FROM_ALL
@@ -43,5 +43,6 @@ foreach(source IN LISTS sources)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer ${fuzzer_flags})
   add_dependencies(fuzzers ${name})
 endforeach()
+target_link_libraries(fuzz_curve_reader PRIVATE fuzzed_parts)
 target_link_libraries(fuzz_mesh_reader PRIVATE fuzzed_parts)
 target_link_libraries(fuzz_repair PRIVATE fuzzed_parts)

@@ -10,6 +10,7 @@
 #include "files/curve_files.h"
 #include "files/mesh_files.h"
 #include "files/tube_files.h"
+#include "formats/curve_formats.h"
 #include "meshes/Mesh_findings.h"
 #include "meshes/mesh_to_text.h"
 #include "meshes/read_mesh_soup.h"
@@ -17,7 +18,6 @@
 #include "options/numbers.h"
 #include "session/Exit_status.h"
 
-#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ void convert_to_tube(Session& session, const Convert_options& options, const Cur
 // A file that may hold either has a surface if it has faces and no lines.
 bool is_surface(const std::string& file)
 {
-  if(curves::internal::Curve_format::of(file) == nullptr) return is_mesh_file(file);
+  if(curve_format_of(file) == nullptr) return is_mesh_file(file);
   const std::vector<curves::Curve_defect> defects = read_curve_draft(file, {}).defects.listed();
   return std::any_of(defects.begin(), defects.end(), [](const curves::Curve_defect& defect) {
     return defect.kind == curves::Curve_defect_kind::FACES_ONLY;

@@ -6,14 +6,13 @@
 
 #include "files/curve_files.h"
 
+#include "files/Output_files.h"
 #include "files/mesh_files.h"
-#include "formats/read_vtp.h"
+#include "formats/curve_formats.h"
 #include "session/Session.h"
 
-#include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Curve_format.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_embedded_network.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_network.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
 
 #include <CGAL/tags.h>
@@ -21,8 +20,6 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace vfc {
@@ -36,7 +33,7 @@ static std::string expected_curve(const std::string& file, const Defects& defect
     return std::any_of(defects.begin(), defects.end(),
                        [&](const Defect& defect) { return defect.kind == to_string(kind); });
   };
-  const bool is_curve_format = curves::internal::Curve_format::of(file) != nullptr;
+  const bool is_curve_format = curve_format_of(file) != nullptr;
   if(has(curves::Curve_defect_kind::FACES_ONLY) || (!is_curve_format && is_mesh_file(file)))
     return "a valid curve; it holds a surface";
   return has(curves::Curve_defect_kind::JUNCTION) ? "a valid curve; --network accepts junctions"
@@ -55,17 +52,11 @@ static std::optional<curves::Closure> closure_of(const Curve_reading& reading)
   return std::nullopt;
 }
 
-// The program reads more of some formats than the library does.
 curves::internal::Curve_draft read_curve_draft(const std::string& file,
                                                const Curve_reading& reading)
 {
-  const auto* const known = curves::internal::Curve_format::of(file);
-  std::optional<curves::internal::Curve_format> format;
-  if(known != nullptr) format = *known;
-  if(format && format->extension == ".vtp")
-    format->read = [](std::string_view text, curves::Junctions) { return read_vtp_curve(text); };
-  return curves::internal::read_curve_draft(file, format ? &*format : nullptr,
-                                            junctions_of(reading), closure_of(reading));
+  return curves::internal::read_curve_draft(curve_formats(), file, junctions_of(reading),
+                                            closure_of(reading));
 }
 
 Curve_and_defects read_curve_and_defects(const std::string& file, const Curve_reading& reading)
@@ -101,25 +92,25 @@ Curve read_curve(Session& session, const std::string& file, const Curve_reading&
 
 void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file)
 {
-  using Format = curves::internal::Curve_format;
-  const Format* const format = Format::of(file);
+  const Curve_format* const format = curve_format_of(file);
+  const auto is_written = [](const Curve_format& known) { return known.is_written(); };
   if(!file.empty() && (format == nullptr || !format->is_written()))
     throw Usage_error(option + ": " + file + ": curves are written to " +
-                      Format::written_extensions + " files");
+                      curves::internal::extensions_text(curve_formats(), is_written) + " files");
   outputs.add(option, file);
 }
 
 void write_curve(const std::string& file, const Curve& curve, double thickness)
 {
   constexpr double cap = 2; // in units of the thickness: many spheres touch nothing at all
-  curves::Node_values values;
-  const auto* const format = curves::internal::Curve_format::of(file);
-  if(thickness > 0 && format != nullptr && format->write_with_values != nullptr)
-    values["radius"] =
-        curves::medial_radii<CGAL::Parallel_if_available_tag>(curve, cap * thickness);
-  std::error_code error;
-  if(!CGAL::IO::write_curve_network(file, curve, values, error))
-    throw Usage_error(file + ": cannot be written: " + error.message());
+  const Curve_format* const format = curve_format_of(file);
+  const curves::internal::Curve_paths paths(curve);
+  if(format->write != nullptr) return Output_files::write(file, format->write(paths));
+  Node_columns columns = node_columns(curve);
+  if(thickness > 0)
+    columns.push_back(
+        {"radius", curves::medial_radii<CGAL::Parallel_if_available_tag>(curve, cap * thickness)});
+  Output_files::write(file, format->write_with_columns(paths, columns));
 }
 
 // Where polylines are listed one by one, those that meet in junctions leave the network's order.
@@ -127,7 +118,7 @@ std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curv
 {
   std::vector<std::size_t> nodes(curve.number_of_nodes());
   std::iota(nodes.begin(), nodes.end(), std::size_t(0));
-  const auto* const format = curves::internal::Curve_format::of(file);
+  const Curve_format* const format = curve_format_of(file);
   if(format == nullptr || format->has_numbered_nodes) return nodes;
   nodes.clear();
   std::vector<bool> is_listed(curve.number_of_nodes(), false);

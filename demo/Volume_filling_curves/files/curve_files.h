@@ -51,7 +51,8 @@ Curve read_curve(Session& session, const std::string& file, const Curve_reading&
 void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file);
 
 // Writes a curve; if the format holds them, with the medial radii, capped at twice the thickness,
-// unless this is 0, which stands for unknown. \throws Usage_error
+// unless this is 0, which stands for unknown. \throws Usage_error \pre curves are written to files
+// of this name
 void write_curve(const std::string& file, const Curve& curve, double thickness = 0);
 
 // returns the nodes in the order in which they stand in a file of this name

@@ -6,11 +6,11 @@
 
 #include "files/mesh_files.h"
 
+#include "formats/Xml_scanner.h"
 #include "meshes/examine_mesh.h"
 #include "meshes/read_mesh_soup.h"
 #include "session/Session.h"
 
-#include <CGAL/Volume_filling_curves/internal/text/Xml_scanner.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
 #include <fstream>
@@ -60,7 +60,7 @@ bool is_vtp_of_lines(const std::string& file)
 {
   std::string text;
   if(files::read_whole_file(file, text)) return false;
-  files::Xml_scanner tags(text);
+  Xml_scanner tags(text);
   while(tags.next_tag()) {
     if(tags.name() != "Piece") continue;
     const auto has = [&](std::string_view count) {

@@ -18,11 +18,7 @@ namespace vfc {
 // Why the arrays of a file cannot be decoded.
 struct Encoding_error : std::runtime_error
 {
-  explicit Encoding_error(const std::string& message, std::size_t line_of_array = 0)
-      : std::runtime_error(message), line(line_of_array)
-  {}
-
-  std::size_t line; // 0 if it is not known
+  using std::runtime_error::runtime_error;
 };
 
 // How VTK's XML formats write arrays that are not in ASCII: bytes behind their number, or blocks

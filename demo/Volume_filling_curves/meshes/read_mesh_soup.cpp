@@ -6,12 +6,10 @@
 
 #include "meshes/read_mesh_soup.h"
 
-#include "formats/read_vtp.h"
+#include "formats/readers.h"
 #include "meshes/binary_off.h"
 #include "meshes/mesh_text.h"
 #include "meshes/off_text.h"
-#include "meshes/read_ply.h"
-#include "meshes/triangle_strips.h"
 #include "options/counted.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
@@ -32,8 +30,6 @@
 
 namespace vfc {
 namespace {
-
-using Polygons = std::vector<std::vector<std::size_t>>;
 
 thread_local std::size_t size_of_text = 0; // of an OFF file that CGAL reads
 
@@ -82,15 +78,11 @@ void read_obj(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh
                      {line_at(text, start)});
 }
 
-void read_vtp(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh_findings& findings)
+// Takes what was read of a file with the faces of a surface.
+void take(const Curve_draft& file, Mesh_soup& soup, Mesh_findings& findings)
 {
-  CGAL::Volume_filling_curves::internal::Vtp_faces faces;
-  const auto file = read_vtp_surface(text, faces);
-  for(const auto& defect : file.defects.listed())
-    findings.add_error(to_string(defect.kind), defect.message, {defect.line, defect.nodes});
+  add_errors(file.defects, findings);
   for(const auto& p : file.points) soup.points.emplace_back(p[0], p[1], p[2]);
-  polygons = std::move(faces.polygons);
-  for(const auto& strip : faces.strips) add_strip(strip, polygons);
 }
 
 // A vector that does not grow beyond the size of the text that is read: CGAL's reader of OFF files
@@ -187,6 +179,15 @@ std::string read_text(const std::string& file)
 
 } // namespace
 
+void add_errors(const Defect_list& defects, Mesh_findings& findings)
+{
+  using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
+  for(const auto& defect : defects.listed())
+    findings.add_error(defect.kind == Kind::WRONG_POINT_COUNT ? "truncated file"
+                                                              : to_string(defect.kind),
+                       defect.message, {defect.line, defect.nodes});
+}
+
 std::string lower_case_extension(const std::string& file)
 {
   std::string extension = std::filesystem::path(file).extension().string();
@@ -219,9 +220,9 @@ Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings)
     else if(extension == ".off")
       read_off(file, text, soup, polygons, findings);
     else if(extension == ".ply")
-      read_ply_surface(text, soup.points, polygons, findings);
+      take(read_ply_surface(text, polygons), soup, findings);
     else if(extension == ".vtp")
-      read_vtp(text, soup, polygons, findings);
+      take(read_vtp_surface(text, polygons), soup, findings);
     else
       read_with_cgal(file, text, {}, soup, polygons, findings);
   } catch(const std::system_error& error) {

@@ -7,6 +7,7 @@
 #ifndef VFC_READ_MESH_SOUP_H
 #define VFC_READ_MESH_SOUP_H
 
+#include "formats/readers.h"
 #include "meshes/Mesh_findings.h"
 #include "meshes/Mesh_soup.h"
 
@@ -19,6 +20,9 @@ std::string lower_case_extension(const std::string& file);
 
 // returns whether files with this extension hold surfaces, or may
 bool is_mesh_extension(const std::string& extension);
+
+// Adds what is wrong with the text of a file, in the words for meshes.
+void add_errors(const Defect_list& defects, Mesh_findings& findings);
 
 // Reads points and faces, but for OFF, PLY and VTP files through CGAL, in whatever formats its
 // version knows, and cuts faces with more than three corners into triangles: a fan, which is right

@@ -6,9 +6,9 @@
 
 #include "meshes/vertex_values.h"
 
+#include "formats/readers.h"
 #include "meshes/mesh_text.h"
 #include "meshes/read_mesh_soup.h"
-#include "meshes/read_ply.h"
 #include "options/counted.h"
 #include "options/numbers.h"
 
@@ -16,6 +16,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 
 namespace vfc {
@@ -105,6 +106,19 @@ void check_vectors(const std::vector<std::array<double, 3>>& vectors,
   check_count(vectors.size(), number_of_vertices, findings);
 }
 
+std::vector<double> ply_column(const std::string& text,
+                               const std::string& property,
+                               Mesh_findings& findings)
+{
+  Defect_list defects;
+  const std::optional<std::vector<double>> values = read_ply_column(text, property, defects);
+  add_errors(defects, findings);
+  if(!values && !defects.has_error())
+    findings.add_error("missing property",
+                       "the vertices have no property '" + property + "' that is a number");
+  return values.value_or(std::vector<double>());
+}
+
 // Three columns as the rows that they stand for.
 std::vector<std::array<double, 3>> rows(const std::array<std::vector<double>, 3>& columns)
 {
@@ -141,8 +155,7 @@ std::vector<double> read_vertex_values(const std::string& file,
     return values;
   }
   if(lower_case_extension(file) == ".ply")
-    values =
-        read_ply_column(std::string(std::istreambuf_iterator<char>(in), {}), property, findings);
+    values = ply_column(std::string(std::istreambuf_iterator<char>(in), {}), property, findings);
   else
     read_csv(in, values, lines, findings);
   if(!findings.has_error()) check_values(values, lines, number_of_vertices, findings);
@@ -165,7 +178,7 @@ std::vector<std::array<double, 3>> read_vertex_vectors(const std::string& file,
     const std::string text(std::istreambuf_iterator<char>(in), {});
     std::array<std::vector<double>, 3> columns;
     for(std::size_t k = 0; k < 3 && !findings.has_error(); ++k)
-      columns[k] = read_ply_column(text, properties[k], findings);
+      columns[k] = ply_column(text, properties[k], findings);
     if(!findings.has_error()) vectors = rows(columns);
   } else
     read_csv(in, vectors, lines, findings);

@@ -34,8 +34,7 @@ namespace Volume_filling_curves {
  * \brief returns for each node the mean of its medial radii over all directions, each of them
  * capped at `largest`: how much room there is around the curve at this node.
  *
- * `mean_medial_radius()` is their mean along the curve, and says more about the radii. To color a
- * curve by them write them as `Node_values`.
+ * `mean_medial_radius()` is their mean along the curve, and says more about the radii.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`

@@ -168,4 +168,24 @@ TEST(Numbers, tell_overflow_from_underflow)
     EXPECT_FALSE(internal::parse_number(word, x)) << word;
 }
 
+TEST(Obj_reader, takes_an_only_face_for_a_loop)
+{
+  const std::string pentagon = square + "v -1 0.5 0\n";
+  const Reading loop = read_obj(pentagon + "f 1//1 2//2 3//3 4//4 5//5\n");
+  ASSERT_TRUE(loop.is_accepted);
+  EXPECT_EQ(loop.network.number_of_edges(), 5u);
+  ASSERT_EQ(loop.defects.size(), 1u);
+  EXPECT_EQ(loop.defects[0].kind, Curve_defect_kind::NO_LINES);
+  EXPECT_FALSE(read_obj(pentagon + "f 1 2 3 4\n").is_accepted) << "a mesh";
+  EXPECT_FALSE(read_obj(pentagon + "f 1 2 3 4 5\nf 1 3 4\n").is_accepted) << "a mesh";
+  EXPECT_EQ(read_obj(square + "f 1 2 3\nl 1 2 3 4\n").network.number_of_edges(), 3u);
+}
+
+TEST(Numbers, with_exponents_beyond_all_integers_are_not_zero)
+{
+  for(const char* exponent : {"9223372036854775807", "9223372036854775806", "99999999999999999999"})
+    EXPECT_FALSE(read_obj("v 0 0 1e" + std::string(exponent) + "\nv 1 0 0\nv 0 1 0\n").is_accepted);
+  EXPECT_TRUE(read_obj("v 0 0 1e-9223372036854775808\nv 1 0 0\nv 0 1 0\n").is_accepted);
+}
+
 } // namespace test_curve_readers

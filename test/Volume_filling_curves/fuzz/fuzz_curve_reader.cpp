@@ -8,6 +8,8 @@
 // accept must come back unchanged from a file. Build with clang++
 // -fsanitize=fuzzer,address,undefined.
 
+#include "formats/curve_formats.h"
+
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
 
 #include <cstddef>
@@ -63,35 +65,32 @@ void require_round_trip(const Network& network, Junctions junctions)
 {
   require(network.number_of_nodes() >= 2);
   const internal::Curve_paths strands(network);
-  Network from_txt;
-  const internal::Node_columns columns = internal::node_columns(network, {});
-  for(const internal::Curve_draft& draft :
-      {internal::read_obj(internal::to_obj(strands), junctions),
-       internal::read_ply(internal::to_ply(strands, columns), junctions),
-       internal::read_vtp(internal::to_vtp(strands, columns), junctions)}) {
+  for(const vfc::Curve_format& format : vfc::curve_formats()) {
+    if(!format.is_written()) continue;
+    const std::string text = format.write != nullptr
+                                 ? format.write(strands)
+                                 : format.write_with_columns(strands, vfc::node_columns(network));
+    internal::Curve_draft draft = format.read(text, junctions);
+    draft.says_what_is_closed = true;
     Network copy;
     require(read(draft, junctions, copy));
-    require_same(network, copy);
-    for(std::size_t v = 0; v < network.number_of_nodes(); ++v)
+    if(format.has_numbered_nodes || !network.has_junction())
+      require_same(network, copy);
+    else if(format.extension == ".polylines.txt")
+      require(network.number_of_edges() == copy.number_of_edges());
+    for(std::size_t v = 0; format.has_numbered_nodes && v < network.number_of_nodes(); ++v)
       require(network.is_pinned(v) == copy.is_pinned(v));
   }
-  const std::string txt = internal::to_polylines_txt(strands);
-  require(read(internal::read_polylines_txt(txt, junctions), junctions, from_txt));
-  if(!network.has_junction())
-    require_same(network, from_txt);
-  else
-    require(network.number_of_edges() == from_txt.number_of_edges());
 }
 
 // Reads a text in all formats, with and without junctions.
 void run(std::string_view text)
 {
   for(const Junctions junctions : {Junctions::FORBIDDEN, Junctions::ALLOWED}) {
-    for(const auto reader :
-        {internal::read_obj, internal::read_polylines_txt, internal::read_ply, internal::read_vtp,
-         internal::read_pdb, internal::read_vect, internal::read_point_list}) {
+    for(const vfc::Curve_format& format : vfc::curve_formats()) {
       Network network;
-      if(read(reader(text, junctions), junctions, network)) require_round_trip(network, junctions);
+      if(read(format.read(text, junctions), junctions, network))
+        require_round_trip(network, junctions);
     }
   }
 }

@@ -64,7 +64,7 @@ TEST_F(Ply_mesh, with_a_header_that_is_ambiguous_is_refused)
 {
   refuses("nonsense", "unknown format", "the first word is not ply", 1);
   refuses("ply\nformat utf8 1.0\n", "unknown format", "'utf8' is no format of PLY", 2);
-  refuses(start + vertices, "wrong point count", "the header has no end_header", 7);
+  refuses(start + vertices, "truncated file", "the header has no end_header", 7);
   refuses(start + vertices + vertices + faces + "end_header\n" + points + points + corners,
           "unknown format", "element vertex comes twice", 7);
   refuses(start + "element vertex -4\n" + xyz + "end_header\n", "unparsable number",
@@ -83,7 +83,7 @@ TEST_F(Ply_mesh, tells_which_index_is_wrong_as_the_file_has_it)
   refuses(head + "3 0 2 1.5\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", "bad index",
           "there is no vertex 1.5 (they count from 0)", 14);
   refuses(start + vertices + faces + "end_header\n0 0 0\n1 0 zero\n0 1 0\n0 0 1\n" + corners,
-          "non-finite coordinate", "a coordinate is not a finite number", 11);
+          "unparsable number", "'zero' is not a number", 11);
 }
 
 TEST_F(Ply_mesh, may_have_whatever_types_and_elements_besides)

@@ -60,31 +60,6 @@ inline Reading read_txt(const std::string& text, Junctions junctions = Junctions
   return read(internal::read_polylines_txt(text, junctions), junctions);
 }
 
-inline Reading read_vect(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
-{
-  return read(internal::read_vect(text, junctions), junctions);
-}
-
-inline Reading read_point_list(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
-{
-  return read(internal::read_point_list(text, junctions), junctions);
-}
-
-inline Reading read_ply(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
-{
-  return read(internal::read_ply(text, junctions), junctions);
-}
-
-inline Reading read_vtp(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
-{
-  return read(internal::read_vtp(text, junctions), junctions);
-}
-
-inline Reading read_pdb(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
-{
-  return read(internal::read_pdb(text, junctions), junctions);
-}
-
 // the first error, as "LINE: MESSAGE"
 inline std::string complaint(const Reading& reading)
 {

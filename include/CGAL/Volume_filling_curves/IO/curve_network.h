@@ -12,14 +12,12 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_format.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Node_columns.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_embedded_network.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_network.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_values.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -88,26 +86,11 @@ namespace IO {
  * - `.polylines.txt`: one polyline per line, the number of its points followed by their
  *   coordinates. A polyline that repeats its first point at the end is closed. If junctions are
  *   allowed, equal end points of polylines are one node.
- * - `.ply`: PLY, in ASCII or binary, with the elements `vertex` and `edge`, the latter with the
- *   properties `vertex1` and `vertex2`. Vertices whose property `pinned` is not 0 are pinned. All
- *   other elements and properties are ignored. Without edges and faces there is one closed curve
- *   through all vertices.
- * - `.vtp`: VTK's XML format for polygonal data with its arrays in ASCII, of which the lines are
- *   taken; likewise.
- * - `.vect`: Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner. A negative number of
- *   vertices tells that a polyline is closed. Colors are ignored.
- * - `.xyz`, `.txt`, `.dat`: lists of points, one in a line: three coordinates, which the number of
- *   the point or the symbol of an atom may precede. An empty line, the word `END` and a line with
- *   nothing but the number of the points that follow begin another polyline. A polyline that
- *   repeats its first point at the end is closed. Many files of rings do not repeat it. Therefore
- *   a polyline whose ends are nearer than three times its longest edge, and than two thirds of its
- *   length, is an error unless `closure` is given, or its closing edge would meet another edge.
- * - `.pdb`: a file of the Protein Data Bank. Each chain is an arc through its C-alpha atoms, or
- *   the P atoms of RNA and DNA, in Angstrom; where residues are missing there is a warning. Only
- * the first model is read.
  *
  * An `.obj` file without any `l` may have a single face, with five corners or more, whose boundary
  * is taken for a closed curve, with a warning.
+ *
+ * The program `vfc` reads and writes further formats, and converts files.
  *
  * `origin()` of the network gives the place of a node among the vertices of the file, from 0; the
  * repeated points of `.polylines.txt` do not count. An edge that is given twice is dropped and an
@@ -126,8 +109,7 @@ namespace IO {
  * \param closure tells which components are closed, if the file is not to: with `Closure::CLOSED`
  * each arc gets an edge between its ends; with `Closure::OPEN` each closed curve loses its last
  * edge in the file, which is the one between the last and the first point of a polyline; with
- * `Closure::IF_REPEATED` all is as the format has it, and ends that nearly meet are no error.
- * Components with junctions do not change.
+ * `Closure::IF_REPEATED` all is as the file has it. Components with junctions do not change.
  *
  * \return whether there is no error
  */
@@ -140,7 +122,8 @@ bool read_curve_network(
     std::optional<Volume_filling_curves::Closure> closure = std::nullopt)
 {
   namespace internal = Volume_filling_curves::internal;
-  internal::Curve_draft draft = internal::read_curve_draft(filename, junctions, closure);
+  internal::Curve_draft draft =
+      internal::read_curve_draft(internal::curve_formats, filename, junctions, closure);
   return internal::draft_to_network(draft, network, defects, junctions);
 }
 
@@ -166,25 +149,12 @@ bool read_curve_network(
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief writes a curve network to a file, and tells what went wrong.
+ * \brief writes a curve network to a file, and reports what went wrong.
  *
- * The extension tells the format as in `read_curve_network()`; `.pdb` is only read. Coordinates
- * have 17 significant digits, so that reading the file gives the very same network, down to the
- * numbers of its nodes; arcs in lists of points may need `Closure::IF_REPEATED` for that. The other
- * formats than `.obj`, `.ply` and `.vtp` do not hold which nodes are pinned, and of a network with
- * junctions not the numbers of its nodes.
- *
- * The formats `.ply` and `.vtp` tell of each node also
- *
- * - `origin`, its place in the input, counted from 0, see `curve_origins()`: 7 if it is node 7 of
- *   the input, 7.25 if it comes from a quarter of the edge that starts there, -1 if it comes from
- *   nowhere;
- * - `component`, counted from 0;
- * - `curvature`, the reciprocal of its bend radius, see `min_bend_radius()`, 0 at ends and
- *   junctions;
- * - all `values` that are given, such as the medial radius, which need more than the curve to tell.
- *
- * They are for programs that color curves, and not read again.
+ * The extension tells the format as in `read_curve_network()`. Coordinates have 17 significant
+ * digits, so that reading the file gives the very same network, down to the numbers of its nodes.
+ * The format `.polylines.txt` does not hold which nodes are pinned, and of a network with junctions
+ * not the numbers of its nodes.
  *
  * The network is written to a new file in the same folder, which replaces an existing one when it
  * is complete: no other program sees a part of it, and an error leaves the old file as it was.
@@ -193,10 +163,8 @@ bool read_curve_network(
  *
  * \param filename the name of the file
  * \param network the network
- * \param values what else is known of the nodes; other formats than `.ply` and `.vtp` leave it out
- * \param error receives the error of the system, if any, and
- * `std::errc::invalid_argument` if the extension is not that of a format that is written, or if
- * values are not as many as the nodes, not finite, or under a name that is taken or is none
+ * \param error receives the error of the system, if any, and `std::errc::invalid_argument` if the
+ * extension is not that of a format
  *
  * \return whether the file was written
  *
@@ -205,47 +173,30 @@ bool read_curve_network(
 template <typename Traits>
 bool write_curve_network(const std::string& filename,
                          const Volume_filling_curves::Curve_network_3<Traits>& network,
-                         const Volume_filling_curves::Node_values& values,
                          std::error_code& error)
 {
   namespace internal = Volume_filling_curves::internal;
-  const auto* const format = internal::Curve_format::of(filename);
-  error = format != nullptr && format->is_written() && internal::are_node_values(network, values)
-              ? internal::write_whole_file(filename, format->text_of(network, values))
-              : std::make_error_code(std::errc::invalid_argument);
+  const auto* const format = internal::find_format(internal::curve_formats, filename);
+  error = format == nullptr
+              ? std::make_error_code(std::errc::invalid_argument)
+              : internal::write_whole_file(filename, format->write(internal::Curve_paths(network)));
   return !error;
 }
 
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief writes a curve network to a file, as the overload above, without further values.
- *
- * \return whether the file was written
- */
-template <typename Traits>
-bool write_curve_network(const std::string& filename,
-                         const Volume_filling_curves::Curve_network_3<Traits>& network,
-                         std::error_code& error)
-{
-  return write_curve_network(filename, network, {}, error);
-}
-
-/*!
- * \ingroup PkgVolumeFillingCurvesIO
- *
- * \brief writes a curve network to a file, as the overloads above, for those who need not know what
+ * \brief writes a curve network to a file, as the overload above, for those who need not know what
  * went wrong.
  *
  * \return whether the file was written
  */
 template <typename Traits>
 bool write_curve_network(const std::string& filename,
-                         const Volume_filling_curves::Curve_network_3<Traits>& network,
-                         const Volume_filling_curves::Node_values& values = {})
+                         const Volume_filling_curves::Curve_network_3<Traits>& network)
 {
   std::error_code error;
-  return write_curve_network(filename, network, values, error);
+  return write_curve_network(filename, network, error);
 }
 
 /*!
@@ -269,7 +220,8 @@ bool read_embedded_curve_network(
     std::optional<Volume_filling_curves::Closure> closure = std::nullopt)
 {
   namespace internal = Volume_filling_curves::internal;
-  internal::Curve_draft draft = internal::read_curve_draft(filename, junctions, closure);
+  internal::Curve_draft draft =
+      internal::read_curve_draft(internal::curve_formats, filename, junctions, closure);
   return internal::draft_to_embedded_network(draft, network, defects, junctions);
 }
 

@@ -62,8 +62,8 @@ private:
 
 // The content of a curve file, before it is checked to be a curve: all vertices in the order of
 // the file, edges as pairs of vertex indices from 0, and the lines where they stand. Every reader
-// produces this, whatever its format; `check_curve()` turns it into an embedded curve or says why
-// not. A vertex that could not be read keeps its place, so that the indices of others stay right.
+// produces this, whatever its format; `draft_to_network()` turns it into a curve or says why not. A
+// vertex that could not be read keeps its place, so that the indices of others stay right.
 struct Curve_draft
 {
   using Point = std::array<double, 3>;
@@ -115,6 +115,22 @@ struct Curve_draft
   {
     edges.push_back({v, w});
     edge_lines.push_back(line);
+  }
+
+  // Says what a file is that lists vertices and lines, but has no lines: a surface, nothing, or one
+  // closed curve through all vertices. Takes the line of its first face, 0 if there is none, and
+  // its last line.
+  void take_without_lines(std::size_t line_of_face, std::size_t last_line)
+  {
+    if(line_of_face > 0)
+      return defects.add(
+          {Curve_defect_kind::FACES_ONLY, "there are faces but no lines", line_of_face});
+    if(points.empty())
+      return defects.add({Curve_defect_kind::NO_GEOMETRY, "there are no vertices", last_line});
+    defects.add({Curve_defect_kind::NO_LINES,
+                 "there are no lines; all vertices are taken for one closed curve", last_line});
+    for(std::size_t v = 0; v < points.size(); ++v)
+      add_edge(v, (v + 1) % points.size(), point_lines[0]);
   }
 
   std::vector<Point> points;

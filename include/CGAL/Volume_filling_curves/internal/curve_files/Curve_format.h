@@ -11,23 +11,16 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Component_closure.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Node_columns.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Obj_curve_reader.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Pdb_reader.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Ply_curve_reader.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Point_list_reader.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_txt_reader.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Vect_reader.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Vtp_reader.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/curve_writers.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/node_value_writers.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_values.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,38 +30,13 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The formats of curve files. The first end of the file's name that fits decides, in upper or lower
-// case; a new format is a new line of the table.
+// A format of curve files: its extension in lower case, and how it is read and written.
 struct Curve_format
 {
-  // how errors name them
-  static constexpr const char* extensions =
-      ".obj, .polylines.txt, .ply, .vtp, .vect, .xyz, .txt, .dat or .pdb";
-  static constexpr const char* written_extensions =
-      ".obj, .polylines.txt, .ply, .vtp, .vect, .xyz, .txt or .dat";
-
-  using Read = Curve_draft (*)(std::string_view text, Junctions junctions);
-  using Write = std::string (*)(const Curve_paths& curve);
-  using Write_with_values = std::string (*)(const Curve_paths& curve, const Node_columns& columns);
-
   std::string_view extension;
-  Read read;
-  Write write;
-  Write_with_values write_with_values = nullptr; // in place of `write`
+  Curve_draft (*read)(std::string_view text, Junctions junctions);
+  std::string (*write)(const Curve_paths& curve); // null if the format is only read
   bool has_numbered_nodes = false; // the nodes stand in the order of their numbers, come what may
-
-  bool is_written() const { return write != nullptr || write_with_values != nullptr; }
-
-  // \pre the format is written
-  template <typename Network>
-  std::string text_of(const Network& curve, const Node_values& values) const
-  {
-    const Curve_paths paths(curve);
-    return write != nullptr ? write(paths) : write_with_values(paths, node_columns(curve, values));
-  }
-
-  // returns null if the format is unknown
-  static const Curve_format* of(const std::string& filename);
 };
 
 inline Curve_draft read_obj(std::string_view text, Junctions)
@@ -81,91 +49,68 @@ inline Curve_draft read_polylines_txt(std::string_view text, Junctions junctions
   return Polylines_txt_reader(text, junctions).run();
 }
 
-inline Curve_draft read_vect(std::string_view text, Junctions junctions)
-{
-  return Vect_reader(text, junctions).run();
-}
+// The table of the library's formats. Programs add formats by a table of their own, whose rows may
+// be of a derived class.
+inline constexpr Curve_format curve_formats[] = {
+    {".obj", read_obj, to_obj, true}, {".polylines.txt", read_polylines_txt, to_polylines_txt}};
 
-inline Curve_draft read_ply(std::string_view text, Junctions)
+// Returns the first format of a table whose extension ends the name of a file, in upper or lower
+// case; null if there is none.
+template <typename Formats>
+auto find_format(const Formats& formats, const std::string& filename)
+    -> decltype(&*std::begin(formats))
 {
-  return Ply_curve_reader(text).run();
-}
-
-inline Curve_draft read_vtp(std::string_view text, Junctions)
-{
-  return Vtp_reader(text).run();
-}
-
-inline Curve_draft read_pdb(std::string_view text, Junctions junctions)
-{
-  return Pdb_reader(text, junctions).run();
-}
-
-inline Curve_draft read_point_list(std::string_view text, Junctions junctions)
-{
-  return Point_list_reader(text, junctions).run();
-}
-
-inline const Curve_format* Curve_format::of(const std::string& filename)
-{
-  static constexpr Curve_format formats[] = {
-      {".obj", read_obj, to_obj, nullptr, true},
-      {".polylines.txt", read_polylines_txt, to_polylines_txt},
-      {".ply", read_ply, nullptr, to_ply, true},
-      {".vtp", read_vtp, nullptr, to_vtp, true},
-      {".vect", read_vect, to_vect},
-      {".xyz", read_point_list, to_point_list},
-      {".txt", read_point_list, to_point_list},
-      {".dat", read_point_list, to_point_list},
-      {".pdb", read_pdb, nullptr}};
   const auto is_same_letter = [](char small, char c) {
     return small == (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   };
-  for(const Curve_format& format : formats) {
-    const std::size_t length = format.extension.size();
-    if(filename.size() >= length &&
-       std::equal(format.extension.begin(), format.extension.end(),
-                  filename.end() - std::ptrdiff_t(length), is_same_letter))
+  for(const auto& format : formats) {
+    const std::string_view extension = format.extension;
+    if(filename.size() >= extension.size() &&
+       std::equal(extension.begin(), extension.end(),
+                  filename.end() - static_cast<std::ptrdiff_t>(extension.size()), is_same_letter))
       return &format;
   }
   return nullptr;
 }
 
-// Closes or opens the components of a file, if the user says so.
-inline Curve_draft with_closure(Curve_draft file, std::optional<Closure> closure)
+// Returns the extensions of those formats of a table that are listed, such as ".a, .b or .c".
+template <typename Formats, typename Is_listed>
+std::string extensions_text(const Formats& formats, const Is_listed& is_listed)
 {
-  if(!closure || !file.is_complete) return file;
-  file.says_what_is_closed = true;
-  Component_closure(file).apply(*closure);
-  return file;
+  std::string text, last;
+  for(const auto& format : formats) {
+    if(!is_listed(format)) continue;
+    if(!last.empty()) text += (text.empty() ? "" : ", ") + last;
+    last = format.extension;
+  }
+  return text.empty() ? last : text + " or " + last;
 }
 
-// Reads a file of a format, which is null if it is unknown. A file that cannot be read gives a
-// draft with an error.
-inline Curve_draft read_curve_draft(const std::string& filename,
-                                    const Curve_format* format,
-                                    Junctions junctions,
-                                    std::optional<Closure> closure)
+// Reads a file of one of the formats, and closes or opens its components if the user says so. A
+// file that cannot be read gives a draft with an error.
+template <typename Formats>
+Curve_draft read_curve_draft(const Formats& formats,
+                             const std::string& filename,
+                             Junctions junctions,
+                             std::optional<Closure> closure)
 {
-  Curve_draft nothing;
-  nothing.is_complete = false;
+  Curve_draft draft;
   std::string text;
+  const auto* const format = find_format(formats, filename);
+  draft.is_complete = false;
   if(format == nullptr)
-    nothing.defects.add({Curve_defect_kind::UNKNOWN_FORMAT,
-                         std::string("curves are ") + Curve_format::extensions + " files"});
+    draft.defects.add(
+        {Curve_defect_kind::UNKNOWN_FORMAT,
+         "curves are " + extensions_text(formats, [](const auto&) { return true; }) + " files"});
   else if(const std::error_code error = read_whole_file(filename, text))
-    nothing.defects.add({Curve_defect_kind::UNREADABLE_FILE, error.message()});
+    draft.defects.add({Curve_defect_kind::UNREADABLE_FILE, error.message()});
   else
-    return with_closure(format->read(text, junctions), closure);
-  return nothing;
-}
-
-// Likewise a file of the format that its name stands for.
-inline Curve_draft read_curve_draft(const std::string& filename,
-                                    Junctions junctions,
-                                    std::optional<Closure> closure)
-{
-  return read_curve_draft(filename, Curve_format::of(filename), junctions, closure);
+    draft = format->read(text, junctions);
+  if(closure && draft.is_complete) {
+    draft.says_what_is_closed = true;
+    Component_closure(draft).apply(*closure);
+  }
+  return draft;
 }
 
 } // namespace internal

@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/without_lines.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 #include <CGAL/Volume_filling_curves/internal/text/counted.h>
 
@@ -46,7 +45,7 @@ public:
     if(m_file.is_complete && !has_lines()) take_face_for_line();
     for(const Index_list& list : m_lists) connect(list);
     if(m_file.is_complete && !has_lines())
-      take_without_lines(m_file, m_first_face_line, m_scanner.line());
+      m_file.take_without_lines(m_first_face_line, m_scanner.line());
     return std::move(m_file);
   }
 

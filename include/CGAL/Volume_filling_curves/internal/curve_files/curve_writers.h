@@ -70,34 +70,6 @@ inline std::string to_polylines_txt(const Curve_paths& curve)
   return text;
 }
 
-inline std::string to_vect(const Curve_paths& curve)
-{
-  std::string counts, points;
-  std::size_t number_of_points = 0;
-  for(const auto& path : curve.paths) {
-    const bool is_closed = path.size() > 1 && path.front() == path.back();
-    const std::size_t n = path.size() - (is_closed ? 1 : 0);
-    counts += (is_closed ? "-" : "") + std::to_string(n) + '\n';
-    for(std::size_t i = 0; i < n; ++i) append_line(points, curve.points[path[i]]);
-    number_of_points += n;
-  }
-  std::string text = "VECT\n" + std::to_string(curve.paths.size()) + ' ' +
-                     std::to_string(number_of_points) + " 0\n" + counts;
-  for(std::size_t i = 0; i < curve.paths.size(); ++i) text += "0\n"; // colors
-  return text + points;
-}
-
-// A polyline ends with an empty line.
-inline std::string to_point_list(const Curve_paths& curve)
-{
-  std::string text;
-  for(const auto& path : curve.paths) {
-    for(const std::size_t v : path) append_line(text, curve.points[v]);
-    text += '\n';
-  }
-  return text;
-}
-
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL

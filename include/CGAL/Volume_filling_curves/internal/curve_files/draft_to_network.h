@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Arc_checker.h>
+#include <CGAL/Volume_filling_curves/internal/curve_files/Contact_checker.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_checker.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Edge_repair.h>
@@ -25,7 +26,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // The way from a file to a network: what was read is repaired and checked and, if there is no
-// error, made a network. Whether edges meet can be checked in between, with `Contact_checker`.
+// error, made a network.
 
 // If there is no error, the edges of the file are those of the curve.
 inline void repair_and_check(Curve_draft& file, Junctions junctions)
@@ -65,6 +66,18 @@ bool draft_to_network(Curve_draft& file,
                       Junctions junctions)
 {
   repair_and_check(file, junctions);
+  return checked_draft_to_network(file, network, defects);
+}
+
+// The same, but no network starts with a self-contact.
+template <typename Traits>
+bool draft_to_embedded_network(Curve_draft& file,
+                               Curve_network_3<Traits>& network,
+                               std::vector<Curve_defect>& defects,
+                               Junctions junctions)
+{
+  repair_and_check(file, junctions);
+  if(file.is_complete && !file.edges.empty()) Contact_checker(file).run();
   return checked_draft_to_network(file, network, defects);
 }
 

@@ -179,13 +179,6 @@ inline bool parse_number(std::string_view word, double& number)
   return error == std::errc() && end == last;
 }
 
-// Returns whether a word is a number other than zero, as flags are in files that have numbers only.
-inline bool is_set(std::string_view word)
-{
-  double number = 0;
-  return parse_number(word, number) && number != 0;
-}
-
 // Reads an integer; the whole word has to be one.
 template <typename Integer>
 bool parse_integer(std::string_view word, Integer& number)

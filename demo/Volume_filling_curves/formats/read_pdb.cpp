@@ -4,10 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_PDB_READER_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_PDB_READER_H
-
-#include <CGAL/license/Volume_filling_curves.h>
+#include "formats/readers.h"
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
@@ -24,9 +21,12 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_filling_curves {
-namespace internal {
+namespace vfc {
+namespace {
+
+namespace files = CGAL::Volume_filling_curves::internal;
+using CGAL::Volume_filling_curves::Closure;
+using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
 
 // Reads backbones from a file of the Protein Data Bank (format 3.3): for each chain of the first
 // model an arc through the C-alpha atoms of a protein, or the P atoms of RNA and DNA. The first
@@ -48,10 +48,10 @@ public:
     Curve_draft& file = m_polylines.draft();
     file.is_complete = m_readable.is_complete();
     if(!file.is_complete)
-      file.defects.add({Curve_defect_kind::BINARY_DATA, m_readable.complaint(), m_line + 1});
+      file.defects.add({Kind::BINARY_DATA, m_readable.complaint(), m_line + 1});
     else if(file.points.empty())
-      file.defects.add({Curve_defect_kind::NO_GEOMETRY,
-                        "there are no C-alpha or P atoms (records ATOM)", m_line});
+      file.defects.add(
+          {Kind::NO_GEOMETRY, "there are no C-alpha or P atoms (records ATOM)", m_line});
     return std::move(file);
   }
 
@@ -114,12 +114,12 @@ private:
     m_kind = kind;
     m_chain = chain;
     m_residue = residue;
-    Polylines_to_curve_draft::Point atom;
+    files::Polylines_to_curve_draft::Point atom;
     atom.line = m_line;
     const std::string_view words[] = {field(line, 31, 38), field(line, 39, 46),
                                       field(line, 47, 54)};
     for(std::size_t k = 0; k < 3; ++k) {
-      if(parse_number(words[k], atom.point[k])) continue;
+      if(files::parse_number(words[k], atom.point[k])) continue;
       atom.unparsable_word = words[k].empty() ? " " : words[k];
       atom.point[k] = std::numeric_limits<double>::quiet_NaN();
     }
@@ -143,24 +143,27 @@ private:
       const auto &p = m_atoms[i - 1].point, &q = m_atoms[i].point;
       if(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > longest_step())
         m_polylines.draft().defects.add(
-            {Curve_defect_kind::CHAIN_GAP,
+            {Kind::CHAIN_GAP,
              "residues are missing in a chain, a straight edge stands for them",
              m_atoms[i].line,
              {Curve_draft::number(first + i - 1), Curve_draft::number(first + i)}});
     }
   }
 
-  Readable_text m_readable;
+  files::Readable_text m_readable;
   std::string_view m_rest; // what is not read yet
   std::size_t m_line = 0;
-  Polylines_to_curve_draft m_polylines;
-  std::vector<Polylines_to_curve_draft::Point> m_atoms;      // of the chain
-  std::string_view m_kind, m_chain, m_residue, m_last_chain; // the last one of any atom
+  files::Polylines_to_curve_draft m_polylines;
+  std::vector<files::Polylines_to_curve_draft::Point> m_atoms; // of the chain
+  std::string_view m_kind, m_chain, m_residue, m_last_chain;   // the last one of any atom
   std::string m_ended_chains; // their letters; what follows of them are other molecules
 };
 
-} // namespace internal
-} // namespace Volume_filling_curves
-} // namespace CGAL
+} // namespace
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_PDB_READER_H
+Curve_draft read_pdb(std::string_view text, Junctions junctions)
+{
+  return Pdb_reader(text, junctions).run();
+}
+
+} // namespace vfc

@@ -6,9 +6,7 @@
 
 // Which components of a file are closed: as the format has it, or as the user says.
 
-#include "support/curve_io_test_support.h"
-
-#include <CGAL/Volume_filling_curves/IO/curve_network.h>
+#include "support/curve_formats_test_support.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +17,7 @@
 
 namespace test_closure {
 
-using namespace curve_io_test;
+using namespace curve_formats_test;
 
 // The first `kept` points of a ring of `n`, a line each.
 std::string ring(std::size_t n, std::size_t kept)
@@ -39,13 +37,7 @@ Reading read_as(const std::string& extension,
   const Folder folder;
   const std::string file = folder.file("curve" + extension);
   write(file, text);
-  Reading reading;
-  reading.is_accepted = CGAL::IO::read_embedded_curve_network(
-      file, reading.network, reading.defects, Junctions::FORBIDDEN, closure);
-  Network copy;
-  EXPECT_EQ(CGAL::IO::read_curve_network(file, copy, Junctions::FORBIDDEN, closure),
-            reading.is_accepted);
-  return reading;
+  return read_file(file, closure);
 }
 
 TEST(Closure, of_rings_in_lists_of_points_must_be_told)
@@ -165,10 +157,14 @@ TEST(Closure, of_a_single_edge_is_an_error)
 
 TEST(Closure, of_components_with_junctions_does_not_change)
 {
-  internal::Curve_draft draft = internal::read_obj(
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nl 1 2\nl 1 3\nl 1 4\n", Junctions::ALLOWED);
-  for(const Closure closure : {Closure::CLOSED, Closure::OPEN})
-    EXPECT_EQ(internal::with_closure(draft, closure).edges, draft.edges);
+  const Folder folder;
+  const std::string file = folder.file("star.obj");
+  write(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nl 1 2\nl 1 3\nl 1 4\n");
+  for(const Closure closure : {Closure::CLOSED, Closure::OPEN}) {
+    Network star;
+    EXPECT_TRUE(CGAL::IO::read_curve_network(file, star, Junctions::ALLOWED, closure));
+    EXPECT_EQ(star.number_of_edges(), 3u);
+  }
 }
 
 } // namespace test_closure

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "support/curve_io_test_support.h"
+#include "support/curve_formats_test_support.h"
 #include "support/shared_curves.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 
 namespace test_point_readers {
 
-using namespace curve_io_test;
+using namespace curve_formats_test;
 
 TEST(Vect_reader, reads_closed_and_open_polylines)
 {
@@ -113,26 +113,6 @@ TEST(Point_list_reader, says_where_a_file_is_wrong)
   EXPECT_EQ(complaint(read_point_list("\n")), "2: there are no points");
 }
 
-TEST(Obj_reader, takes_an_only_face_for_a_loop)
-{
-  const std::string pentagon = square + "v -1 0.5 0\n";
-  const Reading loop = read_obj(pentagon + "f 1//1 2//2 3//3 4//4 5//5\n");
-  ASSERT_TRUE(loop.is_accepted);
-  EXPECT_EQ(loop.network.number_of_edges(), 5u);
-  ASSERT_EQ(loop.defects.size(), 1u);
-  EXPECT_EQ(loop.defects[0].kind, Curve_defect_kind::NO_LINES);
-  EXPECT_FALSE(read_obj(pentagon + "f 1 2 3 4\n").is_accepted) << "a mesh";
-  EXPECT_FALSE(read_obj(pentagon + "f 1 2 3 4 5\nf 1 3 4\n").is_accepted) << "a mesh";
-  EXPECT_EQ(read_obj(square + "f 1 2 3\nl 1 2 3 4\n").network.number_of_edges(), 3u);
-}
-
-TEST(Numbers, with_exponents_beyond_all_integers_are_not_zero)
-{
-  for(const char* exponent : {"9223372036854775807", "9223372036854775806", "99999999999999999999"})
-    EXPECT_FALSE(read_obj("v 0 0 1e" + std::string(exponent) + "\nv 1 0 0\nv 0 1 0\n").is_accepted);
-  EXPECT_TRUE(read_obj("v 0 0 1e-9223372036854775808\nv 1 0 0\nv 0 1 0\n").is_accepted);
-}
-
 using Shared_formats = shared_curves::Shared_data_test;
 
 TEST_F(Shared_formats, formats_of_other_programs_are_read)
@@ -140,11 +120,9 @@ TEST_F(Shared_formats, formats_of_other_programs_are_read)
   const auto folder = shared_curves::folder() / "real" / "formats";
   const auto components = [&](const std::string& name,
                               std::optional<Closure> closure = std::nullopt) {
-    Network network;
-    EXPECT_TRUE(CGAL::IO::read_curve_network((folder / name).string(), network,
-                                             Junctions::FORBIDDEN, closure))
-        << name;
-    return network.number_of_components();
+    const Reading reading = read_file((folder / name).string(), closure);
+    EXPECT_TRUE(reading.is_accepted) << name;
+    return reading.network.number_of_components();
   };
   EXPECT_EQ(components("05_123.xyz", Closure::OPEN), 3u) << "which END separates";
   EXPECT_EQ(components("kymoknot_rings.dat"), 10u);

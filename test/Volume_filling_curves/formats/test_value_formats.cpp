@@ -6,7 +6,9 @@
 
 // Formats for programs that color curves: PLY, VTP and PVD.
 
-#include "support/curve_io_test_support.h"
+#include "formats/Node_columns.h"
+#include "formats/writers.h"
+#include "support/curve_formats_test_support.h"
 #include "support/shared_curves.h"
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
@@ -18,12 +20,11 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace test_value_formats {
 
-using namespace curve_io_test;
+using namespace curve_formats_test;
 
 const std::string square_ply = "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\n"
                                "property float z\nproperty double x\nproperty double y\n"
@@ -70,18 +71,28 @@ TEST(Ply_reader, says_where_a_file_is_wrong)
   EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\nvertex 4\n")),
             "3: 'vertex' does not belong in the header");
   EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n1 2\n")),
-            "18: edge has 2 of 3 values");
+            "18: the file ends within edge 2 of 4");
   EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n")),
-            "18: the file ends after 1 of 4 items of edge");
+            "18: the file ends within edge 2 of 4");
   EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n1 2 9\n2 4 9\n3 0 9\n")),
-            "19: an edge has an index that is not in 0 to 4 - 1");
+            "19: there is no vertex 4 (they count from 0)");
   EXPECT_EQ(complaint(read_ply(square_ply + "0 x 0\n0 1 0\n0 1 1\n0 0 1\n" + square_edges)),
             "13: 'x' is not a number");
   EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\nelement vertex 18446744073709551615\n"
                                "property double x\nproperty double y\nproperty double z\n"
                                "end_header\n0 0 0\n")),
-            "9: the file ends after 1 of 18446744073709551615 items of vertex")
+            "3: more is announced than the file can hold")
       << "and takes no memory for what is announced";
+}
+
+// The values of an item may go on in the next line, but not in one with values of the next item.
+TEST(Ply_reader, tells_where_values_are_missing_or_too_many)
+{
+  EXPECT_TRUE(read_ply(square_ply + "0 0\n0\n0 1 0 0 1 1\n0 0\n1\n" + square_edges).is_accepted);
+  EXPECT_EQ(complaint(read_ply(square_ply + "0 0 0\n0 1\n0 1 1\n0 0 1\n" + square_edges)),
+            "14: vertex 2 does not end with its line");
+  EXPECT_EQ(complaint(read_ply(square_ply + "0 0 0\n0 1 0 8\n0 1 1\n0 0 1\n" + square_edges)),
+            "14: vertex 3 does not end with its line");
 }
 
 TEST(Ply_reader, pins_what_is_not_zero)
@@ -155,41 +166,41 @@ TEST(Vtp_reader, says_where_a_file_is_wrong)
             "10: '1' is no place where a line of 3 indices can end");
   EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>\n<DataArray format=\"binary\">AAAA"
                                    "</DataArray></Points></Piece>"))),
-            "7: an array has the format 'binary', only ascii is read");
+            "7: an array is longer than what the file has of it");
   EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>\n<DataArray format='appended' offset='0'/>"
                                    "</Points></Piece>"))),
-            "7: an array has the format 'appended', only ascii is read");
+            "7: the appended data do not begin with '_'");
   EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>" + array("", points) + "</Points>\n<Polys>" +
                                    array("connectivity", "0 1 2") + "</Polys></Piece>"))),
             "8: there are faces but no lines");
 }
 
-TEST(Node_values, are_columns_of_a_file)
+TEST(Node_columns, are_columns_of_a_file)
 {
-  const Folder folder;
   const std::string arc = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 2 0 0\nl 2 3 4\nfixed 3\n";
   const Network network = read_obj(arc).network; // without the vertex that has no edge
-  const std::string file = folder.file("a.ply");
-  ASSERT_TRUE(CGAL::IO::write_curve_network(file, network, {{"radius", {0.5, 0.25, 0.125}}}));
-  EXPECT_EQ(content(file), "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
-                           "property double y\nproperty double z\nproperty double origin\n"
-                           "property int component\nproperty double curvature\n"
-                           "property double radius\nproperty uchar pinned\nelement edge 2\n"
-                           "property int vertex1\nproperty int vertex2\nend_header\n"
-                           "0 0 0 1 0 0 0.5 0\n1 0 0 2 0 0 0.25 1\n2 0 0 3 0 0 0.125 0\n"
-                           "0 1\n1 2\n");
+  vfc::Node_columns columns = vfc::node_columns(network);
+  columns.push_back({"radius", {0.5, 0.25, 0.125}});
+  EXPECT_EQ(vfc::to_ply(internal::Curve_paths(network), columns),
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+            "property double y\nproperty double z\nproperty double origin\n"
+            "property int component\nproperty double curvature\n"
+            "property double radius\nproperty uchar pinned\nelement edge 2\n"
+            "property int vertex1\nproperty int vertex2\nend_header\n"
+            "0 0 0 1 0 0 0.5 0\n1 0 0 2 0 0 0.25 1\n2 0 0 3 0 0 0.125 0\n"
+            "0 1\n1 2\n");
 }
 
-TEST(Node_values, have_the_reciprocals_of_the_bend_radii)
+TEST(Node_columns, have_the_reciprocals_of_the_bend_radii)
 {
   const Network polygon = make_regular_polygon(40, 3);
-  const internal::Node_columns columns = internal::node_columns(polygon, {});
+  const vfc::Node_columns columns = vfc::node_columns(polygon);
   ASSERT_EQ(columns[2].name, "curvature");
   for(const double curvature : columns[2].values)
     EXPECT_NEAR(curvature, max_curvature(polygon), 1e-9);
 }
 
-TEST(Node_values, have_origins_between_the_nodes_of_the_input)
+TEST(Node_columns, have_origins_between_the_nodes_of_the_input)
 {
   Network network = read_obj(square + "l 1 2 3 4 1\n").network;
   {
@@ -197,7 +208,7 @@ TEST(Node_values, have_origins_between_the_nodes_of_the_input)
     ASSERT_TRUE(guard.insert_node(3, Network::Point_3(0, 0.25, 0.5))); // of the edge from 3 to 0
     guard.collect_garbage();
   }
-  const internal::Node_columns columns = internal::node_columns(network, {});
+  const vfc::Node_columns columns = vfc::node_columns(network);
   ASSERT_EQ(columns[0].name, "origin");
   const std::vector<double>& origins = columns[0].values;
   ASSERT_EQ(origins.size(), 5u);
@@ -207,30 +218,14 @@ TEST(Node_values, have_origins_between_the_nodes_of_the_input)
   EXPECT_NEAR(origins[4], 3 + before / (before + behind), 1e-12);
 }
 
-TEST(Node_values, that_cannot_be_written_are_refused)
-{
-  const Folder folder;
-  const Network network = make_regular_polygon(4);
-  std::error_code error;
-  for(const Node_values& values :
-      {Node_values{{"radius", {1, 2, 3}}}, Node_values{{"x", {1, 2, 3, 4}}},
-       Node_values{{"two words", {1, 2, 3, 4}}}, Node_values{{"", {1, 2, 3, 4}}},
-       Node_values{{"radius", {1, 2, 3, std::nan("")}}}}) {
-    EXPECT_FALSE(CGAL::IO::write_curve_network(folder.file("a.vtp"), network, values, error));
-    EXPECT_EQ(error, std::errc::invalid_argument);
-  }
-  EXPECT_FALSE(CGAL::IO::write_curve_network(folder.file("a.pdb"), network));
-  EXPECT_EQ(folder.number_of_files(), 0u);
-}
-
 using Shared_value_formats = shared_curves::Shared_data_test;
 
 TEST_F(Shared_value_formats, a_protein_is_an_arc)
 {
-  Network network;
-  std::vector<Curve_defect> defects;
   const auto file = shared_curves::folder() / "real" / "formats" / "2efv.pdb";
-  ASSERT_TRUE(CGAL::IO::read_embedded_curve_network(file.string(), network, defects));
+  const Reading reading = read_file(file.string());
+  ASSERT_TRUE(reading.is_accepted);
+  const Network& network = reading.network;
   EXPECT_EQ(network.number_of_components(), 1u);
   EXPECT_EQ(network.number_of_nodes(), 82u);
   EXPECT_FALSE(network.is_closed(0));

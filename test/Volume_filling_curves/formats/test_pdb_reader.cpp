@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "support/curve_io_test_support.h"
+#include "support/curve_formats_test_support.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 // The backbones of proteins.
 namespace test_pdb_reader {
 
-using namespace curve_io_test;
+using namespace curve_formats_test;
 
 std::string atom(
     const std::string& record, const std::string& name, char chain, int residue, double x)

@@ -4,10 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_POINT_LIST_READER_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_POINT_LIST_READER_H
-
-#include <CGAL/license/Volume_filling_curves.h>
+#include "formats/readers.h"
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polyline_scanner.h>
 
@@ -17,9 +14,12 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_filling_curves {
-namespace internal {
+namespace vfc {
+namespace {
+
+namespace files = CGAL::Volume_filling_curves::internal;
+using CGAL::Volume_filling_curves::Closure;
+using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
 
 // Reads lists of points, one in a line: three coordinates, which the number of the point or the
 // symbol of an atom may precede. An empty line, the word END and a line with nothing but a number
@@ -36,7 +36,7 @@ public:
 
   Curve_draft run()
   {
-    Text_scanner& words = m_file.words();
+    files::Text_scanner& words = m_file.words();
     for(; !words.is_at_end(); words.next_record()) read_line();
     end_polyline();
     return m_file.finish();
@@ -59,14 +59,14 @@ private:
     else if(words[1].empty() && begin_counted(words[0]))
       return;
     else if(!add_point(words) && !may_be_comment)
-      m_file.add_defect(Curve_defect_kind::UNPARSABLE_NUMBER,
-                        quoted(words[0]) + " does not begin three coordinates");
+      m_file.add_defect(Kind::UNPARSABLE_NUMBER,
+                        files::quoted(words[0]) + " does not begin three coordinates");
   }
 
   bool begin_counted(std::string_view word)
   {
     std::size_t count = 0;
-    if(!parse_integer(word, count)) return false;
+    if(!files::parse_integer(word, count)) return false;
     end_polyline();
     m_announced = count;
     m_line_of_count = m_file.words().line();
@@ -79,7 +79,7 @@ private:
   {
     if(words[2].empty() || !words[4].empty()) return false;
     std::size_t next = words[3].empty() ? 0 : 1;
-    Polyline_scanner::Point point;
+    files::Polyline_scanner::Point point;
     m_file.read_point(point, [&] { return words[next++]; });
     if(!point.unparsable_word.empty() && m_points.empty()) return false;
     if(m_points.empty()) m_first_line = point.line;
@@ -90,7 +90,7 @@ private:
   void end_polyline()
   {
     if(m_announced != unknown && m_announced != m_points.size())
-      m_file.polylines().draft().defects.add({Curve_defect_kind::WRONG_POINT_COUNT,
+      m_file.polylines().draft().defects.add({Kind::WRONG_POINT_COUNT,
                                               std::to_string(m_announced) +
                                                   " points are announced, there are " +
                                                   std::to_string(m_points.size()),
@@ -100,14 +100,17 @@ private:
     m_points.clear();
   }
 
-  Polyline_scanner m_file;
-  std::vector<Polyline_scanner::Point> m_points;
+  files::Polyline_scanner m_file;
+  std::vector<files::Polyline_scanner::Point> m_points;
   std::size_t m_first_line = 0, m_announced = unknown, m_line_of_count = 0;
   bool m_is_after_count = false;
 };
 
-} // namespace internal
-} // namespace Volume_filling_curves
-} // namespace CGAL
+} // namespace
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_POINT_LIST_READER_H
+Curve_draft read_point_list(std::string_view text, Junctions junctions)
+{
+  return Point_list_reader(text, junctions).run();
+}
+
+} // namespace vfc

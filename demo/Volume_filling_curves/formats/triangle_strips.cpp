@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/triangle_strips.h"
+#include "formats/triangle_strips.h"
 
 namespace vfc {
 

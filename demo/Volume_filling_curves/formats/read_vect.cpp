@@ -4,10 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_VECT_READER_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_VECT_READER_H
-
-#include <CGAL/license/Volume_filling_curves.h>
+#include "formats/readers.h"
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polyline_scanner.h>
 
@@ -17,9 +14,12 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_filling_curves {
-namespace internal {
+namespace vfc {
+namespace {
+
+namespace files = CGAL::Volume_filling_curves::internal;
+using CGAL::Volume_filling_curves::Closure;
+using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
 
 // Reads Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner: the numbers of polylines,
 // vertices and colors; of each polyline the number of its vertices, negative if it is closed, and
@@ -52,7 +52,7 @@ private:
   static std::string without_braces(std::string_view text)
   {
     std::string result(text);
-    Text_scanner words(text);
+    files::Text_scanner words(text);
     std::string_view first = words.next_word();
     while(first.empty() && !words.is_at_end()) {
       words.next_record();
@@ -68,7 +68,7 @@ private:
   bool read_counts()
   {
     const std::string_view keyword = m_file.next_word();
-    if(keyword != "VECT") return refuse(quoted(keyword) + " is not VECT, the first word");
+    if(keyword != "VECT") return refuse(files::quoted(keyword) + " is not VECT, the first word");
     return read_integer(m_header.polylines, 0) && read_integer(m_header.vertices, 0) &&
            read_integer(m_header.colors, 0) &&
            read_counts(m_vertex_counts, -largest, m_header.vertices, "vertices") &&
@@ -98,8 +98,8 @@ private:
   {
     for(const Integer count : m_vertex_counts) {
       const std::size_t line = m_file.words().line();
-      std::vector<Polyline_scanner::Point> points;
-      Polyline_scanner::Point point;
+      std::vector<files::Polyline_scanner::Point> points;
+      files::Polyline_scanner::Point point;
       for(Integer i = 0; i < std::abs(count); ++i, point = {}) {
         if(!m_file.read_point(point)) return refuse_end("vertices");
         points.push_back(point);
@@ -115,7 +115,8 @@ private:
       const std::string_view word = m_file.next_word();
       double channel = 0;
       if(word.empty()) return refuse_end("colors");
-      if(!parse_number(word, channel)) return refuse(quoted(word) + " is not a number");
+      if(!files::parse_number(word, channel))
+        return refuse(files::quoted(word) + " is not a number");
     }
     return true;
   }
@@ -124,8 +125,8 @@ private:
   {
     const std::string_view word = m_file.next_word();
     if(word.empty()) return refuse_end("counts");
-    if(parse_integer(word, number) && least <= number && number <= largest) return true;
-    return refuse(quoted(word) + " is not a count");
+    if(files::parse_integer(word, number) && least <= number && number <= largest) return true;
+    return refuse(files::quoted(word) + " is not a count");
   }
 
   bool refuse_end(const std::string& name)
@@ -135,18 +136,21 @@ private:
 
   bool refuse(const std::string& message)
   {
-    m_file.add_defect(Curve_defect_kind::WRONG_POINT_COUNT, message);
+    m_file.add_defect(Kind::WRONG_POINT_COUNT, message);
     return false;
   }
 
   std::string m_text;
-  Polyline_scanner m_file;
+  files::Polyline_scanner m_file;
   Header m_header;
   std::vector<Integer> m_vertex_counts, m_color_counts;
 };
 
-} // namespace internal
-} // namespace Volume_filling_curves
-} // namespace CGAL
+} // namespace
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_FILES_VECT_READER_H
+Curve_draft read_vect(std::string_view text, Junctions junctions)
+{
+  return Vect_reader(text, junctions).run();
+}
+
+} // namespace vfc

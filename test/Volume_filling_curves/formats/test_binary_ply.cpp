@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "support/curve_io_test_support.h"
+#include "support/curve_formats_test_support.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 // Binary PLY files, of which all numbers are written here byte by byte.
 namespace test_binary_ply {
 
-using namespace curve_io_test;
+using namespace curve_formats_test;
 
 enum class Order
 {
@@ -124,15 +124,15 @@ TEST(Binary_ply, says_what_is_wrong)
   const Order order = Order::LITTLE;
   const std::string head = header(order, vertices + edges), all = items(order);
   EXPECT_EQ(complaint(read_ply(head + all.substr(0, all.size() - 1))),
-            "0: the file ends after 1 of 2 items of edge");
-  EXPECT_EQ(complaint(read_ply(head)), "0: the file ends after 0 of 3 items of vertex");
+            "0: the file ends within edge 2 of 2");
+  EXPECT_EQ(complaint(read_ply(head)), "0: the file ends within vertex 1 of 3");
   EXPECT_EQ(
       complaint(read_ply(head + all.substr(0, all.size() - 2) + bytes(std::uint16_t(3), order))),
-      "0: an edge has an index that is not in 0 to 3 - 1");
+      "0: edge 2: there is no vertex 3 (they count from 0)");
   EXPECT_EQ(complaint(read_ply(header(order, "element vertex 1\nproperty half x\n"))),
             "4: 'half' is no type of a property");
   EXPECT_EQ(complaint(read_ply(header(order, "element vertex 9\n") + "123")),
-            "0: vertices have no x, y and z");
+            "3: vertices have no numbers x, y and z");
   const Reading infinite = read_ply(header(order, vertices) + vertex(0, INFINITY, 0, 0, order) +
                                     vertex(0, 1, 0, 0, order) + vertex(1, 1, 0, 0, order));
   ASSERT_FALSE(infinite.is_accepted);
@@ -145,9 +145,9 @@ TEST(Binary_ply, takes_no_memory_for_what_is_announced)
   const std::string many = "element vertex 18446744073709551615\n";
   EXPECT_EQ(complaint(read_ply(header(Order::LITTLE, many + "property double x\nproperty double y\n"
                                                             "property double z\n"))),
-            "0: the file ends after 0 of 18446744073709551615 items of vertex");
+            "3: more is announced than the file can hold");
   EXPECT_EQ(complaint(read_ply(header(Order::LITTLE, "element none 99999999999999\n"))),
-            "0: the file ends after 0 of 99999999999999 items of none");
+            "3: more is announced than the file can hold");
 }
 
 } // namespace test_binary_ply

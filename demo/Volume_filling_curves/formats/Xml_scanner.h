@@ -4,18 +4,14 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_TEXT_XML_SCANNER_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_TEXT_XML_SCANNER_H
-
-#include <CGAL/license/Volume_filling_curves.h>
+#ifndef VFC_XML_SCANNER_H
+#define VFC_XML_SCANNER_H
 
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
 
-namespace CGAL {
-namespace Volume_filling_curves {
-namespace internal {
+namespace vfc {
 
 // Walks over the tags of an XML text, and gives out what stands between them, without copying. It
 // knows no entities, and whether the tags are balanced is for the user to tell. Linear time.
@@ -101,8 +97,6 @@ private:
   std::size_t m_position = 0, m_line = 1;
 };
 
-} // namespace internal
-} // namespace Volume_filling_curves
-} // namespace CGAL
+} // namespace vfc
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_TEXT_XML_SCANNER_H
+#endif // VFC_XML_SCANNER_H

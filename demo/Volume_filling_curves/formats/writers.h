@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_WRITERS_H
+#define VFC_WRITERS_H
+
+#include "formats/Node_columns.h"
+
+#include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
+
+#include <string>
+
+namespace vfc {
+
+// Writers of the formats that the library does not have compose the whole text in memory. PLY and
+// VTP have a value per node and column, and tell which nodes are pinned, if any is. Linear time.
+using CGAL::Volume_filling_curves::internal::Curve_paths;
+std::string to_ply(const Curve_paths& curve, const Node_columns& columns);
+std::string to_vtp(const Curve_paths& curve, const Node_columns& columns);
+std::string to_vect(const Curve_paths& curve);
+std::string to_point_list(const Curve_paths& curve);
+
+} // namespace vfc
+
+#endif // VFC_WRITERS_H
