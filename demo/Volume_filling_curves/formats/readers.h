@@ -46,6 +46,7 @@ using Polygons = std::vector<std::vector<std::size_t>>;
 
 // Read the vertices and the faces of a surface: in a PLY file the list vertex_indices, or
 // vertex_index, of the elements face and tristrips, in which -1 ends a strip of triangles.
+Curve_draft read_off_surface(std::string_view text, Polygons& polygons);
 Curve_draft read_ply_surface(std::string_view text, Polygons& polygons);
 Curve_draft read_vtp_surface(std::string_view text, Polygons& polygons);
 

@@ -6,12 +6,9 @@
 
 #include "meshes/read_mesh_soup.h"
 
-#include "formats/readers.h"
-#include "meshes/binary_off.h"
-#include "meshes/mesh_text.h"
-#include "meshes/off_text.h"
 #include "options/counted.h"
 
+#include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -22,7 +19,6 @@
 #include <exception>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -31,24 +27,7 @@
 namespace vfc {
 namespace {
 
-thread_local std::size_t size_of_text = 0; // of an OFF file that CGAL reads
-
-void add_problems(const std::vector<Text_problem>& problems, Mesh_findings& findings)
-{
-  for(const Text_problem& problem : problems)
-    findings.add_error(problem.kind, problem.message, {problem.line});
-}
-
-// Adds what is wrong with a text that CGAL's reader has refused.
-void add_reasons(const std::string& extension,
-                 const std::vector<Text_problem>& problems,
-                 Mesh_findings& findings)
-{
-  add_problems(problems, findings);
-  if(!findings.has_error())
-    findings.add_error("unreadable file",
-                       "this is no complete " + extension + " file of a surface");
-}
+namespace files = CGAL::Volume_filling_curves::internal;
 
 // Replaces what continues a line, a backslash at its end, by blanks; all else keeps its place.
 std::string with_continued_lines(std::string text)
@@ -74,8 +53,9 @@ void read_obj(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh
   const std::size_t start = before == std::string::npos ? 0 : before + 1;
   findings.add_error("unreadable file",
                      "this line does not belong in a surface: " +
-                         in_quotes(std::string_view(text).substr(start, line_end + 1 - start)),
-                     {line_at(text, start)});
+                         files::quoted(std::string_view(text).substr(start, line_end + 1 - start)),
+                     {1 + static_cast<std::size_t>(std::count(
+                              text.begin(), text.begin() + std::ptrdiff_t(start), '\n'))});
 }
 
 // Takes what was read of a file with the faces of a surface.
@@ -85,67 +65,21 @@ void take(const Curve_draft& file, Mesh_soup& soup, Mesh_findings& findings)
   for(const auto& p : file.points) soup.points.emplace_back(p[0], p[1], p[2]);
 }
 
-// A vector that does not grow beyond the size of the text that is read: CGAL's reader of OFF files
-// allocates whatever these announce.
-template <typename Item>
-struct Limited_vector : std::vector<Item>
-{
-  void resize(std::size_t size)
-  {
-    if(size > size_of_text) throw std::length_error("more than the file can hold");
-    std::vector<Item>::resize(size);
-  }
-};
-
-// Returns whether CGAL's reader understands a text.
-bool read_off_with_cgal(const std::string& text, Mesh_soup& soup, Polygons& polygons)
-{
-  size_of_text = text.size();
-  Limited_vector<Kernel::Point_3> points;
-  Limited_vector<Limited_vector<std::size_t>> faces;
-  std::istringstream in(text);
-  const bool is_read = CGAL::IO::read_OFF(in, points, faces, CGAL::parameters::verbose(false));
-  soup.points.assign(points.begin(), points.end());
-  polygons.assign(faces.begin(), faces.end());
-  return is_read;
-}
-
-// \pre the file is of one of the formats that have no reader of their own
+// STL files, and those of other formats that CGAL's version knows.
 void read_with_cgal(const std::string& file,
-                    const std::string& text,
-                    const std::vector<Text_problem>& problems,
                     Mesh_soup& soup,
                     Polygons& polygons,
                     Mesh_findings& findings)
 {
-  const std::string extension = lower_case_extension(file);
-  const auto are_amounts = [](const Text_problem& problem) { return problem.is_about_amounts; };
-  if(std::any_of(problems.begin(), problems.end(), are_amounts))
-    return add_problems(problems, findings);
   bool is_read = false;
   try {
-    if(extension == ".off")
-      is_read = read_off_with_cgal(off_with_lines(text), soup, polygons);
-    else
-      is_read = CGAL::IO::read_polygon_soup(file, soup.points, polygons,
-                                            CGAL::parameters::verbose(false));
+    is_read =
+        CGAL::IO::read_polygon_soup(file, soup.points, polygons, CGAL::parameters::verbose(false));
   } catch(const std::exception&) { // such as no memory for what a header announces
   }
-  if(!is_read) add_reasons(extension, problems, findings);
-}
-
-void read_off(const std::string& file,
-              const std::string& text,
-              Mesh_soup& soup,
-              Polygons& polygons,
-              Mesh_findings& findings)
-{
-  if(is_binary_off(text)) return read_binary_off(text, soup.points, polygons, findings);
-  Off_text off(text);
-  if(off.has_extras && !off.is_complete()) return add_reasons(".off", off.problems, findings);
-  if(!off.is_complete()) return read_with_cgal(file, text, off.problems, soup, polygons, findings);
-  soup.points = std::move(off.points);
-  polygons = std::move(off.polygons);
+  if(!is_read)
+    findings.add_error("unreadable file",
+                       "this is no complete " + lower_case_extension(file) + " file of a surface");
 }
 
 void cut_into_triangles(const Polygons& polygons, Mesh_soup& soup, Mesh_findings& findings)
@@ -218,13 +152,13 @@ Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings)
     else if(extension == ".obj")
       read_obj(text, soup, polygons, findings);
     else if(extension == ".off")
-      read_off(file, text, soup, polygons, findings);
+      take(read_off_surface(text, polygons), soup, findings);
     else if(extension == ".ply")
       take(read_ply_surface(text, polygons), soup, findings);
     else if(extension == ".vtp")
       take(read_vtp_surface(text, polygons), soup, findings);
     else
-      read_with_cgal(file, text, {}, soup, polygons, findings);
+      read_with_cgal(file, soup, polygons, findings);
   } catch(const std::system_error& error) {
     findings.add_error("unreadable file", error.code().message());
   }

@@ -24,9 +24,9 @@ bool is_mesh_extension(const std::string& extension);
 // Adds what is wrong with the text of a file, in the words for meshes.
 void add_errors(const Defect_list& defects, Mesh_findings& findings);
 
-// Reads points and faces, but for OFF, PLY and VTP files through CGAL, in whatever formats its
-// version knows, and cuts faces with more than three corners into triangles: a fan, which is right
-// for convex ones; for others the check for self-intersections has the last word.
+// Reads points and faces, those of OBJ and STL files through CGAL, and cuts faces with more than
+// three corners into triangles: a fan, which is right for convex ones; for others the check for
+// self-intersections has the last word.
 Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings);
 
 } // namespace vfc

@@ -7,10 +7,11 @@
 #include "meshes/vertex_values.h"
 
 #include "formats/readers.h"
-#include "meshes/mesh_text.h"
 #include "meshes/read_mesh_soup.h"
 #include "options/counted.h"
 #include "options/numbers.h"
+
+#include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,9 @@ void read_csv(std::istream& in,
       values.push_back(value);
       lines.push_back(line);
     } else if(!is_first) {
-      findings.add_error("unparsable number", in_quotes(cell) + demand(value), {line});
+      findings.add_error("unparsable number",
+                         CGAL::Volume_filling_curves::internal::quoted(cell) + demand(value),
+                         {line});
     }
     is_first = false;
   }

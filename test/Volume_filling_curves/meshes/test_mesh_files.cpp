@@ -63,7 +63,7 @@ TEST_F(Mesh_file, says_where_a_file_is_malformed)
   for(const Case& c : {
           Case{"empty.off", "", "no geometry", 0},
           Case{"blank.off", " \n\n", "no geometry", 0},
-          Case{"word.off", "hello world\n", "unreadable file", 0},
+          Case{"word.off", "hello world\n", "unreadable file", 1},
           Case{"zero.off", "OFF\n0 0 0\n", "no geometry", 0},
           Case{"cut.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "truncated file", 6},
           Case{"points.off", "OFF\n# three\n3 2 0\n0 0 0\n1 0 0\n", "truncated file", 5},
@@ -147,6 +147,16 @@ TEST_F(Mesh_file, normals_colors_and_textures_of_vertices_are_passed_over)
         << keyword;
     EXPECT_NEAR(volume(), 1 / 6., 1e-15);
   }
+}
+
+TEST_F(Mesh_file, divides_by_the_fourth_coordinate)
+{
+  EXPECT_TRUE(read("a.off", "4OFF\n4 4 0\n0 0 0 1\n2 0 0 2\n0 .5 0 .5\n0 0 1 1\n"
+                            "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"));
+  EXPECT_NEAR(volume(), 1 / 6., 1e-15);
+  EXPECT_FALSE(read("b.off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n"));
+  ASSERT_EQ(kinds(), Kinds{"non-finite coordinate"});
+  EXPECT_EQ(defects[0].line, 4u);
 }
 
 TEST_F(Mesh_file, refuses_faces_with_more_corners_than_the_file_can_hold)
