@@ -14,12 +14,11 @@
 #include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
 #include <CGAL/Volume_filling_curves/internal/curve/turning.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/unit_direction.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Linking_numbers.h>
-#include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
+#include <CGAL/Volume_filling_curves/internal/measures/ropelength.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
@@ -131,12 +130,7 @@ template <typename Traits>
 template <typename Traits>
 [[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
-    internal::for_each_corner(curve, c, [&](const auto& in, const auto& out) {
-      least = (std::min)(least, internal::bend_radius(in, out));
-    });
-  return least;
+  return internal::least_bend_radius(curve);
 }
 
 /// returns for each node the reciprocal of its bend radius, see `min_bend_radius()`; 0 at ends and
@@ -176,10 +170,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
                                          const NamedParameters& np = parameters::default_values())
 {
   if(curve.has_junction()) return std::numeric_limits<double>::quiet_NaN();
-  return internal::measured(np, [&](internal::Run_watch* watch) {
-    const internal::Doubly_critical_distance<Curve_network_3<Traits>> critical_distance(curve);
-    return critical_distance(2 * min_bend_radius(curve), watch) / 2;
-  });
+  return internal::measured(
+      np, [&](internal::Run_watch* watch) { return internal::tube_radius(curve, watch); });
 }
 
 /*!

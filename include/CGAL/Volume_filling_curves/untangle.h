@@ -13,21 +13,11 @@
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Polylines_in_place.h>
-#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
-#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
-#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
-#include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
-#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Strategic_untangler.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/keep_tighter_input.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
@@ -36,78 +26,10 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <string>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
-
-namespace internal {
-
-// Throws std::invalid_argument if curves cannot be untangled with the parameters.
-template <typename Network>
-void check_untangling(const Untangling_parameters& parameters, const Network& curves)
-{
-  check_parameters(parameters);
-  check_embedded(curves);
-  check_thickness(parameters.thickness, box_diagonal(curves), "the curves");
-  if(!parameters.keep_length) return;
-  for(std::size_t v = 0; v < curves.number_of_nodes(); ++v)
-    if(curves.is_pinned(v))
-      refuse_value(internal_np::keep_length_t(), "true",
-                   "node " + std::to_string(v) + " is pinned, so the curves cannot be scaled");
-}
-
-// The result for curves whose check was cut short, and which hence stay as they are.
-template <typename Network>
-Untangling_result result_without_check(const Network& curves, const Run_watch& watch)
-{
-  Untangling_result result;
-  result.status =
-      watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
-  result.proofs.assign(curves.number_of_components(), Unknot_proof::NONE);
-  result.gradient_norm = std::numeric_limits<double>::quiet_NaN();
-  return result;
-}
-
-// Untangles by `run`, and does what belongs to every run: the record, the length, the statistics.
-template <typename Guard, typename Run>
-Untangling_result recorded_untangling(Guard& guard,
-                                      const Untangling_parameters& parameters,
-                                      double length, // of the input
-                                      Run_saver& saver,
-                                      const Run& run)
-{
-  if(parameters.certificate) guard.start_recording();
-  if(State_reader* const reader = saver.reader()) (*reader)(guard);
-  Untangling_result result = run();
-  guard.set_watch(nullptr); // what is left is done as a whole
-  if(parameters.keep_length) {
-    const double factor = rescale_to_length(guard, length);
-    result.thickness *= factor;
-    result.fitting_thickness *= factor;
-  }
-  result.statistics.certified_changes = guard.number_of_certified_changes();
-  result.statistics.refused_changes = guard.number_of_refused_changes();
-  if(parameters.certificate) *parameters.certificate = guard.certificate();
-  return result;
-}
-
-// If the run is stopped before the thickness is known there are no rays, and nothing flows.
-template <typename ConcurrencyTag, typename Guard>
-void add_rays(Closing_rays<Guard>& rays, Untangling_parameters& parameters)
-{
-  try {
-    rays.template grow<ConcurrencyTag>(parameters);
-  } catch(const Run_stopped&) {
-  }
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
@@ -258,39 +180,9 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
                            const Untangling_parameters& parameters,
                            Visitor visitor = Visitor())
 {
-  using Flow = Curve_flow_3<Traits, Unbounded_domain_3<Traits>, ConcurrencyTag>;
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  internal::Run_watch watch(parameters.time_limit, parameters.progress,
-                            internal::Run_watch::moment);
-  watch.begin(Run_stage::PREPARING);
-  if(!internal::does_in_time(watch, [&] { internal::check_untangling(parameters, curves); }))
-    return internal::result_without_check(curves, watch);
-  Curve_network_3<Traits> input = curves;
-  internal::Run_saver saver(parameters, [&] {
-    return internal::run_fingerprint("untangle", parameters,
-                                     {{"curve", internal::state_hash(curves)}});
-  });
-  if(internal::State_reader* const reader = saver.reader())
-    internal::read_curve(*reader, curves, [] {});
-  const double length = internal::total_length(input);
-  std::optional<Isotopy_guard_3<Traits>> guard(std::in_place, curves);
-  guard->set_watch(&watch);
-  Untangling_result result = internal::recorded_untangling(*guard, parameters, length, saver, [&] {
-    Untangling_parameters run_parameters = parameters; // rays need the thickness first
-    internal::Closing_rays<Isotopy_guard_3<Traits>> rays(*guard);
-    if(saver.reader())
-      (*saver.reader())(rays);
-    else
-      internal::add_rays<ConcurrencyTag>(rays, run_parameters);
-    const internal::Untangling_run run{
-        *guard, rays, run_parameters, watch, internal::unwrapped(visitor), saver};
-    Untangling_result of_run = internal::untangle_by_strategy<Flow, ConcurrencyTag>(run);
-    of_run.is_closure_kept = rays.can_turn_outwards();
-    return of_run;
-  });
-  guard.reset(); // which the curves must not be assigned to
-  internal::keep_tighter_input(std::move(input), parameters, watch, curves, result);
-  return result;
+  const internal::Whole_space<Traits, ConcurrencyTag> space;
+  return internal::Untangling_run(curves, space, parameters, internal::unwrapped(visitor))();
 }
 
 /*!

@@ -12,9 +12,9 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
 #include <CGAL/Volume_filling_curves/internal/state/domain_hash.h>
-#include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <CGAL/assertions.h>
@@ -24,6 +24,46 @@
 
 namespace CGAL {
 namespace Volume_filling_curves {
+
+namespace internal {
+
+// A domain as the place of an Untangling_run: the curves flow, and no rays lead out of it.
+template <typename Traits, typename Domain, typename ConcurrencyTag>
+struct Place_in_domain
+{
+  using Guard = Isotopy_guard_3<Traits, Domain>;
+  using Network = typename Guard::Curve_network;
+
+  void check(const Network& curves, const Untangling_parameters& parameters) const
+  {
+    if(parameters.strategy == Untangling_strategy::SEARCH)
+      refuse_value(internal_np::strategy_t(), parameters.strategy,
+                   "the search does not know the domain");
+    check_inside(curves, domain);
+  }
+
+  Run_facts facts(const Network& curves, const Untangling_parameters& parameters) const
+  {
+    return run_fingerprint(
+        "untangle in a domain", parameters,
+        {{"curve", state_hash(curves)}, {"domain", domain_hash(domain, curves.traits())}});
+  }
+
+  Guard guard(Network& curves) const { return Guard(curves, domain); }
+
+  void add_rays(Closing_rays<Guard>&, Untangling_parameters&) const {}
+
+  template <typename Visitor>
+  Untangling_result untangle(const Untangling_context<Guard, Visitor>& run) const
+  {
+    return untangle_by_flow<Curve_flow_3<Traits, Domain, ConcurrencyTag>>(
+        run, {run.parameters.thickness, 0, false, false});
+  }
+
+  const Domain& domain;
+};
+
+} // namespace internal
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
@@ -165,36 +205,10 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
                            Visitor visitor = Visitor())
 {
   const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
-  using Inside = std::decay_t<decltype(inside)>;
-  using Guard = Isotopy_guard_3<Traits, Inside>;
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  internal::Run_watch watch(parameters.time_limit, parameters.progress,
-                            internal::Run_watch::moment);
-  watch.begin(Run_stage::PREPARING);
-  if(!internal::does_in_time(watch, [&] { internal::check_untangling(parameters, curves); }))
-    return internal::result_without_check(curves, watch);
-  if(parameters.strategy == Untangling_strategy::SEARCH)
-    internal::refuse_value(internal_np::strategy_t(), parameters.strategy,
-                           "the search does not know the domain");
-  internal::check_inside(curves, inside);
-  internal::Run_saver saver(parameters, [&] {
-    return internal::run_fingerprint("untangle in a domain", parameters,
-                                     {{"curve", internal::state_hash(curves)},
-                                      {"domain", internal::domain_hash(inside, curves.traits())}});
-  });
-  const double length = internal::total_length(curves);
-  if(internal::State_reader* const reader = saver.reader())
-    internal::read_curve(*reader, curves, [&] { internal::check_inside(curves, inside); });
-  Guard guard(curves, inside);
-  guard.set_watch(&watch);
-  return internal::recorded_untangling(guard, parameters, length, saver, [&] {
-    internal::Closing_rays<Guard> no_rays(guard);
-    if(saver.reader()) (*saver.reader())(no_rays);
-    const internal::Untangling_run run{
-        guard, no_rays, parameters, watch, internal::unwrapped(visitor), saver};
-    return internal::untangle_by_flow<Curve_flow_3<Traits, Inside, ConcurrencyTag>>(
-        run, {parameters.thickness, 0, false, false});
-  });
+  const internal::Place_in_domain<Traits, std::decay_t<decltype(inside)>, ConcurrencyTag> place{
+      inside};
+  return internal::Untangling_run(curves, place, parameters, internal::unwrapped(visitor))();
 }
 
 } // namespace Volume_filling_curves

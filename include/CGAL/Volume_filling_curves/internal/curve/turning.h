@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Turning angles of a curve at its nodes, in radians. Linear.
+// Turning angles of a curve at its nodes, in radians, and bend radii. Linear.
 
 // The sum of the turning angles at the nodes inside component c; 0 if it has a junction.
 template <typename Network>
@@ -47,6 +47,18 @@ std::vector<double> node_curvatures(const Network& curve)
     curvatures[v] = (std::min)(1 / radius, (std::numeric_limits<double>::max)());
   }
   return curvatures;
+}
+
+// The least bend radius at a node of a component without junctions; infinity if all are straight.
+template <typename Network>
+double least_bend_radius(const Network& curve)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
+    for_each_corner(curve, c, [&](const Vector& in, const Vector& out) {
+      least = (std::min)(least, bend_radius(in, out));
+    });
+  return least;
 }
 
 // The largest turning angle at a node of a closed component.

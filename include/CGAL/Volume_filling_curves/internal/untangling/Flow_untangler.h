@@ -19,7 +19,7 @@
 #include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Suspected_unknot.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/looseness.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
@@ -56,7 +56,7 @@ class Flow_untangler
   using Guard = typename Flow::Guard;
 
 public:
-  Flow_untangler(const Untangling_run<Guard, Visitor>& run, const Flow_start& start)
+  Flow_untangler(const Untangling_context<Guard, Visitor>& run, const Flow_start& start)
       : m_run(run),
         m_flow(run.guard,
                run.parameters,
@@ -363,7 +363,7 @@ private:
   static constexpr double coarse_spacing = 0.5;    // likewise
   static constexpr double coarse_step = 2.5;       // of the largest displacement asked for
 
-  Untangling_run<Guard, Visitor> m_run;
+  Untangling_context<Guard, Visitor> m_run;
   Flow m_flow;
   Flow_start m_start;
   Unknottedness<Network> m_unknottedness;
@@ -377,7 +377,7 @@ private:
 };
 
 template <typename Flow, typename Guard, typename Visitor>
-Untangling_result untangle_by_flow(const Untangling_run<Guard, Visitor>& run,
+Untangling_result untangle_by_flow(const Untangling_context<Guard, Visitor>& run,
                                    const Flow_start& start)
 {
   run.watch.progress().iterations = 0; // no more of the search

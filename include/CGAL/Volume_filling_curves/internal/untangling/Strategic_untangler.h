@@ -17,8 +17,9 @@
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/result_without_flow.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
@@ -44,7 +45,7 @@ class Strategic_untangler
   using Search = Polygon_search<Guard, ConcurrencyTag>;
 
 public:
-  explicit Strategic_untangler(const Untangling_run<Guard, Visitor>& run)
+  explicit Strategic_untangler(const Untangling_context<Guard, Visitor>& run)
       : m_run(run),
         m_curve(run.guard.curve()),
         m_thickness(run.parameters.thickness),
@@ -298,7 +299,7 @@ private:
     return result;
   }
 
-  Untangling_run<Guard, Visitor> m_run;
+  Untangling_context<Guard, Visitor> m_run;
   const Network& m_curve;
   double m_thickness; // of the next flow; 0 if it is to be measured
   Search_parameters m_search_parameters;
@@ -310,11 +311,38 @@ private:
   bool m_is_flowing = false;
 };
 
-template <typename Flow, typename ConcurrencyTag, typename Guard, typename Visitor>
-Untangling_result untangle_by_strategy(const Untangling_run<Guard, Visitor>& run)
+// The whole space as the place of an Untangling_run: all strategies, and rays at pinned ends.
+template <typename Traits, typename ConcurrencyTag>
+struct Whole_space
 {
-  return Strategic_untangler<Flow, ConcurrencyTag, Visitor>(run)();
-}
+  using Guard = Isotopy_guard_3<Traits>;
+  using Network = typename Guard::Curve_network;
+  using Flow = Curve_flow_3<Traits, Unbounded_domain_3<Traits>, ConcurrencyTag>;
+
+  void check(const Network&, const Untangling_parameters&) const {}
+
+  Run_facts facts(const Network& curves, const Untangling_parameters& parameters) const
+  {
+    return run_fingerprint("untangle", parameters, {{"curve", state_hash(curves)}});
+  }
+
+  Guard guard(Network& curves) const { return Guard(curves); }
+
+  // If the run is stopped before the thickness is known there are no rays, and nothing flows.
+  void add_rays(Closing_rays<Guard>& rays, Untangling_parameters& parameters) const
+  {
+    try {
+      rays.template grow<ConcurrencyTag>(parameters);
+    } catch(const Run_stopped&) {
+    }
+  }
+
+  template <typename Visitor>
+  Untangling_result untangle(const Untangling_context<Guard, Visitor>& run) const
+  {
+    return Strategic_untangler<Flow, ConcurrencyTag, Visitor>(run)();
+  }
+};
 
 } // namespace internal
 } // namespace Volume_filling_curves

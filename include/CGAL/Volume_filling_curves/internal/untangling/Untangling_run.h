@@ -9,49 +9,179 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+#include <CGAL/Volume_filling_curves/internal/measures/ropelength.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
+#include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The state that all strategies of a run share; the public function makes it.
-template <typename Guard, typename Visitor>
-struct Untangling_run
+// A run of untangle(): checks the curves, lets a strategy untangle them by a guard, with rays where
+// they are open, and keeps the tighter curves of input and result. A `Place` says where that is, in
+// the whole space or in a domain: it checks the curves, makes their guard and has the strategies.
+template <typename Place, typename Visitor>
+class Untangling_run
 {
-  Guard& guard;
-  Closing_rays<Guard>& rays;
-  const Untangling_parameters& parameters;
-  Run_watch& watch; // of the guard as well
-  Visitor& visitor;
-  Run_saver& saver;
-  std::string state_of_strategy = {}; // while a flow runs
+  using Guard = typename Place::Guard;
+  using Network = typename Guard::Curve_network;
 
-  // How a run ended that the watch has stopped.
-  Untangling_status status_when_stopped() const
+public:
+  Untangling_run(Network& curves,
+                 const Place& place,
+                 const Untangling_parameters& parameters,
+                 Visitor& visitor)
+      : m_curves(curves),
+        m_place(place),
+        m_parameters(parameters),
+        m_visitor(visitor),
+        m_watch(parameters.time_limit, parameters.progress, Run_watch::moment)
+  {}
+
+  Untangling_result operator()()
   {
-    return watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
+    m_watch.begin(Run_stage::PREPARING);
+    if(!does_in_time(m_watch, [this] { check(); })) return unchecked();
+    m_place.check(m_curves, m_parameters);
+    Network input = m_curves;
+    Untangling_result result = untangle(total_length(input));
+    if(is_tighter_than_result(input, result)) keep(std::move(input), result);
+    return result;
   }
 
-  // Writes what every state of the run begins with.
-  void write_state(State_writer& writer) const
+private:
+  void check() const
   {
-    writer(guard.curve(), guard, rays);
-    writer.append(state_of_strategy);
+    check_parameters(m_parameters);
+    check_embedded(m_curves);
+    check_thickness(m_parameters.thickness, box_diagonal(m_curves), "the curves");
+    if(!m_parameters.keep_length) return;
+    for(std::size_t v = 0; v < m_curves.number_of_nodes(); ++v)
+      if(m_curves.is_pinned(v))
+        refuse_value(internal_np::keep_length_t(), "true",
+                     "node " + std::to_string(v) + " is pinned, so the curves cannot be scaled");
   }
+
+  // The result for curves whose check was cut short, and which hence stay as they are.
+  Untangling_result unchecked() const
+  {
+    Untangling_result result;
+    result.status =
+        m_watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
+    result.proofs.assign(m_curves.number_of_components(), Unknot_proof::NONE);
+    result.gradient_norm = std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
+
+  Untangling_result untangle(double length) // of the input
+  {
+    Run_saver saver(m_parameters, [this] { return m_place.facts(m_curves, m_parameters); });
+    if(State_reader* const reader = saver.reader())
+      read_curve(*reader, m_curves, [this] { m_place.check(m_curves, m_parameters); });
+    Guard guard = m_place.guard(m_curves);
+    guard.set_watch(&m_watch);
+    if(m_parameters.certificate) guard.start_recording();
+    if(State_reader* const reader = saver.reader()) (*reader)(guard);
+    Untangling_result result = untangle_with_rays(guard, saver);
+    guard.set_watch(nullptr); // what is left is done as a whole
+    if(m_parameters.keep_length) rescale(guard, length, result);
+    result.statistics.certified_changes = guard.number_of_certified_changes();
+    result.statistics.refused_changes = guard.number_of_refused_changes();
+    if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
+    return result;
+  }
+
+  Untangling_result untangle_with_rays(Guard& guard, Run_saver& saver)
+  {
+    Untangling_parameters parameters = m_parameters; // rays need the thickness first
+    Closing_rays<Guard> rays(guard);
+    if(State_reader* const reader = saver.reader())
+      (*reader)(rays);
+    else
+      m_place.add_rays(rays, parameters);
+    const Untangling_context context{guard, rays, parameters, m_watch, m_visitor, saver};
+    Untangling_result result = m_place.untangle(context);
+    result.is_closure_kept = rays.can_turn_outwards();
+    return result;
+  }
+
+  static void rescale(Guard& guard, double length, Untangling_result& result)
+  {
+    const double factor = rescale_to_length(guard, length);
+    result.thickness *= factor;
+    result.fitting_thickness *= factor;
+  }
+
+  // The flow ends about 16 % above the ideal ropelength, and a curve that was tightened otherwise
+  // may be below that. Then the input is the better result if it is as simple. A result with a
+  // given thickness has that thickness, and stays.
+  bool is_tighter_than_result(const Network& input, const Untangling_result& result)
+  {
+    if(Guard::Boundary::is_bounded || m_parameters.thickness > 0 ||
+       m_parameters.strategy != Untangling_strategy::AUTO ||
+       result.status == Untangling_status::INTERRUPTED || !is_closed_everywhere(input))
+      return false;
+    try {
+      return (result.status != Untangling_status::UNKNOTTED || are_unknots(unknot_proofs(input))) &&
+             is_tighter(input, m_curves, m_watch);
+    } catch(const Run_stopped&) { // the time is up before that is known
+      return false;
+    }
+  }
+
+  // Puts the input in the place of the result, with an empty record of changes.
+  void keep(Network&& input, Untangling_result& result)
+  {
+    m_curves = std::move(input);
+    result.is_input = true;
+    result.is_round = false;
+    result.is_ropelength_lowered = false;
+    result.thickness = 2 * tube_radius(m_curves); // the distance that strands keep
+    if(result.status == Untangling_status::UNKNOTTED) result.proofs = unknot_proofs(m_curves);
+    if(!m_parameters.certificate) return;
+    Guard guard = m_place.guard(m_curves);
+    guard.start_recording();
+    *m_parameters.certificate = guard.certificate();
+  }
+
+  static bool are_unknots(const std::vector<Unknot_proof>& proofs)
+  {
+    return std::find(proofs.begin(), proofs.end(), Unknot_proof::NONE) == proofs.end();
+  }
+
+  static std::vector<Unknot_proof> unknot_proofs(const Network& curves)
+  {
+    std::vector<Unknot_proof> proofs;
+    for(std::size_t c = 0; c < curves.number_of_components(); ++c)
+      proofs.push_back(unknot_proof(curves, c));
+    return proofs;
+  }
+
+  Network& m_curves;
+  const Place m_place;
+  const Untangling_parameters& m_parameters;
+  Visitor& m_visitor;
+  Run_watch m_watch;
 };
-
-template <typename Guard, typename Visitor>
-Untangling_run(
-    Guard&, Closing_rays<Guard>&, const Untangling_parameters&, Run_watch&, Visitor&, Run_saver&)
-    -> Untangling_run<Guard, Visitor>;
 
 } // namespace internal
 } // namespace Volume_filling_curves

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_UNTANGLING_CONTEXT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_UNTANGLING_CONTEXT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The parts of a run that all of its strategies share.
+template <typename Guard, typename Visitor>
+struct Untangling_context
+{
+  Guard& guard;
+  Closing_rays<Guard>& rays;
+  const Untangling_parameters& parameters;
+  Run_watch& watch; // of the guard as well
+  Visitor& visitor;
+  Run_saver& saver;
+  std::string state_of_strategy = {}; // while a flow runs
+
+  // How a run ended that the watch has stopped.
+  Untangling_status status_when_stopped() const
+  {
+    return watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
+  }
+
+  // Writes what every state of the run begins with.
+  void write_state(State_writer& writer) const
+  {
+    writer(guard.curve(), guard, rays);
+    writer.append(state_of_strategy);
+  }
+};
+
+template <typename Guard, typename Visitor>
+Untangling_context(
+    Guard&, Closing_rays<Guard>&, const Untangling_parameters&, Run_watch&, Visitor&, Run_saver&)
+    -> Untangling_context<Guard, Visitor>;
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_UNTANGLING_CONTEXT_H
