@@ -21,7 +21,6 @@
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/result_without_flow.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -52,6 +53,21 @@ template <typename Guard, typename Visitor>
 Untangling_context(
     Guard&, Closing_rays<Guard>&, const Untangling_parameters&, Run_watch&, Visitor&, Run_saver&)
     -> Untangling_context<Guard, Visitor>;
+
+// The result for a curve that did not flow, or not at last. Proofs are about the curve as it
+// stands.
+template <typename Network>
+Untangling_result result_without_flow(const Network& curve, Untangling_status status)
+{
+  Untangling_result result;
+  Unknottedness<Network> unknottedness;
+  unknottedness.update(curve);
+  unknottedness.write(curve, result);
+  result.status = unknottedness.is_proved() && status != Untangling_status::INTERRUPTED
+                      ? Untangling_status::UNKNOTTED
+                      : status;
+  return result;
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

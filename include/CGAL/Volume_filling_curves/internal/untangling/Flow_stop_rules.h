@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_FLOW_STOP_RULES_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_FLOW_STOP_RULES_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/turning.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Suspected_unknot.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The place of a flow in a run.
+struct Flow_start
+{
+  double thickness;              // 0 if it is to be measured
+  std::size_t iterations_before; // of other flows
+  bool follows_search;           // then what is proved at once is coarse, and flows on
+  bool makes_round;              // a single unknot
+  std::size_t patience = 1000;   // iterations on a plateau, of what looks like an unknot
+  bool is_last = true;           // or else a search follows if it stalls
+  bool can_be_thicker = false;   // if that suits the curve, in a flow that follows
+};
+
+// Decides between two steps whether a flow ends, and how: the curve is proved simple, is tight, or
+// gets nowhere, or the run is at its limit.
+//
+// The gradient is in units of 1 / r, and below the tolerance on whatever is smooth on the scale of
+// r, such as a loop of radius 143 r that nothing holds. So a curve is tight only if contacts and
+// bends also carry the pull of its length.
+template <typename Flow, typename Visitor>
+class Flow_stop_rules
+{
+  using Network = typename Flow::Curve_network;
+  using Guard = typename Flow::Guard;
+
+public:
+  Flow_stop_rules(const Untangling_context<Guard, Visitor>& run,
+                  const Flow& flow,
+                  const Flow_start& start)
+      : m_run(run), m_flow(flow), m_start(start)
+  {}
+
+  void note_step(bool did_move)
+  {
+    const double length = m_flow.length() - m_run.rays.length();
+    m_has_stalled = m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.rays.hold();
+  }
+
+  // Takes whether the curve is smooth on the scale of the thickness. To ask again changes nothing.
+  std::optional<Untangling_status> status(bool is_smooth)
+  {
+    look_for_proof();
+    if(is_proved() && (is_smooth || can_stop_at_proof())) return Untangling_status::UNKNOTTED;
+    const bool is_slack = is_smooth && is_loose();
+    m_is_too_thin = is_slack && is_too_thin();
+    if(m_is_too_thin) return Untangling_status::STALLED;
+    if(is_smooth && !is_slack && !is_suspicious()) return Untangling_status::CONVERGED;
+    if(is_at_limit()) return unless_proved(Untangling_status::LIMIT);
+    if(is_interrupted()) return Untangling_status::INTERRUPTED;
+    if(m_has_stalled || m_suspected_unknot.has_lingered_for_long(m_flow, m_start.patience))
+      return unless_proved(Untangling_status::STALLED);
+    return std::nullopt;
+  }
+
+  // The status of a run that goes on beyond its end, unless it is to stop.
+  Untangling_status status_beyond(Untangling_status end)
+  {
+    look_for_proof();
+    if(is_proved()) return Untangling_status::UNKNOTTED;
+    if(is_at_limit()) return Untangling_status::LIMIT;
+    return is_interrupted() ? Untangling_status::INTERRUPTED : end;
+  }
+
+  // A curve on its way from the proof to where it settles has got there already.
+  Untangling_status unless_proved(Untangling_status status) const
+  {
+    return m_run.parameters.stop_at_proof && is_proved() ? Untangling_status::UNKNOTTED : status;
+  }
+
+  bool is_at_limit() const
+  {
+    return iterations() >= m_run.parameters.number_of_iterations || m_run.watch.is_time_over();
+  }
+
+  // whether the flow has stalled since the thickness is too small for the curve
+  bool is_curve_too_thin() const { return m_is_too_thin; }
+
+  // The thickness at which a loose curve as it stands is far from smooth, at least twice the
+  // present one; 0 if that is not too small. Ribbons, loops of strands 1e-2 to 1e-11 of their
+  // radius apart, come tight from there in 40 to 130 iterations (2026-11-23).
+  double fitting_thickness() const
+  {
+    constexpr double gradient_of_fitting = 0.05;
+    const double gradient = (std::max)(gradient_of_fitting, 2 * m_run.parameters.tolerance);
+    return m_is_too_thin ? m_flow.thickness() * gradient / m_flow.gradient_norm() : 0;
+  }
+
+  // In a domain a curve may be tight around an obstacle.
+  bool ends_round() const
+  {
+    return !m_run.parameters.stop_at_proof && m_flow.curve().number_of_components() == 1 &&
+           !Guard::Boundary::is_bounded;
+  }
+
+  // The polygon that a search has found is no input.
+  bool is_unknot_from_start() const
+  {
+    return m_iterations_to_proof == std::size_t(0) && !m_start.follows_search;
+  }
+
+  double settled_length() const
+  {
+    constexpr double length_over_thickness = 8; // of a component
+    const std::size_t number_of_components = m_flow.curve().number_of_components();
+    return length_over_thickness * m_flow.thickness() * static_cast<double>(number_of_components);
+  }
+
+  void look_for_proof() { m_unknottedness.update(m_flow.curve()); }
+  bool is_proved() const { return m_unknottedness.is_proved(); }
+  void write_proofs(Untangling_result& result) { m_unknottedness.write(m_flow.curve(), result); }
+
+  // Writes or reads everything that the status depends on, see State_writer.
+  template <typename Archive>
+  void serialize(Archive& archive)
+  {
+    archive(m_unknottedness, m_stall_monitor, m_has_stalled, m_iterations_to_proof,
+            m_suspected_unknot);
+  }
+
+private:
+  static constexpr std::size_t most_iterations_to_settle = 50;
+
+  // in this flow, and in those before
+  std::size_t iterations() const
+  {
+    return m_start.iterations_before + m_flow.statistics().iterations;
+  }
+
+  bool is_interrupted() const
+  {
+    return m_run.watch.is_interrupted() || !m_run.visitor.go_further(m_flow);
+  }
+
+  // Whether contacts and bends leave more than 5 % of the pull of the length. Tight knots have a
+  // share of 1.4 times their gradient, 0.01 (236 knots, 2026-11-23); a rough tolerance takes more.
+  bool is_loose() const
+  {
+    constexpr double loose = 0.05, loose_over_tolerance = 2;
+    return m_flow.loose_share() >=
+           (std::max)(loose, loose_over_tolerance * m_run.parameters.tolerance);
+  }
+
+  // Whether a loose curve is not worth the way: loops of radius r / gradient have to shrink, by the
+  // largest displacement at a time. Where the thickness may be chosen, a larger one is faster.
+  bool is_too_thin() const
+  {
+    const std::size_t most = m_run.parameters.number_of_iterations;
+    return m_start.can_be_thicker ||
+           m_flow.gradient_norm() * m_run.parameters.max_displacement *
+                   static_cast<double>(most - (std::min)(most, iterations())) <
+               1;
+  }
+
+  // In a domain a curve may be tight around an obstacle.
+  bool is_suspicious()
+  {
+    return !Guard::Boundary::is_bounded && m_suspected_unknot.is_suspicious(m_flow);
+  }
+
+  bool can_stop_at_proof()
+  {
+    constexpr double largest_turn = 1; // at a node; curves that flow get hardly below 0.7
+    if(!is_settled()) return false;
+    if(!m_run.parameters.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
+    return !m_start.follows_search || largest_turning_angle(m_flow.curve()) < largest_turn;
+  }
+
+  // Where on its way a curve is proved to be an unknot depends on details, while its length falls
+  // fast. It flows on for a few iterations, to a length that depends on the thickness only. An
+  // input that is an unknot from the start stays as it is. \pre it is unknotted
+  bool is_settled()
+  {
+    const std::size_t iterations = m_flow.statistics().iterations;
+    if(!m_iterations_to_proof) m_iterations_to_proof = iterations;
+    return is_unknot_from_start() || m_flow.length() <= settled_length() ||
+           iterations - *m_iterations_to_proof >= most_iterations_to_settle;
+  }
+
+  const Untangling_context<Guard, Visitor>& m_run;
+  const Flow& m_flow;
+  const Flow_start& m_start;
+  Unknottedness<Network> m_unknottedness;
+  Stall_monitor m_stall_monitor;
+  Suspected_unknot m_suspected_unknot;
+  std::optional<std::size_t> m_iterations_to_proof;
+  bool m_has_stalled = false, m_is_too_thin = false;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_FLOW_STOP_RULES_H
