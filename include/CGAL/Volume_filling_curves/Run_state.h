@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
-#include <CGAL/Volume_filling_curves/internal/certificate/little_endian.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/format.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include <CGAL/Volume_filling_curves/internal/flow/motion_outcome.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 
 #include <gtest/gtest.h>
 

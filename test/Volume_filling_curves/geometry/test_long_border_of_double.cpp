@@ -7,8 +7,8 @@
 #include "support/exact_brute_force.h"
 
 #include <CGAL/Volume_filling_curves/internal/domain/Vertical_ray.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Filtered_triangle.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Triangle_intersection.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/cube_root.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include <CGAL/Volume_filling_curves/internal/search/overlapping_boxes.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
 
 #include <gtest/gtest.h>
 

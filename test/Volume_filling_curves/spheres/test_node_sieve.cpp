@@ -6,7 +6,7 @@
 
 #include "support/flow_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/spheres/Node_prefilter.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Moving_neighborhood.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "support/guard_test_support.h"
 
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
-#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/untangle.h>

@@ -8,7 +8,7 @@
 #include "support/untangle_test_support.h"
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
-#include <CGAL/Volume_filling_curves/internal/curve/total_length.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>

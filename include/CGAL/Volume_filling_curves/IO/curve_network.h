@@ -15,7 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/draft_to_network.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
-#include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/format.h>
-#include <CGAL/Volume_filling_curves/internal/certificate/little_endian.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
 
 #include <algorithm>

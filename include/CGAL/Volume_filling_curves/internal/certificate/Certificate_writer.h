@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/certificate/format.h>
-#include <CGAL/Volume_filling_curves/internal/certificate/little_endian.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -15,12 +15,28 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Numbers in bytes, the low ones first. Doubles have those of their IEEE representation.
+
+inline void append_little_endian(std::string& bytes, std::uint64_t x, int size = 8)
+{
+  for(int k = 0; k < size; ++k) bytes += static_cast<char>(x >> 8 * k & 0xff);
+}
+
+inline void append_little_endian(std::string& bytes, double x)
+{
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits);
+  append_little_endian(bytes, bits);
+}
 
 // The parts of a certificate. The page "Format of Certificates" of the manual describes how
 // this is encoded, for those who want to write a reader of their own.

@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/curve/Curve_components.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_numbering.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Input_chains.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>

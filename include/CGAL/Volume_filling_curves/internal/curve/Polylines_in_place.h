@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Origin_interpolation.h>
 #include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
-#include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_origin.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>

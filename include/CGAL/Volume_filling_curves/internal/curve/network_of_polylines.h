@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/polylines/polyline_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 
 #include <CGAL/Kernel_traits.h>
 

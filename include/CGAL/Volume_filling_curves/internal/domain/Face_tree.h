@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Planar_rays_query.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Ray_entry.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Vertical_ray.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Triangle_intersection.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/triangle_distance.h>
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/text/point_text.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel/global_functions.h>

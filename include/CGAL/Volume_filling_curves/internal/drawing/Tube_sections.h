@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
-#include <CGAL/Volume_filling_curves/internal/text/point_text.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <CGAL/tags.h>
 

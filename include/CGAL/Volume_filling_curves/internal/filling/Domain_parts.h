@@ -15,7 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/cube_root.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Linked_samples.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>

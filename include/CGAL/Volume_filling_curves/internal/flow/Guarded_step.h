@@ -11,17 +11,44 @@
 
 #include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Strand_separator.h>
-#include <CGAL/Volume_filling_curves/internal/flow/motion_outcome.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// The share of their way that the nodes that were to move have gone; pinned ones were not.
+struct Motion_outcome
+{
+  double mean_fraction = 1; // of their ways
+  bool are_nodes_held = false;
+
+  bool has_moved() const { return mean_fraction > 0; }
+  bool is_shortened() const { return mean_fraction < 1; }
+};
+
+// Takes the part of its way that each node has gone, and the direction of the way.
+inline Motion_outcome motion_outcome(const std::vector<double>& fractions,
+                                     const Vector_field& direction)
+{
+  Motion_outcome outcome;
+  double sum = 0;
+  std::size_t number_of_ways = 0;
+  for(std::size_t v = 0; v < fractions.size(); ++v) {
+    if(row(direction, v) == Vector(0, 0, 0)) continue;
+    ++number_of_ways;
+    sum += fractions[v];
+    outcome.are_nodes_held = outcome.are_nodes_held || fractions[v] == 0;
+  }
+  if(number_of_ways > 0) outcome.mean_fraction = sum / static_cast<double>(number_of_ways);
+  return outcome;
+}
 
 // Moves a curve along a direction: as far as the step size tells, as far as the guard certifies,
 // and strands that hold one another apart. Remembers how the last steps went.

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -11,9 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
-#include <CGAL/Volume_filling_curves/internal/generators/regular_polygon.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/cube_root.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 
 #include <cstddef>

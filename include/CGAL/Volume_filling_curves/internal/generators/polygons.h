@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -114,6 +115,21 @@ inline void turn_randomly(Polygons& polygons, std::uint64_t seed)
   const Frame rotation = frame_of_quaternion(p * a, p * b, q * c, q * d);
   for(Polygon& polygon : polygons)
     for(Vector& v : polygon) v = rotation(v);
+}
+
+// Returns a regular polygon in the plane z = 0 around the origin.
+// \throws std::invalid_argument for fewer than 3 nodes, or a radius that is not positive and finite
+inline Polygon regular_polygon(std::size_t number_of_nodes, double radius)
+{
+  if(number_of_nodes < 3) throw std::invalid_argument("a polygon needs at least 3 nodes");
+  if(!(radius > 0 && std::isfinite(radius)))
+    throw std::invalid_argument("the radius of a polygon must be positive and finite");
+  Polygon polygon;
+  for(std::size_t k = 0; k < number_of_nodes; ++k) {
+    const auto [x, y] = cos_sin(static_cast<double>(k) / static_cast<double>(number_of_nodes));
+    polygon.push_back({radius * x, radius * y, 0});
+  }
+  return polygon;
 }
 
 } // namespace internal

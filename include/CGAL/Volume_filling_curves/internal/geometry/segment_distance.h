@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -77,6 +78,28 @@ inline double squared_segment_distance(const Vector& a,
   const double unit = std::ldexp(1., -exponent);
   return std::ldexp(squared_distance_of_moderate_segments(unit * a, unit * b, unit * c, unit * d),
                     2 * exponent);
+}
+
+// The points a + s (b - a) and c + t (d - c) of two segments that are nearest to each other, as s
+// and t in [0, 1]; of parallel segments any such two. In plain double arithmetic, for segments of
+// moderate lengths; clamps one parameter after the other (Ericson 2005, section 5.1.9).
+inline std::pair<double, double> nearest_points(const Vector& a,
+                                                const Vector& b,
+                                                const Vector& c,
+                                                const Vector& d)
+{
+  constexpr double parallel = 1e-12; // the squared sine below which segments count as parallel
+  const Vector u = b - a, v = d - c, w = a - c;
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
+  const double uw = u.dot(w), vw = v.dot(w), denominator = uu * vv - uv * uv;
+  if(!(uu > 0 && vv > 0)) return {0, 0};
+  const double s = denominator > parallel * uu * vv
+                       ? std::clamp((uv * vw - vv * uw) / denominator, 0., 1.)
+                       : 0.5;
+  const double t = (uv * s + vw) / vv;
+  if(t >= 0 && t <= 1) return {s, t};
+  const double end = std::clamp(t, 0., 1.);
+  return {std::clamp((uv * end - uw) / uu, 0., 1.), end};
 }
 
 } // namespace internal

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/search/overlapping_boxes.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Bbox_3.h>

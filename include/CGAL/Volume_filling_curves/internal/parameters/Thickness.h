@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/text/point_text.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <functional>
 #include <limits>

@@ -9,6 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -51,6 +57,33 @@ inline constexpr bool is_range_of_ranges =
 template <typename T>
 using polyline_item_t =
     std::conditional_t<is_range_of_ranges<T>, range_item_t<range_item_t<T>>, range_item_t<T>>;
+
+// The conventions of polylines, from the named parameters of every function that takes polylines.
+
+// the map that gives the points
+template <typename Polylines, typename NamedParameters>
+auto point_map_of(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::point_map),
+      CGAL::Identity_property_map<polyline_item_t<Polylines>>());
+}
+
+template <typename NamedParameters>
+Closure closure_of(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, Volume_filling_curves::internal_np::closure),
+      Closure::IF_REPEATED);
+}
+
+template <typename NamedParameters>
+Junctions junctions_of(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, Volume_filling_curves::internal_np::junctions),
+      Junctions::FORBIDDEN);
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

@@ -11,10 +11,10 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/nearest_points.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
-#include <CGAL/Volume_filling_curves/internal/search/overlapping_boxes.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/number_type_config.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -88,6 +89,43 @@ private:
   Query& m_query;
   std::size_t m_most_runs;
 };
+
+// The common part of queries for pairs of overlapping boxes.
+struct Overlap_query
+{
+  double bound() const { return 1; }
+
+  double entry(const Box_tree::Part& a, const Box_tree::Part& b) const
+  {
+    return do_overlap(a.hull(), b.hull()) ? 0 : 1;
+  }
+};
+
+// Calls f(i, j), i < j, for each two boxes that overlap.
+template <typename Function>
+class Overlapping_boxes : public Overlap_query
+{
+public:
+  Overlapping_boxes(const Box_tree& tree, Function f) : m_tree(tree), m_function(std::move(f)) {}
+
+  void visit(const Box_tree::Part& a, const Box_tree::Part& b) const
+  {
+    m_tree.for_each_pair(a, b, [&](std::size_t i, std::size_t j) {
+      if(do_overlap(m_tree.box(i), m_tree.box(j))) m_function(i, j);
+    });
+  }
+
+private:
+  const Box_tree& m_tree;
+  Function m_function;
+};
+
+template <typename Function>
+void for_each_overlapping_pair(const Box_tree& tree, const Function& f)
+{
+  const Overlapping_boxes<Function> query(tree, f);
+  Nearest_pair_descent(tree, query).run();
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

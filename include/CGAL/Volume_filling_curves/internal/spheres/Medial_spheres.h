@@ -9,8 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/geometry/cos_sin.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_circles.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Medial_sphere.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -98,6 +100,41 @@ private:
   std::vector<double> m_radii; // circle after circle
   std::vector<Index> m_touching_nodes;
 };
+
+// The mean of the radii of medial spheres along a curve, each of them capped at `largest`, at the
+// nodes v for which counts(v) holds; 0 if there are none. Takes the nodes' shares of the length.
+template <typename Predicate>
+double mean_radius(const Medial_spheres& spheres,
+                   const std::vector<double>& node_weights,
+                   double largest,
+                   const Predicate& counts)
+{
+  double sum = 0, sum_of_weights = 0;
+  for(std::size_t c = 0; c < spheres.circles().size(); ++c) {
+    const auto& circle = spheres.circles()[c];
+    if(!counts(circle.node)) continue;
+    const double weight = node_weights[circle.node] * circle.share;
+    for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
+      sum += weight * (std::min)(spheres.radius(c, l), largest);
+      sum_of_weights += weight;
+    }
+  }
+  return sum_of_weights > 0 ? sum / sum_of_weights : 0;
+}
+
+// Those of node v, as users see them: with centers.
+template <typename Network>
+auto medial_spheres_at(const Network& curve, std::size_t v, const Medial_spheres& spheres)
+{
+  std::vector<Medial_sphere<typename Network::Point_3>> result;
+  for(std::size_t c = spheres.first_circle(v); c < spheres.first_circle(v + 1); ++c)
+    for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
+      const double radius = spheres.radius(c, l);
+      const Vector center = to_vector(curve.point(v)) + radius * spheres.direction(c, l);
+      result.push_back({to_point(center, curve.traits()), radius, spheres.touching_node(c, l)});
+    }
+  return result;
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

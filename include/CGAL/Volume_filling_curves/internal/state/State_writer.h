@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/certificate/little_endian.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/format.h>
 #include <CGAL/Volume_filling_curves/internal/state/is_sequence.h>
 
 #include <array>

@@ -18,6 +18,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -162,6 +164,16 @@ bool parse_all(std::string_view text, Number& number)
   const char* const last = text.data() + text.size();
   const auto [end, error] = number_from_text(text.data(), last, number);
   return error == std::errc() && end == last;
+}
+
+// "(x, y, z)", for messages.
+template <typename Point_3>
+std::string point_text(const Point_3& p)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << '(' << p.x() << ", " << p.y() << ", " << p.z() << ')';
+  return text.str();
 }
 
 } // namespace internal

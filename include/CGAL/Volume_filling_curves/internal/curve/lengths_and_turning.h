@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_TURNING_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_TURNING_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_LENGTHS_AND_TURNING_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_LENGTHS_AND_TURNING_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -20,6 +20,26 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Lengths of curves, summed in one order everywhere, so that they have the same bits wherever they
+// are computed. Linear time.
+
+template <typename Network>
+std::vector<double> lengths_of_components(const Network& curve)
+{
+  std::vector<double> lengths(curve.number_of_components(), 0);
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    lengths[curve.component(curve.source(e))] += edge_vector(curve, e).norm();
+  return lengths;
+}
+
+template <typename Network>
+double total_length(const Network& curve)
+{
+  double sum = 0;
+  for(double component_length : lengths_of_components(curve)) sum += component_length;
+  return sum;
+}
 
 // Turning angles of a curve at its nodes, in radians, and bend radii. Linear.
 
@@ -78,4 +98,4 @@ double largest_turning_angle(const Network& curve)
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_TURNING_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_LENGTHS_AND_TURNING_H
