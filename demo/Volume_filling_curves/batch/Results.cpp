@@ -8,39 +8,69 @@
 
 #include "session/errors.h"
 
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+
+#include <cerrno>
 #include <cstddef>
-#include <functional>
+#include <cstdint>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
+#ifndef _WIN32
+#include <sys/file.h>
+#endif
 
 namespace vfc {
 namespace {
 
-std::size_t number_of(const std::string& input)
+namespace fs = std::filesystem;
+namespace files = CGAL::Volume_filling_curves::internal;
+
+// As long as it exists no other process reads or writes.
+class Turn
 {
-  return std::hash<std::string>()(input);
-}
+public:
+  explicit Turn(std::FILE* file) : m_file(file)
+  {
+#ifndef _WIN32
+    while(::flock(::fileno(m_file), LOCK_EX) != 0 && errno == EINTR) continue;
+#endif
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  ~Turn()
+  {
+#ifndef _WIN32
+    ::flock(::fileno(m_file), LOCK_UN);
+#endif
+  }
+
+private:
+  std::FILE* m_file;
+};
 
 } // namespace
 
 Results::Results(const std::string& path, const std::string& command)
-    : m_file(path), m_command(command)
+    : m_path(path), m_command(command), m_file(std::fopen(path.c_str(), "a+b"), std::fclose)
 {
-  read_lines();
+  if(m_file == nullptr) fail("opened");
+  std::setvbuf(m_file.get(), nullptr, _IONBF, 0); // a line is written at once
+  const Turn turn(m_file.get());
+  std::istringstream lines(whole_lines());
+  std::size_t number = 0;
+  for(std::string line; std::getline(lines, line);)
+    if(++number; !read_line(line))
+      throw Usage_error(m_path + ':' + std::to_string(number) + ": is no result of vfc " +
+                        m_command);
 }
 
-bool Results::reserve(const std::string& input)
+void Results::add(const Report& report)
 {
-  if(find(input) != nullptr || !m_file.reserve(number_of(input))) return false;
-  read_lines(); // another process may have done it before its number was free
-  if(find(input) == nullptr) return true;
-  m_file.release(number_of(input));
-  return false;
-}
-
-void Results::add(const std::string& input, const Report& report)
-{
-  m_file.append(report.to_line());
-  m_file.release(number_of(input));
-  read_lines();
+  const std::string line = report.to_line();
+  append(line + '\n');
+  read_line(line);
 }
 
 const Results::Outcome* Results::find(const std::string& input) const
@@ -49,14 +79,35 @@ const Results::Outcome* Results::find(const std::string& input) const
   return found == m_outcomes.end() ? nullptr : &found->second;
 }
 
-void Results::read_lines()
+// The content of the file, from which the unfinished line of a process that was killed is cut off.
+std::string Results::whole_lines()
 {
-  for(const std::string& line : m_file.read()) {
-    ++m_number_of_lines;
-    if(!read_line(line))
-      throw Usage_error(m_file.path() + ':' + std::to_string(m_number_of_lines) +
-                        ": is no result of vfc " + m_command);
-  }
+  std::string text;
+  std::error_code error = files::read_whole_file(m_path, text);
+  const std::size_t size = text.size();
+  text.erase(text.rfind('\n') + 1); // npos + 1 is 0
+  if(!error && text.size() < size) fs::resize_file(m_path, text.size(), error);
+  errno = error.value();
+  if(error) fail("read");
+  return text;
+}
+
+void Results::append(const std::string& text)
+{
+  std::FILE* const file = m_file.get();
+  const Turn turn(file);
+  const bool is_empty = std::fseek(file, -1, SEEK_END) != 0;
+  if(!is_empty && std::fgetc(file) != '\n') whole_lines();
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(m_path, error);
+  errno = error.value();
+  if(!error && std::fseek(file, 0, SEEK_END) == 0 &&
+     std::fwrite(text.data(), 1, text.size(), file) == text.size() && files::is_synced(file))
+    return;
+  const int cause = errno;
+  if(!error) fs::resize_file(m_path, size, error); // of a full disk, say
+  errno = cause;
+  fail("written");
 }
 
 bool Results::read_line(const std::string& line)
@@ -71,6 +122,11 @@ bool Results::read_line(const std::string& line)
     return false;
   m_outcomes[input.get<std::string>()] = {exit_status.get<int>(), status.get<std::string>()};
   return true;
+}
+
+void Results::fail(const std::string& what) const
+{
+  throw Usage_error(m_path + ": cannot be " + what + ": " + files::last_system_error().message());
 }
 
 } // namespace vfc

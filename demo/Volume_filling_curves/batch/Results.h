@@ -7,16 +7,21 @@
 #ifndef VFC_RESULTS_H
 #define VFC_RESULTS_H
 
-#include "batch/Shared_lines.h"
+#include "batch/Crash_record.h"
 #include "reports/Report.h"
 
+#include <cstdio>
+#include <memory>
 #include <string>
 #include <unordered_map>
 
 namespace vfc {
 
-// The results of a batch so far: the reports of all runs, one per line of a file, which
-// other processes may share.
+// The results of a batch so far: the reports of all runs, one per line of a file. Processes with
+// other shards may append to it at the same time, and each may be killed at any moment: whole lines
+// are never lost, and the part of a line that somebody could not complete is dropped by the next
+// one who reads or writes. Where a file system has no locks, one may take a line that another is
+// writing for unfinished. Errors are thrown as Usage_error.
 class Results
 {
 public:
@@ -27,31 +32,29 @@ public:
     std::string status; // of the report
   };
 
-  // Reads what is there. \throws Usage_error if the file holds something else
+  // Creates the file if there is none, and refuses one that holds something else.
   Results(const std::string& path, const std::string& command);
-
-  // Takes an input into this process' hands. Returns whether nobody else has it or is done with it.
-  bool reserve(const std::string& input);
 
   // Writes the report as it is when the process crashes, as long as the record exists.
   Crash_record record_crash(const Report& report) const
   {
-    return m_file.record_crash(report.to_line());
+    return {m_file.get(), report.to_line() + '\n'};
   }
 
-  // Writes the report of a run for an input that was reserved.
-  void add(const std::string& input, const Report& report);
+  // Appends the report of a run, which is on the disk then.
+  void add(const Report& report);
 
   // returns null if no run for this input has come to its end
   const Outcome* find(const std::string& input) const;
 
 private:
-  void read_lines();
+  std::string whole_lines();
+  void append(const std::string& text);
   bool read_line(const std::string& line);
+  [[noreturn]] void fail(const std::string& what) const;
 
-  Shared_lines m_file;
-  std::string m_command;
-  std::size_t m_number_of_lines = 0;
+  std::string m_path, m_command;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> m_file;
   std::unordered_map<std::string, Outcome> m_outcomes;
 };
 

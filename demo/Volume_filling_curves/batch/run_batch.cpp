@@ -97,7 +97,7 @@ public:
   {
     Results results(m_results_file, m_command_line.name);
     for(std::size_t i = 0; i < m_items.size(); ++i) {
-      if(!results.reserve(m_items[i].input)) continue;
+      if(results.find(m_items[i].input) != nullptr) continue;
       const std::string outcome = run(m_items[i], results);
       m_session.console().note(std::to_string(i + 1) + " of " + std::to_string(m_items.size()) +
                                ": " + m_items[i].input + ": " + outcome);
@@ -120,7 +120,7 @@ private:
       run_command(session, m_command_line.command);
     }
     session.report()["input"] = item.input; // whatever else was read
-    results.add(item.input, session.report());
+    results.add(session.report());
     return results.find(item.input)->status + ", " + to_text(session.seconds()) + " s";
   }
 
@@ -150,10 +150,9 @@ private:
     std::map<std::string, std::size_t> number_with_status;
     int exit_status = GOAL_REACHED;
     for(const Batch_item& item : m_items) {
-      const Results::Outcome* const outcome = results.find(item.input);
-      ++number_with_status[outcome != nullptr ? outcome->status : "left to another process"];
-      if(outcome != nullptr && gravity(outcome->exit_status) > gravity(exit_status))
-        exit_status = outcome->exit_status;
+      const Results::Outcome& outcome = *results.find(item.input);
+      ++number_with_status[outcome.status];
+      if(gravity(outcome.exit_status) > gravity(exit_status)) exit_status = outcome.exit_status;
     }
     std::string text = "runs " + std::to_string(m_items.size());
     for(const auto& [status, number] : number_with_status)

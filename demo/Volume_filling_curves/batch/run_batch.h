@@ -12,8 +12,9 @@ namespace vfc {
 struct Command_line;
 class Session;
 
-// Runs a command for each input of a list that is not done yet, nor in the hands of another process
-// that works on the same folder. A run that fails does not keep others from being done.
+// Runs a command for each input of a list, or of a shard of it, that is not done yet. Processes
+// that work on the same folder have different shards. A run that fails does not keep others from
+// being done.
 //
 // The process may be killed at any moment. Files of a run are written first, each of them as a
 // whole; then a line of the results says that the input is done. Whatever has no such line is done

@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Author(s) : The Volume_filling_curves authors
-"""Kills batches of the program vfc at random moments, has several processes work on one, and sees
+"""Kills batches of the program vfc at random moments, has several processes share one, and sees
 to it that each curve is done once, as it is by a run of its own."""
 
 import os
@@ -85,8 +85,9 @@ def check_interrupted(folder, names):
     check_results(folder, results.parent, names)
 
 
-def check_processes(folder, names, shards, output):
+def check_processes(folder, names):
     """Several processes at a time, one of which is killed."""
+    shards, output = [["--shard", f"{k}/3"] for k in (1, 2, 3)], "shards"
     processes = [start(folder, "-o", output, *shard) for shard in shards]
     status = end_at(processes.pop(), folder / output / "results.jsonl", 10, signal.SIGKILL)
     assert status == -signal.SIGKILL
@@ -142,8 +143,7 @@ def main():
         check_finished(folder)
         check_leavings(folder, names)
         check_interrupted(folder, names)
-        check_processes(folder, names, [["--shard", f"{k}/3"] for k in (1, 2, 3)], "shards")
-        check_processes(folder, names, [[], [], []], "shared")
+        check_processes(folder, names)
         check_bad_input(folder)
         check_crashed(folder)
 
