@@ -9,7 +9,6 @@
 #include "commands/commands.h"
 #include "files/certificates.h"
 #include "files/curve_files.h"
-#include "files/curve_map.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
 #include "options/pins.h"

@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "files/certificates.h"
 #include "files/checkpoints.h"
-#include "files/curve_map.h"
+#include "files/curve_files.h"
 #include "files/mesh_files.h"
 #include "options/Command_line.h"
 #include "options/Untangle_options.h"

@@ -113,8 +113,9 @@ void write_curve(const std::string& file, const Curve& curve, double thickness)
   Output_files::write(file, format->write_with_columns(paths, columns));
 }
 
-// Where polylines are listed one by one, those that meet in junctions leave the network's order.
-std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curve& curve)
+// Returns the nodes in the order in which they stand in a file of this name. Where polylines are
+// listed one by one, those that meet in junctions leave the network's order.
+static std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curve& curve)
 {
   std::vector<std::size_t> nodes(curve.number_of_nodes());
   std::iota(nodes.begin(), nodes.end(), std::size_t(0));
@@ -128,6 +129,17 @@ std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curv
       is_listed[v] = true;
     }
   return nodes;
+}
+
+void write_map(const std::string& map, const std::string& output, const Curve& curve)
+{
+  if(map.empty()) return;
+  std::string text;
+  for(const std::size_t v : nodes_in_file_order(output, curve)) {
+    const std::size_t origin = curve.origin(v);
+    text += std::to_string(origin == Curve::null_node() ? 0 : origin + 1) + '\n';
+  }
+  Output_files::write(map, text);
 }
 
 } // namespace vfc

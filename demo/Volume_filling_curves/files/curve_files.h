@@ -12,9 +12,7 @@
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace vfc {
 
@@ -55,8 +53,9 @@ void add_curve_file(Output_files& outputs, const std::string& option, const std:
 // of this name
 void write_curve(const std::string& file, const Curve& curve, double thickness = 0);
 
-// returns the nodes in the order in which they stand in a file of this name
-std::vector<std::size_t> nodes_in_file_order(const std::string& file, const Curve& curve);
+// Writes the numbers that the nodes of a result had in the input, in the order of the result's
+// file, unless the name of the map is empty. \throws Usage_error
+void write_map(const std::string& map, const std::string& output, const Curve& curve);
 
 } // namespace vfc
 

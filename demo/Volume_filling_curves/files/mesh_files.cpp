@@ -6,6 +6,7 @@
 
 #include "files/mesh_files.h"
 
+#include "formats/Ply_items.h"
 #include "formats/Xml_scanner.h"
 #include "meshes/examine_mesh.h"
 #include "meshes/read_mesh_soup.h"
@@ -13,6 +14,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -43,16 +45,15 @@ Obj_records records_of(const std::string& file)
 // returns whether a PLY file has edges and no faces
 bool is_ply_of_edges(const std::string& file)
 {
-  bool has_edges = false, has_faces = false;
-  std::ifstream lines(file);
-  for(std::string line, keyword, name; std::getline(lines, line) && keyword != "end_header";) {
-    std::istringstream words(line);
-    unsigned long long count = 0;
-    if(!(words >> keyword >> name >> count) || keyword != "element" || count == 0) continue;
-    has_edges = has_edges || name == "edge";
-    has_faces = has_faces || name == "face" || name == "tristrips";
-  }
-  return has_edges && !has_faces;
+  std::string text;
+  if(files::read_whole_file(file, text)) return false;
+  Defect_list defects; // for the reader to tell
+  const Ply_items items(text, defects);
+  const auto has = [&](std::string_view name) {
+    const auto is_there = [&](const Ply_element& e) { return e.name == name && e.count > 0; };
+    return std::any_of(items.elements().begin(), items.elements().end(), is_there);
+  };
+  return has("edge") && !has("face") && !has("tristrips");
 }
 
 // returns whether a VTP file has lines and neither polygons nor strips

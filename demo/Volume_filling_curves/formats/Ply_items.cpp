@@ -6,10 +6,10 @@
 
 #include "formats/Ply_items.h"
 
+#include "formats/binary_numbers.h"
+
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <limits>
 
@@ -28,16 +28,10 @@ constexpr Ply_type ply_types[] = {
 // Returns the number of a type that bytes, at least as many as it has, begin with.
 double binary_number(std::string_view bytes, const Ply_type& type, bool is_big_endian)
 {
-  std::uint64_t bits = 0;
-  for(std::size_t k = 0; k < type.size; ++k)
-    bits = bits << 8 | static_cast<unsigned char>(bytes[is_big_endian ? k : type.size - 1 - k]);
-  const auto as = [](auto real, auto pattern) {
-    static_assert(sizeof real == sizeof pattern, "the bits of the number");
-    std::memcpy(&real, &pattern, sizeof real);
-    return static_cast<double>(real);
-  };
+  const std::uint64_t bits = bits_of(bytes.substr(0, type.size), is_big_endian);
   if(type.kind == Ply_type::REAL)
-    return type.size == 4 ? as(0.f, static_cast<std::uint32_t>(bits)) : as(0., bits);
+    return type.size == 4 ? real_of<float>(static_cast<std::uint32_t>(bits))
+                          : real_of<double>(bits);
   const std::uint64_t sign = std::uint64_t(1) << (8 * type.size - 1);
   const auto number = static_cast<double>(bits);
   return type.kind == Ply_type::SIGNED && (bits & sign) != 0

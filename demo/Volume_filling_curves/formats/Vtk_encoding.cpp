@@ -7,6 +7,7 @@
 #include "formats/Vtk_encoding.h"
 
 #include "formats/base64.h"
+#include "formats/binary_numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
@@ -14,7 +15,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <type_traits>
 
@@ -22,24 +22,6 @@ namespace vfc {
 namespace {
 
 namespace text_of = CGAL::Volume_filling_curves::internal;
-
-// the number that bytes are, at most eight
-std::uint64_t bits_of(std::string_view bytes, bool is_big_endian)
-{
-  std::uint64_t bits = 0;
-  for(std::size_t k = 0; k < bytes.size(); ++k)
-    bits = bits << 8 | static_cast<unsigned char>(bytes[is_big_endian ? k : bytes.size() - 1 - k]);
-  return bits;
-}
-
-template <typename Real, typename Pattern>
-Real real_of(Pattern pattern)
-{
-  static_assert(sizeof(Real) == sizeof(Pattern), "the bits of the number");
-  Real real;
-  std::memcpy(&real, &pattern, sizeof real);
-  return real;
-}
 
 template <typename Number>
 void append_all(std::string& text, std::string_view bytes, bool is_big_endian)

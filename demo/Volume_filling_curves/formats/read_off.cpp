@@ -4,6 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "formats/binary_numbers.h"
 #include "formats/readers.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <utility>
 
@@ -235,21 +235,13 @@ private:
   std::uint32_t number()
   {
     m_has_ended = m_has_ended || m_bytes.size() < 4;
-    std::uint32_t result = 0;
-    if(m_has_ended) return result;
-    for(const char byte : m_bytes.substr(0, 4))
-      result = result << 8 | static_cast<std::uint8_t>(byte);
+    if(m_has_ended) return 0;
+    const std::uint64_t bits = bits_of(m_bytes.substr(0, 4), true);
     m_bytes.remove_prefix(4);
-    return result;
+    return static_cast<std::uint32_t>(bits);
   }
 
-  double real()
-  {
-    const std::uint32_t bits = number();
-    float result = 0;
-    std::memcpy(&result, &bits, sizeof result);
-    return result;
-  }
+  double real() { return real_of<float>(number()); }
 
   std::size_t m_size;
   std::string_view m_bytes;

@@ -7,6 +7,8 @@
 #ifndef VFC_TRIANGLE_STRIPS_H
 #define VFC_TRIANGLE_STRIPS_H
 
+#include "formats/readers.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -14,8 +16,14 @@ namespace vfc {
 
 // Adds the triangles of a strip: each point makes one with the two before it, and every second is
 // turned around. Those with a corner twice, which only lead the strip elsewhere, are left out.
-void add_strip(const std::vector<std::size_t>& strip,
-               std::vector<std::vector<std::size_t>>& polygons);
+inline void add_strip(const std::vector<std::size_t>& strip, Polygons& polygons)
+{
+  for(std::size_t i = 2; i < strip.size(); ++i) {
+    const std::size_t odd = i % 2;
+    const std::size_t a = strip[i - 2 + odd], b = strip[i - 1 - odd], c = strip[i];
+    if(a != b && b != c && c != a) polygons.push_back({a, b, c});
+  }
+}
 
 } // namespace vfc
 

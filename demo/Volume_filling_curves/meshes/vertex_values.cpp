@@ -12,122 +12,105 @@
 #include "options/numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
+#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 
 namespace vfc {
 namespace {
 
-// returns what is left of a line of a CSV file: without separators, blanks and comments
-std::string cell_of(std::string line)
+namespace files = CGAL::Volume_filling_curves::internal;
+
+// Numbers for each vertex of a mesh, and the lines where they stand, if they have some.
+template <std::size_t N>
+struct Rows
+{
+  std::vector<std::array<double, N>> values;
+  std::vector<std::size_t> lines;
+};
+
+// Returns whether all of the text is so many finite numbers, with commas, semicolons or blanks
+// between them.
+template <std::size_t N>
+bool parse_numbers(std::string text, std::array<double, N>& numbers)
+{
+  const auto is_separator = [](char c) { return c == ',' || c == ';'; };
+  std::replace_if(text.begin(), text.end(), is_separator, ' ');
+  std::istringstream in(text);
+  std::string word;
+  for(double& x : numbers)
+    if(!(in >> word) || !parse(word, x)) return false;
+  return !(in >> word);
+}
+
+// Reads a row of a line each; the first line that is not empty may be a header.
+template <std::size_t N>
+void read_csv(const std::string& text, Rows<N>& rows, Mesh_findings& findings)
 {
   const char* const ignored = " \t\r,;";
-  line.erase(0, line.find_first_not_of(ignored));
-  line.erase(line.find_last_not_of(ignored) + 1);
-  return line.empty() || line[0] == '#' ? std::string() : line;
-}
-
-bool parse_cell(const std::string& cell, double& value)
-{
-  return parse(cell, value);
-}
-
-bool parse_cell(const std::string& cell, std::array<double, 3>& value)
-{
-  return parse_vector(cell, value);
-}
-
-std::string demand(double)
-{
-  return " is not one finite number";
-}
-
-std::string demand(const std::array<double, 3>&)
-{
-  return " is not three finite numbers";
-}
-
-// Reads a value of a line each; the first line that is not empty may be a header.
-template <typename Value>
-void read_csv(std::istream& in,
-              std::vector<Value>& values,
-              std::vector<std::size_t>& lines,
-              Mesh_findings& findings)
-{
+  std::istringstream in(text);
   std::size_t line = 0;
   bool is_first = true;
-  for(std::string text; std::getline(in, text);) {
+  for(std::string cell; std::getline(in, cell);) {
     ++line;
-    const std::string cell = cell_of(text);
-    if(cell.empty()) continue;
-    Value value{};
-    if(parse_cell(cell, value)) {
-      values.push_back(value);
-      lines.push_back(line);
+    cell.erase(0, cell.find_first_not_of(ignored));
+    cell.erase(cell.find_last_not_of(ignored) + 1);
+    if(cell.empty() || cell[0] == '#') continue;
+    std::array<double, N> row;
+    if(parse_numbers(cell, row)) {
+      rows.values.push_back(row);
+      rows.lines.push_back(line);
     } else if(!is_first) {
       findings.add_error("unparsable number",
-                         CGAL::Volume_filling_curves::internal::quoted(cell) + demand(value),
+                         files::quoted(cell) + (N == 1 ? " is not one finite number"
+                                                       : " is not three finite numbers"),
                          {line});
     }
     is_first = false;
   }
 }
 
-void check_count(std::size_t number_of_values,
-                 std::size_t number_of_vertices,
-                 Mesh_findings& findings)
+// Reads a row of so many vertex properties each.
+template <std::size_t N>
+void read_columns(const std::string& text,
+                  const std::array<std::string, N>& properties,
+                  Rows<N>& rows,
+                  Mesh_findings& findings)
 {
-  if(number_of_values != number_of_vertices)
-    findings.add_error("wrong value count", counted(number_of_values, "value") + " for " +
-                                                counted(number_of_vertices, "vertex", "vertices"));
+  for(std::size_t k = 0; k < N && !findings.has_error(); ++k) {
+    Defect_list defects;
+    const std::optional<std::vector<double>> column = read_ply_column(text, properties[k], defects);
+    add_errors(defects, findings);
+    if(!column && !defects.has_error())
+      findings.add_error("missing property",
+                         "the vertices have no property '" + properties[k] + "' that is a number");
+    if(findings.has_error()) return;
+    rows.values.resize(column->size());
+    for(std::size_t v = 0; v < column->size(); ++v) rows.values[v][k] = (*column)[v];
+  }
 }
 
-void check_values(const std::vector<double>& values,
-                  const std::vector<std::size_t>& lines,
+template <std::size_t N>
+Rows<N> read_rows(const std::string& file,
+                  const std::array<std::string, N>& properties,
                   std::size_t number_of_vertices,
                   Mesh_findings& findings)
 {
-  for(std::size_t v = 0; v < values.size(); ++v)
-    if(!(values[v] > 0) || !std::isfinite(values[v]))
-      findings.add_error("bad value", "a value is not positive and finite",
-                         {v < lines.size() ? lines[v] : 0, {v + 1}});
-  check_count(values.size(), number_of_vertices, findings);
-}
-
-void check_vectors(const std::vector<std::array<double, 3>>& vectors,
-                   std::size_t number_of_vertices,
-                   Mesh_findings& findings)
-{
-  for(std::size_t v = 0; v < vectors.size(); ++v)
-    for(const double x : vectors[v])
-      if(!std::isfinite(x)) findings.add_error("bad value", "a vector is not finite", {0, {v + 1}});
-  check_count(vectors.size(), number_of_vertices, findings);
-}
-
-std::vector<double> ply_column(const std::string& text,
-                               const std::string& property,
-                               Mesh_findings& findings)
-{
-  Defect_list defects;
-  const std::optional<std::vector<double>> values = read_ply_column(text, property, defects);
-  add_errors(defects, findings);
-  if(!values && !defects.has_error())
-    findings.add_error("missing property",
-                       "the vertices have no property '" + property + "' that is a number");
-  return values.value_or(std::vector<double>());
-}
-
-// Three columns as the rows that they stand for.
-std::vector<std::array<double, 3>> rows(const std::array<std::vector<double>, 3>& columns)
-{
-  std::vector<std::array<double, 3>> rows;
-  for(std::size_t v = 0; v < columns[0].size(); ++v)
-    rows.push_back({columns[0][v], columns[1][v], columns[2][v]});
+  Rows<N> rows;
+  std::string text;
+  if(files::read_whole_file(file, text)) {
+    findings.add_error("unreadable file", "the file cannot be opened");
+  } else if(lower_case_extension(file) == ".ply") {
+    read_columns(text, properties, rows, findings);
+  } else {
+    read_csv(text, rows, findings);
+  }
+  if(!findings.has_error() && rows.values.size() != number_of_vertices)
+    findings.add_error("wrong value count", counted(rows.values.size(), "value") + " for " +
+                                                counted(number_of_vertices, "vertex", "vertices"));
   return rows;
 }
 
@@ -135,14 +118,7 @@ std::vector<std::array<double, 3>> rows(const std::array<std::vector<double>, 3>
 
 bool parse_vector(const std::string& text, std::array<double, 3>& vector)
 {
-  std::string words = text;
-  std::replace_if(
-      words.begin(), words.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
-  std::istringstream in(words);
-  std::string word;
-  for(double& x : vector)
-    if(!(in >> word) || !parse(word, x)) return false;
-  return !(in >> word);
+  return parse_numbers(text, vector);
 }
 
 std::vector<double> read_vertex_values(const std::string& file,
@@ -151,17 +127,14 @@ std::vector<double> read_vertex_values(const std::string& file,
                                        Mesh_findings& findings)
 {
   std::vector<double> values;
-  std::vector<std::size_t> lines; // of the values, if they have some
-  std::ifstream in(file, std::ios::binary);
-  if(!in) {
-    findings.add_error("unreadable file", "the file cannot be opened");
-    return values;
+  const Rows<1> rows = read_rows<1>(file, {property}, number_of_vertices, findings);
+  for(const auto& [value] : rows.values) {
+    const std::size_t v = values.size();
+    if(!(value > 0) || !std::isfinite(value))
+      findings.add_error("bad value", "a value is not positive and finite",
+                         {v < rows.lines.size() ? rows.lines[v] : 0, {v + 1}});
+    values.push_back(value);
   }
-  if(lower_case_extension(file) == ".ply")
-    values = ply_column(std::string(std::istreambuf_iterator<char>(in), {}), property, findings);
-  else
-    read_csv(in, values, lines, findings);
-  if(!findings.has_error()) check_values(values, lines, number_of_vertices, findings);
   return values;
 }
 
@@ -170,23 +143,11 @@ std::vector<std::array<double, 3>> read_vertex_vectors(const std::string& file,
                                                        std::size_t number_of_vertices,
                                                        Mesh_findings& findings)
 {
-  std::vector<std::array<double, 3>> vectors;
-  std::vector<std::size_t> lines;
-  std::ifstream in(file, std::ios::binary);
-  if(!in) {
-    findings.add_error("unreadable file", "the file cannot be opened");
-    return vectors;
-  }
-  if(lower_case_extension(file) == ".ply") {
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    std::array<std::vector<double>, 3> columns;
-    for(std::size_t k = 0; k < 3 && !findings.has_error(); ++k)
-      columns[k] = ply_column(text, properties[k], findings);
-    if(!findings.has_error()) vectors = rows(columns);
-  } else
-    read_csv(in, vectors, lines, findings);
-  if(!findings.has_error()) check_vectors(vectors, number_of_vertices, findings);
-  return vectors;
+  const Rows<3> rows = read_rows(file, properties, number_of_vertices, findings);
+  for(std::size_t v = 0; v < rows.values.size(); ++v)
+    for(const double x : rows.values[v])
+      if(!std::isfinite(x)) findings.add_error("bad value", "a vector is not finite", {0, {v + 1}});
+  return rows.values;
 }
 
 } // namespace vfc
