@@ -106,6 +106,9 @@ public:
    *
    * Nodes that are pinned stay where they are.
    *
+   * \param guard the guard of the curve
+   * \param parameters \vfcNamedParams{Curve_flow_parameters}
+   *
    * \pre the network has no garbage
    *
    * \throws std::invalid_argument if a parameter is not positive and finite; `thickness`,

@@ -84,16 +84,17 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{vertex_point_map}
-   *     \cgalParamDescription{a property map that gives the points of the vertices}
-   *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is the mesh's vertex
-   *                    descriptor and whose value type is `Point_3`}
+   *     \cgalParamDescription{a property map that gives a mesh's vertices their points}
+   *     \cgalParamType{a model of `ReadablePropertyMap`, for `tube_mesh()` of
+   *       `WritablePropertyMap`, whose key type is the mesh's vertex descriptor and whose value
+   *       type is `Point_3`}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{check_mesh}
-   *     \cgalParamDescription{whether to look for faces that meet elsewhere than in a common vertex
-   *       or edge, and for shells that are turned like the one around them. Without it the former
-   *       make it a matter of chance what is inside, the latter bound cavities. The search takes
-   *       1.5 us per face, 4 % of the time of a coarse filling}
+   *     \cgalParamDescription{whether to look for faces of a mesh that meet elsewhere than in a
+   *       common vertex or edge, and for shells that are turned like the one around them. Without
+   *       it the former make it a matter of chance what is inside, the latter bound cavities. The
+   *       search takes 1.5 us per face, 4 % of the time of a coarse filling}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd

@@ -192,7 +192,7 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
  *
  * \param curve the curve
  * \param samples the samples
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */
@@ -285,7 +285,7 @@ template <typename Traits, typename Domain, typename Thickness>
  * \param samples the samples
  * \param distances the distances of the samples to the curve, from `sample_distances()`
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */
@@ -318,7 +318,7 @@ template <typename Traits,
  *
  * \param curve the curve
  * \param domain the domain
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */

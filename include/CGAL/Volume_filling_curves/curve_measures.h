@@ -160,7 +160,7 @@ template <typename Traits>
  * for curves whose nodes are spaced evenly.
  *
  * \param curve the curve
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */
@@ -178,7 +178,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * 32.7 for the tight trefoil. NaN if the curve has a junction.
  *
  * \param curve the curve
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */
@@ -199,7 +199,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param curve the curve
  * \param r the radius that the curve is meant to keep, in the input's unit; with 0 only segments
  * that share a node are neighbors
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */
@@ -223,7 +223,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  *
  * \param curve the curve
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */
@@ -255,7 +255,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \pre no two components intersect.
  *
  * \param curve the curve
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws std::invalid_argument if they do and no linking number can be found
  * \throws Run_interrupted if `progress` returns `false`
@@ -279,7 +279,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  *
  * \param curve the curve
  * \param r as for `min_clearance()`
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  */
@@ -309,8 +309,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  *
  * \param polylines a range of points, or a range of such ranges
  * \param r as for `min_clearance()`
- * \param np an optional sequence of the named parameters of the constructor of `Curve_network_3`
- * from polylines, and of `progress`
+ * \param np \vfcNamedParams{Measure_polylines_signature}
  *
  * \throws std::invalid_argument as that constructor
  * \throws Run_interrupted if `progress` returns `false`

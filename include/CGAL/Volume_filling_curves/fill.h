@@ -73,7 +73,7 @@ auto fill(Curve_network_3<Traits>& curves,
  *
  * With `Wall::COVER` the curve settles at about r from the boundary, with `Wall::KEEP_CLEAR` at
  * about 2r, and in both cases strands settle at about 2r from one another. On nine domains 79 to 80
- * % of the volume ended within r and 99 % within 1.4 r (2026-11-23). A user who asks that every
+ * % of the volume ended within r and 99 % within 1.4 r. A user who asks that every
  * point is within some distance of the curve gives a thickness smaller by about 1.4.
  *
  * The run ends when the curve has settled at the thickness asked for, and every empty region has
@@ -105,15 +105,7 @@ auto fill(Curve_network_3<Traits>& curves,
  * \param curves the curves, replaced by the result
  * \param domain the domain, or a closed triangle mesh, whose inside is filled as a
  * `Triangle_mesh_domain_3` is
- * \param np an optional sequence of the named parameters `thickness`, a number or a function of
- * `Point_3`, `length`, `start`, `direction_field`, `direction_weight` (see `Filling_parameters`),
- * `number_of_iterations`, `time_limit`, `random_seed`, `certificate`, `progress`, `checkpoint`,
- * `resume_from`, `build_name` (see `Curve_run_parameters`), `wall`, `number_of_directions`,
- * `max_radius`, `spacing`,
- * `screening`, `medial_weight`, `coupling`, `preconditioner`, `max_displacement`, `time_step` (see
- * `Curve_flow_parameters`, and for defaults `Filling_parameters`), and `visitor`, a model of
- * `CurveFlowVisitor`, or `std::ref()` of one; with a mesh also `vertex_point_map` and `check_mesh`,
- * as for `Triangle_mesh_domain_3`
+ * \param np \vfcNamedParams{Fill_mesh_signature}
  *
  * \returns how the run ended, where the curve did not get to, and statistics
  *
@@ -169,19 +161,7 @@ Filling_result<typename Traits::Point_3> fill(
  *
  * \param polylines the polylines, replaced by the result
  * \param domain the domain, or a closed triangle mesh, whose inside is filled
- * \param np an optional sequence of the named parameters of the overload for networks, and of
- * `point_map` and `closure` of the constructor of `Curve_network_3` from polylines, where the map
- * must be writable, and
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{origins}
- *     \cgalParamDescription{receives the places in the input that the points of the result come
- *       from, see `curve_origins()`; pass `std::ref()` of it}
- *     \cgalParamType{for a polyline `std::vector<Curve_origin>`, for a container of polylines a
- *       `std::vector` of them}
- *     \cgalParamDefault{nothing is given out}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np \vfcNamedParams{Fill_mesh_with_polylines_signature}
  *
  * \returns how the run ended, where the curve did not get to, and statistics
  *
@@ -286,9 +266,7 @@ struct Finger_growth
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param guard the guard of the curves, in their domain
- * \param np an optional sequence of the named parameters `thickness`, a number or a function of
- * `Point_3`, `direction_field`, `direction_weight`, `random_seed`, `time_limit` and `progress`,
- * see `Finger_parameters`
+ * \param np \vfcNamedParams{Finger_signature}
  *
  * \returns how many points there are, and how many of them were reached
  *

@@ -41,7 +41,7 @@ namespace Volume_filling_curves {
  * \param curve the curve
  * \param largest the cap, in the input's unit
  * \param number_of_directions how many medial spheres every node has
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  *
@@ -86,7 +86,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \param curve the curve
  * \param largest the cap, in the input's unit
  * \param number_of_directions how many medial spheres every node has
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  *
@@ -131,7 +131,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \param curve the curve
  * \param largest the cap, in the input's unit
  * \param number_of_directions how many medial spheres every node has
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  *
@@ -171,7 +171,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  *
  * \param curve the curve
  * \param number_of_directions how many medial spheres every point has
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \throws Run_interrupted if that returns `false`
  *

@@ -54,8 +54,7 @@ namespace Volume_filling_curves {
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
- * \param np an optional sequence of the named parameters `max_distance`, `clearance`, `certificate`
- * and `progress`, see `Simplification_parameters`
+ * \param np \vfcNamedParams{Simplify_signature}
  *
  * \returns the number of nodes that were removed; by then, if `progress` ended the run
  *
@@ -84,19 +83,7 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
- * \param np an optional sequence of the named parameters of the overload for networks, and of
- * `point_map` and `closure` of the constructor of `Curve_network_3` from polylines, where the map
- * must be writable, and
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{origins}
- *     \cgalParamDescription{receives the places in the input that the points of the result come
- *       from, see `curve_origins()`; pass `std::ref()` of it}
- *     \cgalParamType{for a polyline `std::vector<Curve_origin>`, for a container of polylines a
- *       `std::vector` of them}
- *     \cgalParamDefault{nothing is given out}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np \vfcNamedParams{Simplify_polylines_signature}
  *
  * \returns the number of points that were removed
  *

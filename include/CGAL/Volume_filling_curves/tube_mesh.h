@@ -54,21 +54,7 @@ namespace Volume_filling_curves {
  * or a property map, that gives the radius at each node
  * \param mesh receives the tube in addition to what it holds; it does not change if an exception is
  * thrown
- * \param np an optional sequence of named parameters among the ones listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{number_of_sides}
- *     \cgalParamDescription{the number of sides of the polygons, at least 3}
- *     \cgalParamType{`std::size_t`}
- *     \cgalParamDefault{16}
- *   \cgalParamNEnd
- *   \cgalParamNBegin{vertex_point_map}
- *     \cgalParamDescription{a property map that associates points to the vertices of `mesh`}
- *     \cgalParamType{a model of `WritablePropertyMap` with
- *     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type}
- *     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np \vfcNamedParams{Tube_signature}
  *
  * \throws std::invalid_argument if the curve has a junction, if a radius is not positive and
  * finite, or if there are fewer than 3 sides

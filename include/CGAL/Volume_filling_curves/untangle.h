@@ -62,7 +62,7 @@ namespace Volume_filling_curves {
  * start, and results, have edges as `spacing` asks for.
  *
  * The result does not depend on the number of threads. An iteration takes near-linear time; tangled
- * knots of a thousand nodes take about 70 iterations and 0.04 seconds (236 knots, 2026-11-23).
+ * knots of a thousand nodes take about 70 iterations and 0.04 seconds (236 knots).
  *
  * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
@@ -70,13 +70,7 @@ namespace Volume_filling_curves {
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
- * \param np an optional sequence of the named parameters `strategy`, `number_of_chains`,
- * `tolerance`, `stop_at_proof`, `lower_ropelength`, `keep_length` (see `Untangling_parameters`),
- * `number_of_iterations`, `time_limit`, `random_seed`, `certificate`, `progress`, `checkpoint`,
- * `resume_from`, `build_name` (see `Curve_run_parameters`), `thickness`, `number_of_directions`,
- * `max_radius`, `spacing`,
- * `screening`, `medial_weight`, `coupling`, `preconditioner`, `max_displacement`, `time_step` (see
- * `Curve_flow_parameters`), and `visitor`, a model of `CurveFlowVisitor`, or `std::ref()` of one
+ * \param np \vfcNamedParams{Untangle_signature}
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
@@ -120,19 +114,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
- * \param np an optional sequence of the named parameters of the overload for networks, and of
- * `point_map` and `closure` of the constructor of `Curve_network_3` from polylines, where the map
- * must be writable, and
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{origins}
- *     \cgalParamDescription{receives the places in the input that the points of the result come
- *       from, see `curve_origins()`; pass `std::ref()` of it}
- *     \cgalParamType{for a polyline `std::vector<Curve_origin>`, for a container of polylines a
- *       `std::vector` of them}
- *     \cgalParamDefault{nothing is given out}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
+ * \param np \vfcNamedParams{Untangle_polylines_signature}
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *

@@ -88,10 +88,8 @@ struct Place_in_domain
  * \param curves the curves, replaced by the result
  * \param domain the domain, or a closed triangle mesh, whose inside it is, as that of a
  * `Triangle_mesh_domain_3`
- * \param np an optional sequence of the named parameters that `untangle()` takes without a domain,
- * and `wall` (see `Curve_flow_parameters`); with a mesh also `vertex_point_map` and
- * `check_mesh`, as for `Triangle_mesh_domain_3`. The `strategy` must not be `SEARCH`; `AUTO` stands
- * for `FLOW`. `lower_ropelength` changes nothing.
+ * \param np \vfcNamedParams{Untangle_in_mesh_signature}. The `strategy` must not be `SEARCH`;
+ * `AUTO` stands for `FLOW`. `lower_ropelength` changes nothing.
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *
@@ -141,8 +139,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  *
  * \param polylines the polylines, replaced by the result
  * \param domain the domain, or a closed triangle mesh, whose inside it is
- * \param np an optional sequence of the named parameters of the overload for networks in a domain,
- * and of `point_map`, `closure` and `origins`, as for `untangle()` of polylines without a domain
+ * \param np \vfcNamedParams{Untangle_polylines_in_mesh_signature}
  *
  * \returns how the run ended, what is proved of the curves, and statistics
  *

@@ -115,7 +115,7 @@ Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
  * \param certificate the certificate
  * \param start the curve at the start
  * \param end the curve at the end
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \returns whether the certificate is valid, and if not, why not
  *
@@ -183,7 +183,7 @@ auto enclosure_of(const Domain& domain)
  * \param start the curve at the start
  * \param end the curve at the end
  * \param domain a closed triangle mesh, whose inside it is, or a domain
- * \param np an optional named parameter `progress`
+ * \param np \vfcNamedParams{Progress_signature}
  *
  * \returns whether the certificate is valid, and if not, why not
  *

@@ -21,6 +21,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace test_named_parameters {
 
@@ -48,8 +50,22 @@ double one(const Point&)
   return 1;
 }
 
+// whether a function with a signature takes a sequence of named parameters
 template <typename Signature, typename NamedParameters>
-constexpr bool takes = internal::does_take<Signature, NamedParameters>();
+constexpr bool does_take()
+{
+  if constexpr(std::is_same_v<NamedParameters, CGAL::internal_np::No_property>)
+    return true;
+  else {
+    using First = decltype(internal::as_sequence(std::declval<NamedParameters>()));
+    return internal::does_know<Signature, typename First::Tag>() &&
+           internal::does_take_value<Signature, typename First::Tag, typename First::Given>() &&
+           does_take<Signature, typename First::Rest>();
+  }
+}
+
+template <typename Signature, typename NamedParameters>
+constexpr bool takes = does_take<Signature, NamedParameters>();
 
 using Nothing = Default_named_parameters;
 static_assert(takes<Untangle, Nothing> && takes<Fill, Nothing> && takes<Simplify, Nothing>);
@@ -82,6 +98,9 @@ using Verbose = decltype(CGAL::parameters::verbose(true));
 static_assert(!takes<Untangle, Verbose> && !takes<Fill, Verbose> && !takes<Simplify, Verbose>);
 using Of_cgal = decltype(CGAL::parameters::number_of_iterations(3).random_seed(1));
 static_assert(takes<Untangle, Of_cgal> && takes<Fill, Of_cgal>);
+using Combined =
+    decltype(parameters::combine(CGAL::parameters::random_seed(1), parameters::length(2)));
+static_assert(!takes<Untangle, Combined> && takes<Fill, Combined>);
 
 // values of the right types
 using Function = decltype(parameters::thickness(one));
@@ -90,6 +109,9 @@ static_assert(takes<Fill, decltype(parameters::thickness(std::function<double(co
 static_assert(!takes<Untangle, decltype(parameters::strategy(1))>);
 static_assert(!takes<Untangle, decltype(parameters::tolerance("small"))>);
 static_assert(!takes<Untangle, decltype(parameters::number_of_chains(1.5))>);
+using Open = decltype(parameters::closure(Closure::OPEN));
+static_assert(!takes<Untangle, Open> && takes<Untangle_polylines, Open>);
+static_assert(!takes<Untangle_polylines, decltype(parameters::closure(true))>);
 static_assert(takes<Untangle, decltype(parameters::certificate(std::ref(certificate)))>);
 static_assert(takes<Untangle, decltype(parameters::certificate(&certificate))>);
 static_assert(!takes<Untangle, decltype(parameters::certificate(certificate))>);
@@ -111,6 +133,19 @@ TEST(Named_parameters, fill_a_struct)
   EXPECT_EQ(p.thickness, 2);
   EXPECT_EQ(p.number_of_iterations, 3u);
   EXPECT_EQ(p.strategy, Untangling_strategy::FLOW);
+  EXPECT_EQ(p.certificate, &certificate);
+  EXPECT_TRUE(p.keep_length);
+}
+
+TEST(Named_parameters, follow_those_of_cgal)
+{
+  const auto of_cgal = CGAL::parameters::number_of_iterations(3).random_seed(4);
+  const auto p = get_parameters<Untangle>(
+      parameters::combine(of_cgal, parameters::thickness(2).certificate(std::ref(certificate)))
+          .keep_length(true));
+  EXPECT_EQ(p.number_of_iterations, 3u);
+  EXPECT_EQ(p.random_seed, 4u);
+  EXPECT_EQ(p.thickness, 2);
   EXPECT_EQ(p.certificate, &certificate);
   EXPECT_TRUE(p.keep_length);
 }

@@ -158,8 +158,9 @@ public:
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{point_map}
    *     \cgalParamDescription{a property map that gives the points of the polylines}
-   *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is the type of the
-   *     polylines' items and whose value type has the members `x()`, `y()` and `z()`}
+   *     \cgalParamType{a model of `ReadablePropertyMap`, and of `WritablePropertyMap` where a
+   *     result replaces the polylines, whose key type is the type of the polylines' items and
+   *     whose value type has the members `x()`, `y()` and `z()`}
    *     \cgalParamDefault{`CGAL::Identity_property_map`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{closure}

@@ -32,6 +32,7 @@ namespace internal {
 
 struct Tube_parameters
 {
+  /// The number of sides of the polygons, at least 3.
   std::size_t number_of_sides = 16;
 };
 
@@ -41,7 +42,8 @@ constexpr auto parameter_table(const Tube_parameters*)
       parameter<internal_np::number_of_sides_t>(&Tube_parameters::number_of_sides));
 }
 
-using Tube_signature = Signature<Tube_parameters, Tag_list<internal_np::vertex_point_map_t>>;
+using Tube_tags = Tag_list<internal_np::vertex_point_map_t>;
+using Tube_signature = Signature<Tube_parameters, Tube_tags>;
 
 template <typename NamedParameters>
 Tube_parameters tube_parameters(const NamedParameters& np)

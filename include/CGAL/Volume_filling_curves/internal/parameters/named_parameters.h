@@ -12,34 +12,50 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <functional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
 // Named parameters fill a struct by its table. The parameters of a function are its Signature: the
-// members of a struct, tags that are no members, such as the visitor, and members that mean nothing
-// to it. A named parameter that a function does not take, or whose value has a type that it cannot
-// use, is refused at compile time.
+// members of a struct, Without those that mean nothing to it, and lists of tags that are no
+// members, such as the visitor. A named parameter that a function does not take, or whose value has
+// a type that it cannot use, is refused at compile time.
 
 template <typename... Tags>
 struct Tag_list
 {
   template <typename Tag>
   static constexpr bool has = (std::is_same_v<Tags, Tag> || ...);
+  template <typename>
+  static constexpr bool lacks = false;
 };
 
-template <typename Parameters_, typename Others_ = Tag_list<>, typename Unused_ = Tag_list<>>
+template <typename... Tags>
+struct Without
+{
+  template <typename>
+  static constexpr bool has = false;
+  template <typename Tag>
+  static constexpr bool lacks = (std::is_same_v<Tags, Tag> || ...);
+};
+
+template <typename Parameters_, typename... Lists>
 struct Signature
 {
   using Parameters = Parameters_;
-  using Others = Others_;
-  using Unused = Unused_;
+
+  template <typename Tag>
+  static constexpr bool has = (Lists::template has<Tag> || ...);
+  template <typename Tag>
+  static constexpr bool lacks = (Lists::template lacks<Tag> || ...);
 };
 
 // Whether a named parameter with a value of type Given can set a member of type Value.
@@ -55,36 +71,59 @@ constexpr bool can_set()
     return std::is_convertible_v<Given, Value>;
 }
 
-template <typename Tag, typename Given, typename... Rows>
-constexpr bool is_set_by(const std::tuple<Rows...>&)
-{
-  return ((std::is_same_v<typename Rows::Tag, Tag> && can_set<typename Rows::Value, Given>()) ||
-          ...);
-}
-
+// The types of the members that a named parameter sets.
 template <typename Tag, typename... Rows>
-constexpr bool has_row(const std::tuple<Rows...>&)
+auto types_of_rows(const std::tuple<Rows...>&) -> decltype(std::tuple_cat(
+    std::declval<std::conditional_t<std::is_same_v<typename Rows::Tag, Tag>,
+                                    std::tuple<typename Rows::Value>,
+                                    std::tuple<>>>()...));
+
+template <typename Signature, typename Tag>
+using Row_types = decltype(types_of_rows<Tag>(parameter_table<typename Signature::Parameters>()));
+
+// The types of values that a function takes for a named parameter, none if it may be any.
+template <typename Signature, typename Tag>
+struct Wanted
 {
-  return (std::is_same_v<typename Rows::Tag, Tag> || ...);
-}
+  using types = Row_types<Signature, Tag>;
+};
+
+template <typename Signature>
+struct Wanted<Signature, internal_np::closure_t>
+{
+  using types = std::tuple<Closure>;
+};
+
+template <typename Signature>
+struct Wanted<Signature, internal_np::check_mesh_t>
+{
+  using types = std::tuple<bool>;
+};
+
+template <typename Signature, typename Tag>
+using Wanted_types = typename Wanted<Signature, Tag>::types;
 
 template <typename Signature, typename Tag>
 constexpr bool does_know()
 {
   if constexpr(std::is_same_v<Tag, CGAL::internal_np::all_default_t>)
     return true;
-  else if constexpr(Signature::Unused::template has<Tag>)
+  else if constexpr(Signature::template lacks<Tag>)
     return false;
   else
-    return Signature::Others::template has<Tag> ||
-           has_row<Tag>(parameter_table<typename Signature::Parameters>());
+    return Signature::template has<Tag> || std::tuple_size_v<Row_types<Signature, Tag>> != 0;
+}
+
+template <typename Given, typename... Values>
+constexpr bool can_set_one_of(const std::tuple<Values...>*)
+{
+  return sizeof...(Values) == 0 || (can_set<Values, Given>() || ...);
 }
 
 template <typename Signature, typename Tag, typename Given>
 constexpr bool does_take_value()
 {
-  constexpr auto table = parameter_table<typename Signature::Parameters>();
-  return !has_row<Tag>(table) || is_set_by<Tag, Given>(table);
+  return can_set_one_of<Given>(static_cast<Wanted_types<Signature, Tag>*>(nullptr));
 }
 
 // The first named parameter of a sequence, and those after it.
@@ -109,36 +148,16 @@ struct Are_named_parameters<T, std::void_t<decltype(as_sequence(std::declval<T>(
     : std::true_type
 {};
 
-// Whether a function with a signature takes a sequence of named parameters.
-template <typename Signature, typename NamedParameters>
-constexpr bool does_take()
-{
-  if constexpr(std::is_same_v<NamedParameters, CGAL::internal_np::No_property>)
-    return true;
-  else {
-    using First = decltype(as_sequence(std::declval<NamedParameters>()));
-    return does_know<Signature, typename First::Tag>() &&
-           does_take_value<Signature, typename First::Tag, typename First::Given>() &&
-           does_take<Signature, typename First::Rest>();
-  }
-}
-
-// The same as an error, which says at the end of its first line which of them it is.
-template <typename Signature, typename Tag, typename Given>
-struct Check_named_parameter
-{
-  static_assert(does_know<Signature, Tag>(),
-                "this function does not take the named parameter with this Tag");
-  static_assert(does_take_value<Signature, Tag, Given>(),
-                "the value of the named parameter with this Tag has a type that cannot be used");
-};
-
+// Refuses a sequence of named parameters that a function with a signature does not take.
 template <typename Signature, typename NamedParameters>
 constexpr void check_named_parameters()
 {
   if constexpr(!std::is_same_v<NamedParameters, CGAL::internal_np::No_property>) {
     using First = decltype(as_sequence(std::declval<NamedParameters>()));
-    (void)sizeof(Check_named_parameter<Signature, typename First::Tag, typename First::Given>);
+    using Tag = typename First::Tag;
+    internal_np::check<does_know<Signature, Tag>(),
+                       does_take_value<Signature, Tag, typename First::Given>(),
+                       Wanted_types<Signature, Tag>, typename First::Given>(Tag());
     check_named_parameters<Signature, typename First::Rest>();
   }
 }

@@ -142,6 +142,8 @@ constexpr auto parameter_table(const Simplification_parameters*)
 // The parameters of functions without a status, see watched().
 struct Progress_parameters
 {
+  /// Is called with a `Run_progress` every few milliseconds, as `Curve_run_parameters::progress`.
+  /// If it returns `false`, `Run_interrupted` is thrown.
   std::function<bool(const Run_progress&)> progress;
 };
 

@@ -19,73 +19,59 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The named parameters that the public functions take.
+// The named parameters that the public functions take: in space, inside a domain or a mesh; of a
+// network or of polylines. Those that set no member are described here or where they are first
+// taken, in the form of CGAL's manual, see named_parameters.py.
 
-// There is no domain, hence no wall.
-using Untangle_signature = Signature<Untangling_parameters,
-                                     Tag_list<internal_np::visitor_t>,
-                                     Tag_list<internal_np::wall_t>>;
+// \cgalParamNBegin{visitor}
+//   \cgalParamDescription{receives the progress of the run, and can end it}
+//   \cgalParamType{a model of `CurveFlowVisitor`, or `std::ref()` of one}
+//   \cgalParamDefault{`Default_curve_flow_visitor()`}
+// \cgalParamNEnd
+using Visitor_tag = Tag_list<internal_np::visitor_t>;
 
-using Untangle_in_domain_signature =
-    Signature<Untangling_parameters, Tag_list<internal_np::visitor_t>>;
+// \cgalParamNBegin{origins}
+//   \cgalParamDescription{receives the places in the input that the points of the result come
+//     from, see `curve_origins()`; pass `std::ref()` of it}
+//   \cgalParamType{for a polyline `std::vector<Curve_origin>`, for a container of polylines a
+//     `std::vector` of them}
+//   \cgalParamDefault{nothing is given out}
+// \cgalParamNEnd
+using Polyline_tags =
+    Tag_list<internal_np::point_map_t, internal_np::closure_t, internal_np::origins_t>;
 
-using Untangle_in_mesh_signature = Signature<
-    Untangling_parameters,
-    Tag_list<internal_np::visitor_t, internal_np::vertex_point_map_t, internal_np::check_mesh_t>>;
+using Mesh_tags = Tag_list<internal_np::vertex_point_map_t, internal_np::check_mesh_t>;
 
-using Untangle_polylines_signature = Signature<Untangling_parameters,
-                                               Tag_list<internal_np::visitor_t,
-                                                        internal_np::point_map_t,
-                                                        internal_np::closure_t,
-                                                        internal_np::origins_t>,
-                                               Tag_list<internal_np::wall_t>>;
+using No_wall = Without<internal_np::wall_t>; // where there is no domain
 
-using Untangle_polylines_in_domain_signature = Signature<Untangling_parameters,
-                                                         Tag_list<internal_np::visitor_t,
-                                                                  internal_np::point_map_t,
-                                                                  internal_np::closure_t,
-                                                                  internal_np::origins_t>>;
+using Untangle_signature = Signature<Untangling_parameters, No_wall, Visitor_tag>;
+using Untangle_polylines_signature =
+    Signature<Untangling_parameters, No_wall, Visitor_tag, Polyline_tags>;
 
-using Untangle_polylines_in_mesh_signature = Signature<Untangling_parameters,
-                                                       Tag_list<internal_np::visitor_t,
-                                                                internal_np::vertex_point_map_t,
-                                                                internal_np::check_mesh_t,
-                                                                internal_np::point_map_t,
-                                                                internal_np::closure_t,
-                                                                internal_np::origins_t>>;
+using Untangle_in_domain_signature = Signature<Untangling_parameters, Visitor_tag>;
+using Untangle_polylines_in_domain_signature =
+    Signature<Untangling_parameters, Visitor_tag, Polyline_tags>;
 
-template <typename Point_3>
-using Fill_signature = Signature<Filling_parameters<Point_3>, Tag_list<internal_np::visitor_t>>;
-
-template <typename Point_3>
-using Fill_polylines_signature = Signature<Filling_parameters<Point_3>,
-                                           Tag_list<internal_np::visitor_t,
-                                                    internal_np::point_map_t,
-                                                    internal_np::closure_t,
-                                                    internal_np::origins_t>>;
+using Untangle_in_mesh_signature = Signature<Untangling_parameters, Visitor_tag, Mesh_tags>;
+using Untangle_polylines_in_mesh_signature =
+    Signature<Untangling_parameters, Visitor_tag, Mesh_tags, Polyline_tags>;
 
 template <typename Point_3>
-using Fill_mesh_with_polylines_signature = Signature<Filling_parameters<Point_3>,
-                                                     Tag_list<internal_np::visitor_t,
-                                                              internal_np::vertex_point_map_t,
-                                                              internal_np::check_mesh_t,
-                                                              internal_np::point_map_t,
-                                                              internal_np::closure_t,
-                                                              internal_np::origins_t>>;
+using Fill_signature = Signature<Filling_parameters<Point_3>, Visitor_tag>;
+template <typename Point_3>
+using Fill_polylines_signature = Signature<Filling_parameters<Point_3>, Visitor_tag, Polyline_tags>;
 
 template <typename Point_3>
-using Fill_mesh_signature = Signature<
-    Filling_parameters<Point_3>,
-    Tag_list<internal_np::visitor_t, internal_np::vertex_point_map_t, internal_np::check_mesh_t>>;
+using Fill_mesh_signature = Signature<Filling_parameters<Point_3>, Visitor_tag, Mesh_tags>;
+template <typename Point_3>
+using Fill_mesh_with_polylines_signature =
+    Signature<Filling_parameters<Point_3>, Visitor_tag, Mesh_tags, Polyline_tags>;
 
 template <typename Point_3>
 using Finger_signature = Signature<Finger_parameters<Point_3>>;
 
 using Simplify_signature = Signature<Simplification_parameters>;
-
-using Simplify_polylines_signature =
-    Signature<Simplification_parameters,
-              Tag_list<internal_np::point_map_t, internal_np::closure_t, internal_np::origins_t>>;
+using Simplify_polylines_signature = Signature<Simplification_parameters, Polyline_tags>;
 
 } // namespace internal
 } // namespace Volume_filling_curves

@@ -20,8 +20,8 @@ namespace internal {
 
 using Progress_signature = Signature<Progress_parameters>;
 
-using Measure_polylines_signature =
-    Signature<Progress_parameters, Tag_list<internal_np::point_map_t, internal_np::closure_t>>;
+using Measure_tags = Tag_list<internal_np::point_map_t, internal_np::closure_t>;
+using Measure_polylines_signature = Signature<Progress_parameters, Measure_tags>;
 
 // For functions that have no status: calls f(watch), a watch that asks the function given as the
 // named parameter `progress`, and returns the result. \throws Run_interrupted if the latter returns

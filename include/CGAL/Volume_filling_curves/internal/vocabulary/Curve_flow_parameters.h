@@ -99,7 +99,8 @@ inline std::ostream& operator<<(std::ostream& out, Wall wall)
 struct Curve_flow_parameters
 {
   /// The distance r that strands keep from the medial surface between them, in the input's unit.
-  /// 0 (default) stands for the `default_thickness()` of the input.
+  /// 0 (default) stands for the `default_thickness()` of the input, in `fill()` for one that suits
+  /// the domain, see `Filling_parameters`.
   double thickness = 0;
 
   /// The number N of medial spheres per node.
@@ -121,8 +122,8 @@ struct Curve_flow_parameters
   /// to r while it grows, and settles at 0.93 r.
   double medial_weight = 3.36 * 3.36;
 
-  /// The weight beta of the coupling along medial spheres in the preconditioner; only
-  /// `Preconditioner::MEDIAL` has it.
+  /// The weight beta of the coupling along medial spheres in the preconditioner, dimensionless;
+  /// only `Preconditioner::MEDIAL` has it.
   double coupling = 0.01;
 
   /// The preconditioner. The default of `untangle()` is `Preconditioner::CONTACT`.

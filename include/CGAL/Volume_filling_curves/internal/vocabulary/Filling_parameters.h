@@ -73,11 +73,11 @@ struct Filling_parameters : Curve_run_parameters
   /// concurrently. None by default.
   std::function<internal::Field_vector(const Point_3&)> direction_field;
 
-  /// How much a `direction_field` counts: length across it counts 1 + `direction_weight` times as
-  /// much in the energy as length along it, four times that much more while the curve opens or
-  /// grows. With the default bunny and cube end with an alignment of 0.75 (see `alignment()`) and
-  /// covered as without a field, by a curve that is an eighth longer; with 0.4 it is 0.8, a fifth
-  /// longer, and gaps of 2.5 r may stay where strands turn.
+  /// The weight of a `direction_field`, dimensionless: length across it counts 1 +
+  /// `direction_weight` times as much in the energy as length along it, four times that much more
+  /// while the curve opens or grows. With the default bunny and cube end with an alignment of 0.75
+  /// (see `alignment()`) and covered as without a field, by a curve that is an eighth longer; with
+  /// 0.4 it is 0.8, a fifth longer, and gaps of 2.5 r may stay where strands turn.
   double direction_weight = 0.2;
 
   /// The length that the result is to have, within 2 %, in the input's unit, instead of a

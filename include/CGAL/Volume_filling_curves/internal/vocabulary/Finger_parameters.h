@@ -47,8 +47,8 @@ struct Finger_parameters
   /// nor its length matters; zero stands for no preference. It must be finite. None by default.
   std::function<internal::Field_vector(const Point_3&)> direction_field;
 
-  /// How much a `direction_field` counts: of two places that are as far, the tree prefers the one
-  /// along it. The same as that of `Filling_parameters`.
+  /// The weight of a `direction_field`, dimensionless: of two places that are as far, the tree
+  /// prefers the one along it. The same as that of `Filling_parameters`.
   double direction_weight = 0.2;
 
   /// The seed of the points and of the tree.

@@ -95,7 +95,7 @@ struct Run_progress
   double expected_length = 0;     ///< of the filling, in the input's unit; 0 until it is known
   std::size_t expected_nodes = 0; ///< likewise
 
-  /// likewise, of the whole run with one thread, on a machine of 2026
+  /// likewise, of the whole run with one thread, on a recent machine
   double expected_seconds = 0;
 };
 

@@ -29,7 +29,7 @@ namespace Volume_filling_curves {
  * Of the flow's parameters one has another default here: `preconditioner` is
  * `Preconditioner::CONTACT`. Hard unknots are untied in 0.3 of the iterations that the paper's,
  * `Preconditioner::MEDIAL`, takes, and tangled knots settle in 0.55 of them (7 unknots and 236
- * knots, 2026-11-23).
+ * knots).
  *
  * Each member, those of the base classes included, can be set by the named parameter of the same
  * name.
@@ -57,7 +57,7 @@ struct Untangling_parameters : Curve_run_parameters
 
   /// Whether curves are pulled tighter where the flow has converged or stalled, to a lower
   /// `ropelength()`. The flow ends 16 % above the least that is known, in the median of 14 prime
-  /// knots of 3 to 7 crossings, and this 0.3 %, in 1.7 times the time (2026-11-22). Strands stay
+  /// knots of 3 to 7 crossings, and this 0.3 %, in 1.7 times the time. Strands stay
   /// one thickness apart, edges get at most 0.15 thicknesses long in the mean, and every certified
   /// motion counts as an iteration. The ropelength is not higher in the end, not even at a limit;
   /// the gradient of the flow, which weighs spheres instead, grows again. Of unknots that are

@@ -11,6 +11,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <type_traits>
+
 // The named parameters of this package and those of CGAL that its functions take, in one chain in
 // any order: `parameters::thickness(0.1).visitor(my_visitor).tolerance(1e-3)`. CGAL's class of
 // parameters knows CGAL's names only; this one derives from it and adds ours, so that CGAL's
@@ -78,14 +80,27 @@ using CGAL::internal_np::random_seed_t;
 using vertex_point_map_t = CGAL::internal_np::vertex_point_t;
 using CGAL::internal_np::visitor_t;
 
-// The name that a message gives a parameter.
-#define CGAL_VFC_PARAMETER(name)          \
-  constexpr const char* name_of(name##_t) \
-  {                                       \
-    return #name;                         \
+// The name that a message gives a parameter, at run time and at compile time.
+#define CGAL_VFC_PARAMETER(name)                                                       \
+  constexpr const char* name_of(name##_t)                                              \
+  {                                                                                    \
+    return #name;                                                                      \
+  }                                                                                    \
+  template <bool is_known, bool is_usable, typename WantedTypes, typename Given>       \
+  constexpr void check(name##_t)                                                       \
+  {                                                                                    \
+    static_assert(is_known, "this function does not take the named parameter " #name); \
+    static_assert(is_usable, "the value of the named parameter " #name                 \
+                             " does not convert to any of WantedTypes");               \
   }
 CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 #undef CGAL_VFC_PARAMETER
+
+template <bool is_known, bool is_usable, typename WantedTypes, typename Given, typename Tag>
+constexpr void check(Tag)
+{
+  static_assert(is_known, "this function does not take the named parameter with this Tag");
+}
 
 } // namespace internal_np
 
@@ -120,6 +135,33 @@ namespace parameters {
 CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 #undef CGAL_VFC_PARAMETER
 /// \endcond
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ *
+ * \brief returns two sequences of named parameters as one, which can be continued.
+ *
+ * A sequence that begins with a function of the namespace `CGAL::parameters` continues with \cgal's
+ * parameters only. This function appends those of this package:
+ * `combine(CGAL::parameters::vertex_point_map(map), parameters::thickness(0.1)).time_limit(60)`.
+ * All parameters that a function takes are also in this namespace, in which they continue one
+ * another in any order.
+ *
+ * \tparam First a sequence of named parameters, of \cgal or of this package
+ *
+ * \param first the sequence that comes first
+ * \param second another sequence, with none of the parameters of the first
+ */
+template <typename First, typename T, typename Tag, typename Base>
+auto combine(const First& first, const CGAL::Named_function_parameters<T, Tag, Base>& second)
+{
+  if constexpr(std::is_same_v<Base, CGAL::internal_np::No_property>)
+    return Named_parameters<T, Tag, typename First::self>(second.v, first);
+  else {
+    const auto rest = combine(first, static_cast<const Base&>(second));
+    return Named_parameters<T, Tag, typename decltype(rest)::self>(second.v, rest);
+  }
+}
 
 /// returns an empty set of parameters.
 inline auto default_values()
