@@ -24,6 +24,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -152,6 +154,22 @@ Containment find_containment(const Curve_network_3<Traits>& curve,
       result.outside_edges.push_back(e);
   }
   return result;
+}
+
+// Throws std::invalid_argument, with the nodes in the message, if a curve does not lie strictly
+// inside a domain.
+template <typename Network, typename Domain>
+void check_inside(const Network& curve, const Domain& domain)
+{
+  const Containment outside = find_containment(curve, domain, nullptr);
+  if(!outside.outside_nodes.empty())
+    throw std::invalid_argument("node " + std::to_string(outside.outside_nodes[0]) +
+                                " is not inside the domain");
+  if(!outside.outside_edges.empty())
+    throw std::invalid_argument("the edge of nodes " +
+                                std::to_string(curve.source(outside.outside_edges[0])) + " and " +
+                                std::to_string(curve.target(outside.outside_edges[0])) +
+                                " meets the boundary of the domain");
 }
 
 template <typename Traits, typename Domain, typename BoundaryDistance, typename Thickness>

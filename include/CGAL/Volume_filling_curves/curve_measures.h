@@ -15,9 +15,9 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/unit_direction.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Linking_numbers.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
-#include <CGAL/Volume_filling_curves/internal/measures/ropelength.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
@@ -19,9 +20,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
-#include <CGAL/Volume_filling_curves/internal/filling/check_inside.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
-#include <CGAL/Volume_filling_curves/internal/filling/measure_filling.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>

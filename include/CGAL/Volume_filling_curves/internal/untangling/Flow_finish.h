@@ -10,16 +10,145 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Clearance_rule.h>
+#include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_stop_rules.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/make_round.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// The last bit of the way of a simple loop: straight to a regular polygon of 64 nodes or more. The
+// flow takes long for that, since it is the lengths of edges that its preconditioner keeps, not
+// angles. The circle lies in the plane that sees the largest area, has the curve's length, and is
+// turned so that nodes move as little as possible. Nodes go as far as that is certified, a few
+// times.
+template <typename Network>
+class Round_polygon
+{
+public:
+  // \pre the curve is a single closed component
+  explicit Round_polygon(const Network& curve)
+      : m_x(coordinates(curve)), m_length(total_length(curve)), m_center(centroid(m_x))
+  {
+    const Eigen::Index n = m_x.rows();
+    Vector area;
+    for(Eigen::Index v = 0; v < n; ++v) area += offset(v).cross(offset((v + 1) % n));
+    m_first = area.unitOrthogonal();
+    m_second = area.normalized().cross(m_first);
+    double real = 0, imaginary = 0; // of the sum of the nodes, each turned back by its angle
+    for(Eigen::Index v = 0; v < n; ++v) {
+      const auto [c, s] = cos_sin(turns(v));
+      const double x = offset(v).dot(m_first), y = offset(v).dot(m_second);
+      real += c * x + s * y;
+      imaginary += c * y - s * x;
+    }
+    const Vector first = (real * m_first + imaginary * m_second).normalized();
+    m_second = (real * m_second - imaginary * m_first).normalized();
+    m_first = first;
+  }
+
+  // one row per node
+  Vector_field nodes() const
+  {
+    const auto n = static_cast<double>(m_x.rows());
+    const double radius = m_length / (2 * n * cos_sin(0.5 / n)[1]);
+    Vector_field result(m_x.rows(), 3);
+    for(Eigen::Index v = 0; v < m_x.rows(); ++v) {
+      const auto [c, s] = cos_sin(turns(v));
+      set_row(result, v, m_center + radius * (c * m_first + s * m_second));
+    }
+    return result;
+  }
+
+private:
+  Vector offset(Eigen::Index v) const { return row(m_x, v) - m_center; }
+
+  double turns(Eigen::Index v) const
+  {
+    return static_cast<double>(v) / static_cast<double>(m_x.rows());
+  }
+
+  Vector_field m_x;
+  double m_length;
+  Vector m_center, m_first, m_second;
+};
+
+// Removes every other node, until at most `most` are left or none can be removed.
+template <typename Guard>
+void thin_out(Guard& guard, std::size_t most)
+{
+  const auto& curve = guard.curve();
+  for(std::size_t before = 0; before != curve.number_of_nodes() && curve.number_of_nodes() > most;
+      guard.collect_garbage()) {
+    before = curve.number_of_nodes();
+    for(std::size_t v = 1; v < before; v += 2) guard.remove_node(v);
+  }
+}
+
+// Halves edges until none is longer than `longest`.
+template <typename Guard>
+void halve_long_edges(Guard& guard, double longest)
+{
+  const auto& curve = guard.curve();
+  for(bool is_coarse = true; is_coarse; guard.collect_garbage()) {
+    is_coarse = false;
+    for(const std::size_t e : curve.edges())
+      if(edge_vector(curve, e).norm() > longest) is_coarse |= halve_edge(guard, e);
+  }
+}
+
+// Returns whether the nodes have reached the circle.
+template <typename Guard>
+bool move_to_circle(Guard& guard)
+{
+  constexpr int most_moves = 100;
+  for(int k = 0; k < most_moves; ++k) {
+    const double fraction =
+        guard.move_nodes(Round_polygon<typename Guard::Curve_network>(guard.curve()).nodes(),
+                         Step_size::least_fraction);
+    if(fraction == 1) return true;
+    if(fraction == 0) return false;
+  }
+  return false;
+}
+
+// Returns whether the curve is round now; if not, it may have got rounder. Of many nodes, few go
+// there, and the others between them: a triangle of 10,000 nodes had millions of pairs of edges
+// that could meet, which took minutes.
+// \pre the curve is a single closed component without pinned nodes and garbage
+template <typename Guard>
+bool make_round(Guard& guard)
+{
+  constexpr std::size_t least_number_of_nodes = 64, most_nodes_at_once = 512;
+  const auto& curve = guard.curve();
+  const std::size_t wanted = curve.number_of_nodes();
+  const auto edge = [&](std::size_t n) { return total_length(curve) / static_cast<double>(n); };
+  const Clearance_scope<Guard> scope(guard, 0);
+  thin_out(guard, most_nodes_at_once);
+  halve_long_edges(guard, edge(least_number_of_nodes));
+  bool is_round = move_to_circle(guard);
+  const auto n = [&] { return curve.number_of_nodes(); };
+  for(std::size_t before = 0; before != n() && 3 * n() < 2 * wanted;) {
+    before = n();
+    halve_long_edges(guard, edge((std::min)(2 * before, wanted)));
+    is_round = is_round && move_to_circle(guard);
+  }
+  return is_round;
+}
 
 // What a flow is followed by where it ends: a descent to a lower ropelength, and for unknots the
 // length that they settle at and a round shape.
