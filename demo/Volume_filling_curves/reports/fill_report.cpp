@@ -33,6 +33,11 @@ std::string percent(double share)
   return std::isfinite(share) ? to_text(100 * share) + " %" : "-"; // no time to measure it
 }
 
+std::string radius(double mean)
+{
+  return std::isfinite(mean) ? to_text(mean) : "-";
+}
+
 // The share of the whole volume, and that without what is to be kept clear of.
 std::string beyond_2r(const Filling_result& result)
 {
@@ -108,7 +113,7 @@ std::string summary(const Session& session, const Curve& curve, const Filling_re
          counted(result.statistics.iterations, "iteration") + ", " + to_text(session.seconds()) +
          " s: nodes " + std::to_string(curve.number_of_nodes()) + ", length " +
          to_text(curves::length(curve)) + ", thickness " + to_text(result.thickness) +
-         ", medial radius " + to_text(result.medial_radius) + ", within r " +
+         ", medial radius " + radius(result.medial_radius) + ", within r " +
          percent(result.coverage.fraction_within_r) + ", " + beyond_2r(result) +
          ", empty regions " +
          (result.are_empty_regions_known ? std::to_string(result.empty_regions.size()) : "-") +

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -177,6 +178,7 @@ TEST(Fill_limits, without_any_time_the_curve_is_valid)
   const auto result = vfc::fill(curve, ball, np::thickness(0.1).time_limit(0));
   EXPECT_EQ(result.status, Filling_status::LIMIT);
   EXPECT_EQ(result.statistics.iterations, 0u);
+  EXPECT_TRUE(std::isnan(result.thickness_fit.thin_fraction)) << "nobody has looked";
   EXPECT_GT(curve.number_of_nodes(), 2u);
   expect_inside(curve, ball);
 }

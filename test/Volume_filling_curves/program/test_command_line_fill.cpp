@@ -65,6 +65,18 @@ TEST_F(Command_line_fill, empty_regions_are_null_or_told)
   EXPECT_TRUE(json("r.json")["empty_regions"].is_array()) << "there was time";
 }
 
+TEST_F(Command_line_fill, walls_are_not_called_thin_if_there_was_no_time_to_look)
+{
+  make_cube();
+  const Finished fill =
+      run("fill cube.off --thickness 0.6 --time-limit 0 -o a.obj --report r.json");
+  EXPECT_EQ(fill.err.find("too thin"), std::string::npos) << fill.err;
+  EXPECT_NE(fill.out.find("medial radius -,"), std::string::npos) << fill.out;
+  EXPECT_TRUE(json("r.json")["medial_radius"].is_null());
+  EXPECT_TRUE(json("r.json")["thin_fraction"].is_null());
+  EXPECT_TRUE(json("r.json")["fitting_thickness"].is_null());
+}
+
 TEST_F(Command_line_fill, what_is_kept_clear_of_counts_in_the_share_of_the_whole)
 {
   make_cube();

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -133,6 +134,8 @@ public:
     fit.thin_fraction = walls.fraction(1);
     const bool is_thin = fit.thin_fraction > tolerated_unfilled_fraction;
     fit.fitting_thickness = fit.thickness * (is_thin ? walls.fitting_scale() : 1);
+    if(m_watch.must_stop())
+      fit.thin_fraction = fit.fitting_thickness = std::numeric_limits<double>::quiet_NaN();
     return fit;
   }
 

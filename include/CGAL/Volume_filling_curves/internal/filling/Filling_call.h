@@ -140,7 +140,8 @@ private:
     Result result;
     if(m_watch.is_interrupted()) result.status = Filling_status::INTERRUPTED;
     result.medial_radius = result.gradient_norm = result.unfilled_fraction =
-        result.uncovered_fraction = std::numeric_limits<double>::quiet_NaN();
+        result.uncovered_fraction = result.thickness_fit.thin_fraction =
+            result.thickness_fit.fitting_thickness = std::numeric_limits<double>::quiet_NaN();
     return result;
   }
 

@@ -19,7 +19,8 @@ namespace Volume_filling_curves {
  * \brief Whether the walls of a domain are wide enough for a thickness.
  *
  * A place is too thin for r if no ball of radius 0.8 r that lies inside has its center within r of
- * it: a curve of that thickness draws back from there. Estimated with 300 samples.
+ * it: a curve of that thickness draws back from there. Estimated with 300 samples; not a number if
+ * there was no time for it.
  */
 struct Thickness_fit
 {
