@@ -84,6 +84,15 @@ TEST(Fill_limits, a_thickness_that_needs_too_many_nodes_is_refused)
   EXPECT_EQ(curve.number_of_nodes(), 0u);
 }
 
+// Its mean is 0.1.
+TEST(Fill_limits, a_field_that_needs_too_many_nodes_in_some_places_is_refused)
+{
+  Curve curve;
+  const auto field = [](const Point& p) { return p.x() > 0 ? 1e-9 : 0.2; };
+  EXPECT_THROW(vfc::fill(curve, ball, np::thickness(field)), std::invalid_argument);
+  EXPECT_EQ(curve.number_of_nodes(), 0u);
+}
+
 TEST(Fill_limits, the_default_thickness_grows_in_thin_domains_and_says_so)
 {
   const Box plate(Point(0, 0, 0), Point(1, 1, 0.02));

@@ -23,6 +23,7 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -65,7 +66,7 @@ public:
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
     if(!watch.must_stop())
-      m_size.check(m_thickness.number(),
+      m_size.check(thickness_with_as_many_nodes(),
                    is_asked_for ? Filling_size::most_nodes
                                 : Filling_size::most_nodes_of_thin_by_default,
                    unit);
@@ -145,6 +146,17 @@ private:
   Thickness<Point_3> thickness_of_length() const
   {
     return Thickness<Point_3>(thickness_of_filling(m_samples.volume(), m_parameters.length));
+  }
+
+  // returns the constant thickness with as many nodes, which are as many as 1 / r^3 is large
+  double thickness_with_as_many_nodes() const
+  {
+    if(!m_thickness.varies()) return m_thickness.number();
+    const std::vector<double> values = m_thickness.at_each(m_samples.points());
+    const double least = *std::min_element(values.begin(), values.end());
+    double sum = 0;
+    for(const double r : values) sum += least / r * (least / r) * (least / r);
+    return least / std::cbrt(sum / static_cast<double>(values.size()));
   }
 
   // Grown for fewer nodes, but at most to the width of the domain: a curve that is thicker does not

@@ -53,6 +53,7 @@ public:
   {
     Random_source random(seed);
     find_candidates(random);
+    if(m_watch.must_stop()) return {};
     const Box_tree tree(boxes_of_runs());
     m_is_struck_out.assign(m_candidates.size(), false);
     for(const Vector& p : there) {
