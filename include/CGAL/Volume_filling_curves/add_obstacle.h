@@ -43,8 +43,9 @@ bool has_vertex_on_side(const TriangleMesh& mesh, const TriangleMesh& other, boo
  *
  * The faces of the obstacle are appended to the mesh, turned against those of the mesh, as a cavity
  * has them; the vertices and faces of the mesh keep their numbers. `Triangle_mesh_domain_3` and
- * `fill()` then take the mesh, and so does `verify_certificate()`. Several obstacles are added one after the other. Takes
- * \cgalBigO{n \log n} time for `n` faces unless many of them have intersecting bounding boxes.
+ * `fill()` then take the mesh, and so does `verify_certificate()`. Several obstacles are added one
+ * after the other. Takes \cgalBigO{n \log n} time for `n` faces unless many of them have
+ * intersecting bounding boxes.
  *
  * \tparam TriangleMesh a model of `MutableFaceGraph` and `HalfedgeListGraph` with an internal
  * vertex point map
