@@ -36,7 +36,8 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
  * \brief The struct `Coverage` tells how evenly a curve fills a domain: statistics of the distances
- * of uniform samples of the domain to the curve, divided by the thickness.
+ * of uniform samples of the domain to the curve, divided by the thickness. Without samples, as if
+ * there was no time to measure, they are not a number.
  */
 struct Coverage
 {
@@ -44,22 +45,22 @@ struct Coverage
   std::size_t samples = 0;
 
   /// the mean distance
-  double mean = 0;
+  double mean = std::numeric_limits<double>::quiet_NaN();
 
   /// the median
-  double p50 = 0;
+  double p50 = std::numeric_limits<double>::quiet_NaN();
 
   /// the distance that 95 % of the samples do not exceed
-  double p95 = 0;
+  double p95 = std::numeric_limits<double>::quiet_NaN();
 
   /// the distance that 99 % of the samples do not exceed
-  double p99 = 0;
+  double p99 = std::numeric_limits<double>::quiet_NaN();
 
   /// the largest distance
-  double max = 0;
+  double max = std::numeric_limits<double>::quiet_NaN();
 
   /// the share of the samples that are at most the thickness away
-  double fraction_within_r = 0;
+  double fraction_within_r = std::numeric_limits<double>::quiet_NaN();
 };
 
 /*!

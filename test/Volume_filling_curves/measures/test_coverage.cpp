@@ -189,6 +189,7 @@ TEST(Coverage, does_not_depend_on_a_single_edge_or_on_no_edge)
     EXPECT_NEAR(distances[i], distance(edge, samples.points()[i]), 1e-15);
   const Domain_samples_3<Traits, Box> none(box, 0);
   EXPECT_EQ(coverage(none, {}, 1.).samples, 0u);
+  EXPECT_TRUE(std::isnan(coverage(none, {}, 1.).fraction_within_r)) << "it is unknown";
 }
 
 // whether the ball of a region is inside and farther than 2 r from the curve

@@ -53,14 +53,18 @@ TEST_F(Command_line_fill, curve_stays_inside_and_covers)
   EXPECT_GT(report["medial_radius"], 0);
 }
 
-TEST_F(Command_line_fill, empty_regions_are_null_or_told)
+TEST_F(Command_line_fill, what_was_not_measured_is_null_and_a_dash)
 {
   make_cube();
   const std::string fill = "fill cube.off --thickness 0.6 --report r.json --force ";
   for(const std::string limit : {"--time-limit 0 ", "--max-iterations 1 "}) {
-    const bool is_dash =
-        run(fill + limit + "-o a.obj").out.find("empty regions -\n") != std::string::npos;
-    EXPECT_EQ(json("r.json")["empty_regions"].is_null(), is_dash) << limit;
+    const std::string summary = run(fill + limit + "-o a.obj").out;
+    const auto has = [&](const char* text) { return summary.find(text) != std::string::npos; };
+    const Json report = json("r.json"), coverage = report["coverage"];
+    EXPECT_EQ(report["empty_regions"].is_null(), has("empty regions -\n")) << limit;
+    EXPECT_EQ(coverage["samples"] == 0, has("within r -,")) << limit;
+    for(const char* key : {"mean", "p50", "p95", "p99", "max", "fraction_within_r"})
+      EXPECT_EQ(coverage["samples"] == 0, coverage[key].is_null()) << limit << key;
   }
   EXPECT_TRUE(json("r.json")["empty_regions"].is_array()) << "there was time";
 }
