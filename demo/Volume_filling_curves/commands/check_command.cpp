@@ -12,6 +12,7 @@
 #include "files/curve_files.h"
 #include "files/mesh_files.h"
 #include "options/Command_line.h"
+#include "repair/obstacles.h"
 #include "reports/containment.h"
 #include "session/Exit_status.h"
 
@@ -67,8 +68,9 @@ void append(Defects& defects, Defects more)
   std::move(more.begin(), more.end(), std::back_inserter(defects));
 }
 
-Defects defects_of_curve(Report& report, const Check_options& options)
+Defects defects_of_curve(Session& session, const Check_options& options)
 {
+  Report& report = session.report();
   Curve_and_defects curve = read_curve_and_defects(options.file, options.reading);
   Defects defects = std::move(curve.defects);
   if(curve.is_valid) {
@@ -79,6 +81,8 @@ Defects defects_of_curve(Report& report, const Check_options& options)
   Mesh_and_defects mesh = read_mesh_and_defects(options.mesh);
   append(defects, std::move(mesh.defects));
   if(!curve.is_valid || !mesh.is_valid) return defects;
+  for(const std::string& obstacle : options.obstacles) session.add_input(obstacle);
+  add_obstacles(session, mesh.mesh, options.obstacles);
   const Containment found = containment(curve.curve, Domain(mesh.mesh, examined));
   report_containment(report, found);
   append(defects, to_defects(found, curve.curve, options.file));
@@ -88,8 +92,9 @@ Defects defects_of_curve(Report& report, const Check_options& options)
 Defects find_defects(Session& session, const Check_options& options)
 {
   const bool has_second = !options.mesh.empty();
-  if(!options.obstacles.empty() && options.domain.empty())
-    throw Usage_error("--obstacle: is for --domain");
+  const bool has_domain = options.certificate.empty() ? has_second : !options.domain.empty();
+  if(!options.obstacles.empty() && !has_domain)
+    throw Usage_error("--obstacle: is for MESH, and with --certificate for --domain");
   if(!options.certificate.empty()) {
     if(!has_second) throw Usage_error("--certificate: needs two curves, START and END");
     return defects_of_certificate(
@@ -103,8 +108,7 @@ Defects find_defects(Session& session, const Check_options& options)
   if(is_mesh && has_second)
     throw Usage_error("FILE: " + options.file + ": is a surface, but " + options.mesh +
                       " takes a curve to check");
-  return is_mesh ? read_mesh_and_defects(options.file).defects
-                 : defects_of_curve(session.report(), options);
+  return is_mesh ? read_mesh_and_defects(options.file).defects : defects_of_curve(session, options);
 }
 
 int check(Session& session, const Check_options& options)

@@ -247,6 +247,11 @@ TEST_F(Command_line_meshes, fillings_keep_out_of_obstacles)
   const std::string verify = "check --certificate c c.start.obj o.obj ";
   EXPECT_EQ(run(verify + "--domain cube.obj" + obstacles).status, 0);
   EXPECT_EQ(run(verify + obstacles).status, 1) << "of no domain";
+  EXPECT_EQ(run("check o.obj cube.obj" + obstacles).status, 0);
+  EXPECT_EQ(run("check o.obj" + obstacles).status, 1) << "of no domain";
+  write("within.obj", "v 1.7 1.7 2\nv 2.3 1.7 2\nv 2 2.3 2\nl 1 2 3 1\n");
+  EXPECT_EQ(run("check within.obj cube.obj").status, 0);
+  EXPECT_EQ(run("check within.obj cube.obj" + obstacles).status, 4);
 }
 
 TEST_F(Command_line_meshes, bad_obstacles_are_named)
