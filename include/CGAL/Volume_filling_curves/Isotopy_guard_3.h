@@ -22,6 +22,7 @@
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Shortened_motion.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <CGAL/assertions.h>
@@ -77,6 +78,8 @@ namespace Volume_filling_curves {
 template <typename Traits = Curve_flow_traits_3<>, typename Domain = Unbounded_domain_3<Traits>>
 class Isotopy_guard_3
 {
+  static_assert(internal::check_domain<Domain, typename Curve_network_3<Traits>::Point_3>());
+
 public:
   /// \cond SKIP_IN_MANUAL
   using Boundary = internal::Boundary<Domain>;

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/check_mesh.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Bbox_3.h>
@@ -242,10 +243,14 @@ template <typename Traits, typename Domain, typename NamedParameters>
 decltype(auto) as_domain(const Domain& domain, const NamedParameters& np)
 {
   using Kernel = typename Kernel_traits<typename Traits::Point_3>::Kernel;
-  if constexpr(Is_domain<Domain>::value)
+  if constexpr(Is_domain<Domain>::value) {
+    static_assert(check_domain<Domain, typename Traits::Point_3>());
     return (domain);
-  else
+  } else {
+    static_assert(allows<const Domain&>([](auto& mesh) -> decltype(faces(mesh), void()) {}),
+                  "VolumeFillingDomain_3 requires is_inside(point), FaceListGraph faces(mesh)");
     return Triangle_mesh_domain_3<Kernel>(domain, np);
+  }
 }
 
 } // namespace internal

@@ -22,6 +22,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Finger_parameters.h>
@@ -46,6 +47,8 @@ auto fill(Curve_network_3<Traits>& curves,
           const Filling_parameters<typename Traits::Point_3>& parameters,
           Visitor& visitor)
 {
+  using Domain = std::decay_t<decltype(make_domain())>;
+  static_assert(check_visitor<Visitor, Curve_flow_3<Traits, Domain, ConcurrencyTag>>());
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   return Filling_call<Traits, ConcurrencyTag, Visitor>(curves, parameters, visitor)(make_domain);
 }

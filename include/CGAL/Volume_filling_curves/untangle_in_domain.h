@@ -33,6 +33,7 @@ struct Place_in_domain
 {
   using Guard = Isotopy_guard_3<Traits, Domain>;
   using Network = typename Guard::Curve_network;
+  using Flow = Curve_flow_3<Traits, Domain, ConcurrencyTag>;
 
   void check(const Network& curves, const Untangling_parameters& parameters) const
   {
@@ -56,8 +57,7 @@ struct Place_in_domain
   template <typename Visitor>
   Untangling_result untangle(const Untangling_context<Guard, Visitor>& run) const
   {
-    return untangle_by_flow<Curve_flow_3<Traits, Domain, ConcurrencyTag>>(
-        run, {run.parameters.thickness, 0, false, false});
+    return untangle_by_flow<Flow>(run, {run.parameters.thickness, 0, false, false});
   }
 
   const Domain& domain;

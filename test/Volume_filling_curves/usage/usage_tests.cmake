@@ -18,3 +18,10 @@ endforeach()
 if(NOT CMAKE_SOURCE_DIR STREQUAL package_dir) # only the whole project can be installed
   set_tests_properties(usage_find_package PROPERTIES DISABLED TRUE)
 endif()
+
+add_test(NAME usage_wrong_types
+  COMMAND ${CMAKE_COMMAND}
+    -D COMPILER=${CMAKE_CXX_COMPILER}
+    "-DINCLUDES=$<TARGET_PROPERTY:Volume_filling_curves_test_settings,INTERFACE_INCLUDE_DIRECTORIES>"
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/usage/wrong_types.cmake)
+set_tests_properties(usage_wrong_types PROPERTIES LABELS usage TIMEOUT 300)

@@ -18,6 +18,7 @@
 #include <CGAL/Volume_filling_curves/internal/polylines/Polyline_graph.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/matrix_conversions.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -69,6 +70,7 @@ class State_writer;
 template <typename Traits_ = Curve_flow_traits_3<>>
 class Curve_network_3
 {
+  static_assert(internal::check_traits<Traits_>());
   static_assert(internal::can_certify<Traits_>(),
                 "A kernel that stands for the traits needs exact predicates, and points whose "
                 "coordinates can be any double");

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_origin.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -40,6 +41,8 @@ class Polylines_in_place
   using Item = polyline_item_t<Polylines>;
 
   static_assert(std::is_class_v<Item>, "the items of polylines hold their points");
+  static_assert(allows<Polylines&>([](auto& p) -> decltype(p.clear()) {}),
+                "SequenceContainer requires clear(): the result replaces the polylines");
 
 public:
   using Network = network_of_polylines_t<Polylines, NamedParameters>;

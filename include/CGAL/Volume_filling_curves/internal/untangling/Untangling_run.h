@@ -19,6 +19,7 @@
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
@@ -42,6 +43,8 @@ namespace internal {
 template <typename Place, typename Visitor>
 class Untangling_run
 {
+  static_assert(check_visitor<Visitor, typename Place::Flow>());
+
   using Guard = typename Place::Guard;
   using Network = typename Guard::Curve_network;
 
