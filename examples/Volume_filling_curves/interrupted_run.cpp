@@ -32,7 +32,7 @@ int main()
     curve = knot;
     const vfc::Run_state former = state;
     const auto save = [&](const vfc::Run_checkpoint& checkpoint) {
-      if(checkpoint.is_last()) state = checkpoint.state();
+      if(checkpoint.is_last) state = checkpoint.state();
     };
     result = vfc::untangle(
         curve,

@@ -48,7 +48,7 @@ void save_states(const Session& session,
   using Clock = std::chrono::steady_clock;
   parameters.checkpoint = [&session, options, last = Clock::now()](const auto& checkpoint) mutable {
     const std::chrono::duration<double> seconds = Clock::now() - last;
-    if(!checkpoint.is_last() && seconds.count() < options.save_every) return;
+    if(!checkpoint.is_last && seconds.count() < options.save_every) return;
     try {
       Output_files::write(options.checkpoint, checkpoint.state().bytes());
     } catch(const Usage_error& error) { // the curve is worth more than the state

@@ -14,12 +14,10 @@
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
-#include <CGAL/Volume_filling_curves/internal/flow/read_flow.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
@@ -34,6 +32,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -116,18 +115,18 @@ public:
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
-      : Curve_flow_3(guard, parameters, Thickness(parameters.thickness), nullptr)
+      : Curve_flow_3(guard, parameters, Thickness(parameters.thickness))
   {}
 
   /// \cond SKIP_IN_MANUAL
   using Thickness = internal::Thickness<Point_3>;
 
-  // With a thickness in place of the one in the parameters. With a reader, a flow that waits for
-  // resume(). Without one it is as above.
+  // With a thickness in place of the one in the parameters. A flow that is under way, with edges as
+  // another one has left them, waits for its history and go_on().
   Curve_flow_3(Guard& guard,
                const Curve_flow_parameters& parameters,
                const Thickness& thickness,
-               const internal::State_reader* reader)
+               bool is_under_way = false)
       : m_guard(guard),
         m_first_certified_change(guard.number_of_certified_changes()),
         m_first_refused_change(guard.number_of_refused_changes()),
@@ -135,7 +134,7 @@ public:
         m_thickness(thickness),
         m_step(guard, parameters.max_displacement)
   {
-    if(!reader) start();
+    if(!is_under_way) start();
   }
   /// \endcond
 
@@ -232,20 +231,20 @@ public:
     update();
   }
 
-  // Reads what another flow has written of the same curve, and goes on with that.
-  void resume(internal::State_reader& reader, const Thickness& thickness = Thickness())
+  // The numbers that the next steps depend on, but for parameters, thickness and the curve.
+  auto history()
   {
-    internal::read_flow(reader, *this);
-    m_thickness = thickness.varies() ? thickness : Thickness(m_parameters.thickness);
-    update();
+    return std::tuple_cat(std::tie(m_first_certified_change, m_first_refused_change, m_statistics),
+                          m_step.history());
   }
 
-  // Writes or reads what the next steps depend on, see internal::State_writer, but for the curve
-  // and a thickness that varies. All else follows from the curve: update() finds the same bits.
-  template <typename Archive>
-  void serialize(Archive& archive)
+  // Goes on from the history of another flow of the same curve: update() finds the same bits.
+  void go_on(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
-    archive(m_first_certified_change, m_first_refused_change, m_parameters, m_statistics, m_step);
+    m_parameters = parameters;
+    m_thickness = thickness;
+    set_max_displacement(parameters.max_displacement);
+    update();
   }
   /// \endcond
 

@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -317,16 +318,8 @@ public:
   void set_watch(internal::Run_watch* watch) { m_watch = watch; }
   internal::Run_watch* watch() const { return m_watch; }
 
-  // Writes or reads everything but the curve itself, see State_writer. To be read by a guard that
-  // records if the other one did.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    double distance = clearance();
-    archive(distance, m_number_of_certified, m_number_of_rejected);
-    if constexpr(Archive::is_reading) set_clearance(distance);
-    if(m_record) archive(*m_record);
-  }
+  auto counts() { return std::tie(m_number_of_certified, m_number_of_rejected); }
+  internal::Motion_record<Curve_network>* record() { return m_record.get(); } // or null
   /// \endcond
 
 private:

@@ -10,11 +10,8 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
-#include <CGAL/Volume_filling_curves/internal/certificate/format.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -24,13 +21,9 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 
-namespace internal {
-class Run_saver;
-} // namespace internal
-
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// is thrown of a `Run_state` that no run can resume from, or not the one that is to.
+/// thrown if a `Run_state` is damaged or belongs to a different run.
 class Run_state_error : public std::invalid_argument
 {
 public:
@@ -52,13 +45,16 @@ public:
   /// constructs an empty state. A run that resumes from it starts at the beginning.
   Run_state() = default;
 
-  /*!
-   * constructs a state from its bytes. Takes linear time, for a checksum.
-   *
-   * \throws Run_state_error if they are not those of a state, are cut off or damaged, or come from
-   * a version of this package with another format
-   */
-  explicit Run_state(std::string bytes) : m_bytes(std::move(bytes)) { check(); }
+  /// constructs a state from its bytes. Takes linear time, for a checksum.
+  ///
+  /// \throws Run_state_error if they are not those of a state, or are damaged or cut off
+  explicit Run_state(std::string bytes) : m_bytes(std::move(bytes))
+  {
+    const std::string_view all = m_bytes;
+    if(all.substr(0, magic.size()) != magic) throw Run_state_error("it is not the state of a run");
+    if(all.size() < magic.size() + checksum_size || all != sealed(body()).m_bytes)
+      throw Run_state_error("the state of the run is damaged or cut off");
+  }
 
   /// returns the bytes, to be written to a file.
   const std::string& bytes() const { return m_bytes; }
@@ -66,86 +62,44 @@ public:
   /// returns whether this is the state of no run.
   bool is_empty() const { return m_bytes.empty(); }
 
-private:
-  friend class internal::Run_saver;
-
-  static constexpr std::string_view magic = "VFCSTATE";
-  static constexpr int format_version = 1;
-  static constexpr std::size_t head_size = 12, checksum_size = 32;
-
-  static std::string head()
-  {
-    std::string bytes(magic);
-    internal::append_little_endian(bytes, std::uint64_t(format_version), 4);
-    return bytes;
-  }
-
-  static std::string checksum(std::string_view bytes)
-  {
-    const auto digest = internal::sha256(bytes);
-    return std::string(digest.begin(), digest.end());
-  }
-
-  static Run_state of_body(const std::string& body)
+  /// \cond SKIP_IN_MANUAL
+  static Run_state sealed(std::string_view body)
   {
     Run_state state;
-    state.m_bytes = head() + body;
-    state.m_bytes += checksum(state.m_bytes);
+    state.m_bytes.append(magic).append(body);
+    const auto digest = internal::sha256(state.m_bytes);
+    state.m_bytes.append(digest.begin(), digest.end());
     return state;
   }
 
+  // \pre the state is not empty
   std::string_view body() const
   {
-    return std::string_view(m_bytes).substr(head_size, m_bytes.size() - head_size - checksum_size);
+    return std::string_view(m_bytes).substr(magic.size(),
+                                            m_bytes.size() - magic.size() - checksum_size);
   }
+  /// \endcond
 
-  void check() const
-  {
-    const std::string_view bytes = m_bytes;
-    if(bytes.substr(0, magic.size()) != magic)
-      throw Run_state_error("it is not the state of a run");
-    if(bytes.size() < head_size + checksum_size)
-      throw Run_state_error("the state of the run is cut off");
-    if(bytes.substr(0, head_size) != head())
-      throw Run_state_error("the state of the run has another format than those of "
-                            "version " CGAL_VOLUME_FILLING_CURVES_VERSION);
-    const std::size_t size = bytes.size() - checksum_size;
-    if(bytes.substr(size) != checksum(bytes.substr(0, size)))
-      throw Run_state_error("the state of the run is damaged or cut off");
-  }
+private:
+  static constexpr std::string_view magic = "VFCSTATE";
+  static constexpr std::size_t checksum_size = 32;
 
   std::string m_bytes;
 };
 
-/*!
- * \ingroup PkgVolumeFillingCurvesRef
- *
- * \brief The class `Run_checkpoint` is a moment between two iterations of `untangle()` or `fill()`,
- * in which the state of the run can be taken.
- *
- * The function `Curve_run_parameters::checkpoint` is given one before each iteration. Taking the
- * state changes nothing of the run.
- */
-class Run_checkpoint
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// A moment between two iterations of `untangle()` or `fill()`, at which the state of the run can
+/// be taken; this changes nothing of the run.
+struct Run_checkpoint
 {
-public:
-  /// \cond SKIP_IN_MANUAL
-  Run_checkpoint(std::function<Run_state()> take_state, bool is_last)
-      : m_take_state(std::move(take_state)), m_is_last(is_last)
-  {}
-  /// \endcond
-
-  /// returns the state of the run. Takes time linear in the size of the curve and of the
+  /// Returns the state of the run. Takes time linear in the size of the curve and of the
   /// certificate so far, if there is one.
-  Run_state state() const { return m_take_state(); }
+  std::function<Run_state()> state;
 
-  /// returns whether the run ends here before its goal, at a limit or since the visitor wants it:
-  /// then no other checkpoint follows.
-  bool is_last() const { return m_is_last; }
-
-private:
-  std::function<Run_state()> m_take_state;
-  bool m_is_last;
+  /// Whether the run ends here before its goal, at a limit or since the visitor wants it: then no
+  /// other checkpoint follows.
+  bool is_last;
 };
 
 } // namespace Volume_filling_curves

@@ -11,8 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
-#include <CGAL/Volume_filling_curves/internal/state/domain_hash.h>
-#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
@@ -41,13 +39,6 @@ struct Place_in_domain
       refuse_value(internal_np::strategy_t(), parameters.strategy,
                    "the search does not know the domain");
     check_inside(curves, domain);
-  }
-
-  Run_facts facts(const Network& curves, const Untangling_parameters& parameters) const
-  {
-    return run_fingerprint(
-        "untangle in a domain", parameters,
-        {{"curve", state_hash(curves)}, {"domain", domain_hash(domain, curves.traits())}});
   }
 
   Guard guard(Network& curves) const { return Guard(curves, domain); }

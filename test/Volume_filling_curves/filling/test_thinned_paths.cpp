@@ -19,11 +19,10 @@ using Point = CGAL::Volume_filling_curves::Curve_flow_traits_3<>::Point_3;
 
 TEST(Thinned_paths, thin_a_curve_nearby_only_and_without_jumps)
 {
-  Thinned_paths paths(0.02);
-  EXPECT_TRUE(paths.are_empty());
-  EXPECT_EQ(paths.thinning(Point(0, 0, 0), 0.5), 1);
-  paths.add(Vector(0, 0, 0));
-  paths.add(Vector(0, 0.02, 0));
+  const Thinned_paths none(0.02, {});
+  EXPECT_TRUE(none.are_empty());
+  EXPECT_EQ(none.thinning(Point(0, 0, 0), 0.5), 1);
+  const Thinned_paths paths(0.02, {Vector(0, 0, 0), Vector(0, 0.02, 0)});
   EXPECT_FALSE(paths.are_empty());
   EXPECT_EQ(paths.thinning(Point(0, 0.02, 0), 0.25), 0.25);
   EXPECT_EQ(paths.thinning(Point(0, 0.2, 0), 0.25), 1);

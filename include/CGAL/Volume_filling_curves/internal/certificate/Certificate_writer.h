@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -62,12 +63,8 @@ public:
   std::uint64_t number_of_operations() const { return m_number_of_operations; }
   const std::string& bytes() const { return m_bytes; }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_bytes, m_number_of_operations, m_last_node);
-  }
+  // everything that it consists of
+  auto contents() { return std::tie(m_bytes, m_number_of_operations, m_last_node); }
 
 private:
   static std::uint64_t difference(std::uint64_t node, std::uint64_t from)

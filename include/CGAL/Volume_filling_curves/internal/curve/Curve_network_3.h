@@ -42,8 +42,6 @@ template <typename Network>
 class Network_editor;
 template <typename Network>
 class Origin_interpolation;
-class State_reader;
-class State_writer;
 } // namespace internal
 
 /*!
@@ -361,25 +359,10 @@ public:
 private:
   friend class internal::Network_editor<Curve_network_3>;       // of the guard
   friend class internal::Origin_interpolation<Curve_network_3>; // which reads
-  friend class internal::State_reader;                          // for runs that resume
-  friend class internal::State_writer;
 
   Curve_network_3(const internal::Polyline_graph& graph, const Traits& traits)
       : Curve_network_3(internal::to_points(graph.points(), traits), graph.edges(), traits)
   {}
-
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    std::vector<internal::Vector> positions;
-    for(const Point_3& point : m_points) positions.push_back(internal::to_vector(point));
-    archive(m_topology, positions);
-    if constexpr(Archive::is_reading) {
-      archive.require(positions.size() == number_of_nodes());
-      for(const internal::Vector& x : positions) archive.require(internal::is_in_range(x));
-      m_points = internal::to_points(positions, m_traits);
-    }
-  }
 
   Traits m_traits;
   Topology m_topology;

@@ -56,19 +56,6 @@ public:
     for(std::size_t c = 0; c < count(); ++c) m_first_node[c + 1] += m_first_node[c];
   }
 
-  bool operator==(const Curve_components& other) const
-  {
-    return m_first_node == other.m_first_node && m_is_closed == other.m_is_closed &&
-           m_has_junction == other.m_has_junction;
-  }
-
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_first_node, m_is_closed, m_has_junction);
-  }
-
 private:
   std::vector<std::uint32_t> m_first_node; // per component, and the number of nodes at the end
   std::vector<bool> m_is_closed, m_has_junction;

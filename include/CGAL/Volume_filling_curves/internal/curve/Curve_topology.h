@@ -172,13 +172,27 @@ public:
     return std::move(numbering.former_nodes);
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
+  // Returns the topology of curves that have come from the same input, without garbage: takes their
+  // edges, for each node its origin, and the labels of Input_chains.
+  // \throws std::invalid_argument if these do not fit together
+  Curve_topology with_edges(const std::vector<std::array<std::size_t, 2>>& edges,
+                            const std::vector<std::size_t>& origins,
+                            const std::vector<Input_chains::Label>& labels) const
   {
-    archive(m_nodes, m_edges, m_components, m_input, m_number_of_removed_nodes,
-            m_number_of_removed_edges, m_has_garbage);
-    if constexpr(Archive::is_reading) archive.require(is_consistent());
+    Curve_topology result(origins.size(), edges);
+    const std::size_t end = m_input.end_of_nodes();
+    const auto is_origin = [end](std::size_t v) { return v == null || v < end; };
+    bool is_consistent = result.number_of_nodes() == origins.size() &&
+                         result.number_of_components() == number_of_components() &&
+                         result.has_junction() == has_junction() &&
+                         std::all_of(origins.begin(), origins.end(), is_origin);
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      is_consistent &= edges[e] == std::array<std::size_t, 2>{result.source(e), result.target(e)};
+    if(!is_consistent) throw std::invalid_argument("it is not numbered, or has another input");
+    for(std::size_t v = 0; v < origins.size(); ++v) result.m_nodes[v].origin = narrow(origins[v]);
+    result.m_input = m_input;
+    result.m_input.relabel(edges.size(), labels);
+    return result;
   }
 
 private:
@@ -188,34 +202,7 @@ private:
     Index origin = narrow(null);
     Index component = narrow(null);
     bool is_pinned = false;
-
-    template <typename Archive>
-    void serialize(Archive& archive)
-    {
-      archive(edges, origin, component, is_pinned);
-    }
   };
-
-  // Runs are saved without garbage. A topology made anew of the edges numbers them alike.
-  bool is_consistent() const
-  {
-    if(m_has_garbage || m_number_of_removed_nodes > 0 || m_number_of_removed_edges > 0)
-      return false;
-    std::vector<std::array<std::size_t, 2>> edges(m_edges.size());
-    for(std::size_t e = 0; e < edges.size(); ++e) edges[e] = {m_edges[e][0], m_edges[e][1]};
-    try {
-      const Curve_topology anew(m_nodes.size(), edges);
-      return anew.m_edges == m_edges && anew.m_components == m_components &&
-             std::equal(m_nodes.begin(), m_nodes.end(), anew.m_nodes.begin(), anew.m_nodes.end(),
-                        [&](const Node& a, const Node& b) {
-                          return a.edges == b.edges && a.component == b.component &&
-                                 (a.origin == null || m_input.has_node(a.origin));
-                        }) &&
-             m_input.is_consistent(*this);
-    } catch(const std::invalid_argument&) {
-      return false;
-    }
-  }
 
   static constexpr Index narrow(std::size_t i) { return static_cast<Index>(i); }
 

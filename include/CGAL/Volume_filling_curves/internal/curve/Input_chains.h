@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -33,13 +34,7 @@ public:
     static constexpr Index none = static_cast<Index>(-1);
 
     Index chain = none;
-    bool is_reversed = false;
-
-    template <typename Archive>
-    void serialize(Archive& archive)
-    {
-      archive(chain, is_reversed);
-    }
+    Index is_reversed = 0; // or 1
   };
 
   Input_chains() : m_first_node(1, 0), m_first_chain(1, 0) {}
@@ -97,78 +92,28 @@ public:
     m_labels = std::move(labels);
   }
 
-  // returns whether v can be the index in the input of a node
-  bool has_node(std::size_t v) const { return v < m_nodes.size(); }
+  // one per edge, or none at all
+  const std::vector<Label>& labels() const { return m_labels; }
 
-  // returns whether these are the chains of a topology, as far as indices go
-  template <typename Topology>
-  bool is_consistent(const Topology& topology) const
+  // Edges were replaced. \throws std::invalid_argument if the labels are those of other chains
+  void relabel(std::size_t number_of_edges, const std::vector<Label>& labels)
   {
-    const auto are_ends = [](const std::vector<Index>& first, std::size_t end) {
-      return !first.empty() && first.front() == 0 && first.back() == end &&
-             std::is_sorted(first.begin(), first.end());
-    };
-    const auto is_node = [this](Index v) { return has_node(v); };
-    const auto is_label = [this](const Label& label) {
+    const auto is_known = [this](const Label& label) {
       return label.chain == Label::none || label.chain + 1 < m_first_node.size();
     };
-    const auto is_short = [this](std::size_t chain) { return size(chain) < 2; };
-    return are_ends(m_first_node, m_nodes.size()) &&
-           are_ends(m_first_chain, m_first_node.size() - 1) &&
-           m_first_chain.size() == topology.number_of_components() + 1 &&
-           m_labels.size() == (topology.has_junction() ? topology.number_of_edges() : 0) &&
-           std::all_of(m_nodes.begin(), m_nodes.end(), is_node) &&
-           std::all_of(m_labels.begin(), m_labels.end(), is_label) && !has_chain_with(is_short) &&
-           are_origins_in_chains(topology);
+    if(labels.size() != (m_labels.empty() ? 0 : number_of_edges) ||
+       !std::all_of(labels.begin(), labels.end(), is_known))
+      throw std::invalid_argument("edges come from another input");
+    m_labels = labels;
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
+  // returns a number that is larger than that of every node of the input
+  std::size_t end_of_nodes() const
   {
-    archive(m_nodes, m_first_node, m_first_chain, m_labels);
+    return m_nodes.empty() ? 0 : *std::max_element(m_nodes.begin(), m_nodes.end()) + std::size_t(1);
   }
 
 private:
-  template <typename Predicate>
-  bool has_chain_with(const Predicate& predicate) const
-  {
-    for(std::size_t chain = 0; chain + 1 < m_first_node.size(); ++chain)
-      if(predicate(chain)) return true;
-    return false;
-  }
-
-  // whether nodes come from nodes of the input that are in the same chain
-  template <typename Topology>
-  bool are_origins_in_chains(const Topology& topology) const
-  {
-    std::vector<std::size_t> chain_of(m_nodes.size(), Label::none);
-    has_chain_with([&](std::size_t chain) {
-      for(std::size_t rank = 0; rank < size(chain); ++rank) chain_of[node(chain, rank)] = chain;
-      return false;
-    });
-    for(std::size_t v = 0; v < topology.number_of_nodes(); ++v)
-      if(topology.origin(v) != Topology::null && is_inside_chain(topology, v) &&
-         chain_of[topology.origin(v)] != chain_at(topology, v))
-        return false;
-    return true;
-  }
-
-  template <typename Topology>
-  bool is_inside_chain(const Topology& topology, std::size_t v) const
-  {
-    return !topology.has_junction(topology.component(v)) ||
-           (topology.degree(v) == 2 && m_labels[topology.incident_edge(v, 0)].chain ==
-                                           m_labels[topology.incident_edge(v, 1)].chain);
-  }
-
-  template <typename Topology>
-  std::size_t chain_at(const Topology& topology, std::size_t v) const
-  {
-    const std::size_t c = topology.component(v);
-    return topology.has_junction(c) ? m_labels[topology.incident_edge(v, 0)].chain : first_chain(c);
-  }
-
   template <typename Topology>
   void add_component(const Topology& topology, std::size_t c)
   {

@@ -10,8 +10,10 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Input_chains.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -97,6 +99,23 @@ public:
   }
 
   void set_pinned(std::size_t v, bool is_pinned) { m_network.set_pinned(v, is_pinned); }
+
+  // Has the network become another one that has come from the same input, see
+  // Curve_topology::with_edges(). Observers are not called: there must be none.
+  void replace(const std::vector<Point_3>& points,
+               const std::vector<std::array<std::size_t, 2>>& edges,
+               const std::vector<std::size_t>& origins,
+               const std::vector<Input_chains::Label>& labels)
+  {
+    m_network.m_topology = m_network.m_topology.with_edges(edges, origins, labels);
+    m_network.m_points = points;
+  }
+
+  // the chains of the input that the edges of a network come from
+  static const std::vector<Input_chains::Label>& labels(const Network& network)
+  {
+    return network.m_topology.input().labels();
+  }
 
   // Closes the gaps in the numbering; returns the former index of each node.
   std::vector<std::uint32_t> collect_garbage()

@@ -18,7 +18,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
-#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
@@ -61,20 +60,18 @@ class Filler
   using Result = Filling_result<Point_3>;
 
 public:
-  // If the saver has a state to read, the curve is the one of that state.
+  // Takes the thickness at the start, and the stages that the curve is to go through.
   Filler(Guard& guard,
          const Survey& survey,
-         Visitor& visitor,
-         Run_saver& saver,
-         Filling_record& record)
+         const Thickness& thickness,
+         Filling_stages<Flow, Visitor>& stages)
       : m_guard(guard),
         m_survey(survey),
         m_parameters(survey.parameters()),
         m_watch(survey.watch()),
         m_unfilled(survey.samples(), survey.distances_to_boundary(), m_parameters.wall),
-        m_thickness(survey.thickness().averaged_at(guard.curve().points())),
-        m_stages(
-            guard, m_parameters, Thickness(m_thickness.number()), m_watch, visitor, saver, record)
+        m_thickness(thickness),
+        m_stages(stages)
   {
     m_thickness.set_number(m_stages.decide([this] { return m_thickness.number(); }));
   }
@@ -127,7 +124,7 @@ private:
     if(m_stages.end()) return false;
     return m_stages.decide([this] {
       return m_unfilled.is_much(curve(), m_thickness) && reach_out(m_guard, m_survey);
-    });
+    }) != 0;
   }
 
   void settle()
@@ -154,10 +151,12 @@ private:
   {
     if(m_stages.end()) return false;
     const Thickness driven = pushed_share * m_thickness;
-    const auto paths = std::make_shared<const Thinned_paths>(m_stages.decide([&] {
+    const auto ways = [&] {
       return m_unfilled.ways_to(m_unfilled.places(curve(), driven), curve(), m_thickness.number(),
                                 m_watch);
-    }));
+    };
+    const auto paths = std::make_shared<const Thinned_paths>(
+        m_unfilled.cell_of_paths * m_thickness.number(), m_stages.decide_points(ways));
     if(paths->are_empty()) return false;
     m_thinning = [paths, last = m_thinning](const Point_3& p) {
       return (std::min)(paths->thinning(p, kept_thinness), last ? last(p) : 1);
@@ -206,7 +205,7 @@ private:
   const Unfilled_space<Network, typename Survey::Samples, typename Flow::Concurrency_tag>
       m_unfilled;
   Thickness m_thickness; // the one that is asked for, or that is to lead to the length asked for
-  Filling_stages<Flow, Visitor> m_stages;
+  Filling_stages<Flow, Visitor>& m_stages;
   typename Thickness::Field m_thinning; // for good, where the domain is too thin
 };
 

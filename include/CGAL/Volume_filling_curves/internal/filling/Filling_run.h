@@ -24,11 +24,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
-#include <CGAL/Volume_filling_curves/internal/state/domain_hash.h>
-#include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
-#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
@@ -76,7 +71,7 @@ public:
         m_unit(unit),
         m_survey(domain, parameters, thickness, curves.traits(), m_watch, unit),
         m_fit(m_survey.thickness_fit()),
-        m_saver(parameters, [this] { return facts(); })
+        m_saver(parameters, [this] { return fingerprint(); })
   {}
 
   Result operator()()
@@ -136,31 +131,28 @@ private:
     }
   }
 
-  // All that the run depends on. Fields are known by their values at the samples.
-  Run_facts facts() const
+  // Fields are known by their values at the samples.
+  std::string fingerprint() const
   {
-    State_writer thicknesses, directions;
-    if(m_survey.thickness().varies())
-      for(const Point_3& p : m_survey.samples().points()) thicknesses(m_survey.thickness()(p));
-    if(m_parameters.direction_field)
-      for(const Point_3& p : m_survey.samples().points())
-        for(const double coordinate : m_parameters.direction_field(p)) directions(coordinate);
-    return run_fingerprint("fill", m_parameters,
-                           {{"curve", state_hash(m_curves)},
-                            {"domain", domain_hash(m_domain, m_curves.traits())},
-                            {"thickness field", to_hex(sha256(thicknesses.bytes()))},
-                            {"direction field", to_hex(sha256(directions.bytes()))}});
+    State_archive curve, fields;
+    copy_curve(curve, m_curves);
+    for(const Point_3& p : m_survey.samples().points()) {
+      if(m_survey.thickness().varies()) fields(m_survey.thickness()(p));
+      if(!m_parameters.direction_field) continue;
+      for(double coordinate : m_parameters.direction_field(p)) fields(coordinate);
+    }
+    return run_fingerprint("fill", m_parameters) + hash_line("curve", curve) +
+           domain_line(m_domain, m_curves.traits()) + hash_line("field", fields);
   }
 
   Result grow()
   {
-    State_reader* const reader = m_saver.reader();
-    if(reader) read_curve(*reader, m_curves, [this] { check_inside(m_curves, m_domain); });
+    const auto kept_curve = m_saver.keep_curve(
+        m_curves, [this](const Network& curves) { check_inside(curves, m_domain); });
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
     if(m_parameters.certificate) guard.start_recording();
-    if(reader)
-      (*reader)(guard);
-    else if(m_parameters.start == Filling_start::TREE)
+    const auto kept_guard = m_saver.keep_guard(guard);
+    if(m_parameters.start == Filling_start::TREE && !m_saver.is_resuming())
       reach_out(guard, m_survey);
     const Result result = let_flow(guard);
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
@@ -173,7 +165,11 @@ private:
     try {
       const Watched_scope scope(m_saver.is_saving() ? nullptr : &m_watch);
       m_watch.begin(Run_stage::FLOWING);
-      return Filler<Flow, Survey, Visitor>(guard, m_survey, m_visitor, m_saver, m_record)();
+      const auto thickness = m_survey.thickness().averaged_at(m_curves.points());
+      Filling_stages<Flow, Visitor> stages(guard, m_parameters,
+                                           typename Flow::Thickness(thickness.number()), m_watch,
+                                           m_visitor, m_saver, m_record);
+      return Filler<Flow, Survey, Visitor>(guard, m_survey, thickness, stages)();
     } catch(const Run_stopped&) {
       if(m_curves.has_garbage()) guard.collect_garbage();
       return stopped();

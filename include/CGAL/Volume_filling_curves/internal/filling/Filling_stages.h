@@ -13,10 +13,9 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
-#include <CGAL/Volume_filling_curves/internal/state/Replay_log.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -25,6 +24,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -48,8 +49,7 @@ class Filling_stages
   using Parameters = Filling_parameters<typename Flow::Point_3>;
 
 public:
-  // Takes the thickness to start from. If the saver has a state to read, the curve is the one of
-  // that state.
+  // Takes the thickness to start from. If the run resumes, the curve is that of its state.
   Filling_stages(Guard& guard,
                  const Parameters& parameters,
                  const Thickness& thickness,
@@ -59,14 +59,15 @@ public:
                  Filling_record& record)
       : m_parameters(parameters),
         m_watch(watch),
-        m_guard(guard),
-        m_flow(guard, parameters, thickness, saver.reader()),
+        m_flow(guard, parameters, thickness, saver.is_resuming()),
         m_visitor(visitor),
         m_saver(saver),
-        m_record(record)
+        m_record(record),
+        m_kept(saver.keep([this](State_archive& archive) { copy(archive); })),
+        m_resumed_stage(std::exchange(m_stage, 0))
   {
-    if(State_reader* const reader = m_saver.reader())
-      (*reader)(m_resumed_stage, m_decisions);
+    if(m_resumed_stage > 0)
+      m_flow.go_on(parameters, thickness);
     else
       m_visitor.on_start(m_flow);
   }
@@ -79,11 +80,28 @@ public:
   // whether there is time for another step, or for what takes as long
   bool is_time_left() const { return m_watch.leaves(m_seconds_of_step); }
 
-  // Returns what is decided between stages, by this run or the one that it goes on with.
+  // Returns a number that is decided between stages, by this run or the one that it goes on with.
   template <typename Decide>
-  auto decide(const Decide& decide)
+  double decide(const Decide& decide)
   {
-    return m_decisions(decide);
+    if(m_next_number == m_numbers.size()) m_numbers.push_back(static_cast<double>(decide()));
+    return m_numbers[m_next_number++];
+  }
+
+  // likewise some points
+  template <typename Decide>
+  std::vector<Vector> decide_points(const Decide& decide_points)
+  {
+    const double count = decide([&] {
+      const std::vector<Vector> points = decide_points();
+      m_points.insert(m_points.end(), points.begin(), points.end());
+      return points.size();
+    });
+    State_archive::require(count >= 0 &&
+                           count <= static_cast<double>(m_points.size() - m_next_point));
+    const auto begin = m_points.begin() + static_cast<std::ptrdiff_t>(m_next_point);
+    m_next_point += static_cast<std::size_t>(count);
+    return {begin, m_points.begin() + static_cast<std::ptrdiff_t>(m_next_point)};
   }
 
   void run(const Filling_stage& stage, const Thickness& thickness)
@@ -92,7 +110,7 @@ public:
     m_flow.set_direction_field(m_parameters.direction_field,
                                stage.direction_weight * m_parameters.direction_weight);
     if(m_stage == m_resumed_stage)
-      resume(thickness);
+      resume(stage, thickness);
     else
       start(stage, thickness);
     while(!(m_end = end_between_steps()) &&
@@ -122,32 +140,42 @@ private:
     return (std::min)(all, static_cast<double>(m_parameters.number_of_iterations));
   }
 
-  // Goes on in the middle of a stage.
-  void resume(const Thickness& thickness)
-  {
-    m_flow.resume(*m_saver.reader(), thickness);
-    (*m_saver.reader())(m_lengths, m_displacement, m_idle_steps);
-    m_visitor.on_start(m_flow);
-  }
-
-  void write_state(State_writer& writer) const
-  {
-    writer(m_flow.curve(), m_guard, m_stage, m_decisions);
-    writer(m_flow, m_lengths, m_displacement, m_idle_steps);
-  }
-
-  void start(const Filling_stage& stage, const Thickness& thickness)
+  Curve_flow_parameters parameters_of(const Filling_stage& stage) const
   {
     Curve_flow_parameters p = m_parameters;
     p.screening *= stage.screening;
     p.number_of_directions = (std::min)(p.number_of_directions, stage.directions);
     p.spacing = (std::max)(p.spacing, stage.spacing);
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
+    p.max_displacement = (std::min)(p.max_displacement, stage.max_displacement);
+    return p;
+  }
+
+  void start(const Filling_stage& stage, const Thickness& thickness)
+  {
+    const Curve_flow_parameters p = parameters_of(stage);
     m_flow.keep_apart(stage.separation);
-    p.max_displacement = m_displacement = (std::min)(p.max_displacement, stage.max_displacement);
+    m_displacement = p.max_displacement;
     m_flow.set_parameters(p, thickness);
     m_lengths = {};
     m_lengths.add(m_flow.length());
+  }
+
+  // Goes on in the middle of a stage.
+  void resume(const Filling_stage& stage, const Thickness& thickness)
+  {
+    Curve_flow_parameters p = parameters_of(stage);
+    m_flow.keep_apart(stage.separation);
+    p.max_displacement = m_displacement;
+    m_flow.go_on(p, thickness);
+    m_visitor.on_start(m_flow);
+  }
+
+  void copy(State_archive& archive)
+  {
+    archive(m_stage, m_numbers, m_points, m_lengths.lengths(), m_displacement, m_idle_steps,
+            m_flow.history());
+    archive.require(m_stage > 0 && is_positive(m_displacement));
   }
 
   bool step()
@@ -161,8 +189,7 @@ private:
   std::optional<Filling_status> end_between_steps()
   {
     const std::optional<Filling_status> end = end_before_step();
-    if(end != Filling_status::STALLED)
-      m_saver.offer(end.has_value(), [this](State_writer& writer) { write_state(writer); });
+    if(end != Filling_status::STALLED) m_saver.offer(end.has_value());
     return end;
   }
 
@@ -178,13 +205,14 @@ private:
 
   const Parameters& m_parameters;
   Run_watch& m_watch;
-  Guard& m_guard;
   Flow m_flow;
   Visitor& m_visitor;
   Run_saver& m_saver;
   Filling_record& m_record;
-  Replay_log m_decisions;
-  std::size_t m_stage = 0, m_resumed_stage = 0; // from 1; 0 if the run has started anew
+  std::vector<double> m_numbers; // that were decided so far
+  std::vector<Vector> m_points;
+  std::size_t m_next_number = 0, m_next_point = 0;
+  std::size_t m_stage = 0; // from 1
   std::optional<Filling_status> m_end;
   double m_seconds_of_step = 0; // the last one took
 
@@ -192,6 +220,9 @@ private:
   Length_window m_lengths;
   double m_displacement = 0; // the largest, in units of the thickness
   Idle_steps m_idle_steps;
+
+  const Run_saver::Kept m_kept;
+  const std::size_t m_resumed_stage; // 0 if the run has started anew
 };
 
 } // namespace internal

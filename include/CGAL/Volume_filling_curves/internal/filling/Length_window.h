@@ -32,12 +32,8 @@ public:
     return *most - *least < fraction * *most;
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_lengths);
-  }
+  // everything that it consists of
+  std::vector<double>& lengths() { return m_lengths; }
 
 private:
   std::vector<double> m_lengths;

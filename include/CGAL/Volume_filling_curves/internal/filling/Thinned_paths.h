@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,12 +26,9 @@ namespace internal {
 class Thinned_paths
 {
 public:
-  Thinned_paths() = default;
-
   // Takes the distance between neighboring points.
-  explicit Thinned_paths(double cell) : m_cell(cell) {}
-
-  void add(const Vector& p) { m_points.push_back(p); }
+  Thinned_paths(double cell, std::vector<Vector> points) : m_cell(cell), m_points(std::move(points))
+  {}
 
   bool are_empty() const { return m_points.empty(); }
 
@@ -45,17 +43,10 @@ public:
     return d < 1 ? least : (std::min)(1., least + (1 - least) * (d - 1));
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_cell, m_points);
-  }
-
 private:
   static constexpr double ramp = 4; // in cells, to either side of a path
 
-  double m_cell = 0;
+  double m_cell;
   std::vector<Vector> m_points;
 };
 

@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
@@ -40,6 +39,8 @@ class Unfilled_space
   using Domain = std::decay_t<decltype(std::declval<const Samples&>().domain())>;
 
 public:
+  static constexpr double cell_of_paths = 0.5; // in units of the thickness
+
   using Distances = Boundary_distances<Domain>;
 
   // Takes the distances of the samples to the boundary, and whether the curve is to keep clear of
@@ -115,14 +116,15 @@ public:
     return places;
   }
 
-  // returns ways from places to the curve. Once the run is to stop no further ones are looked for.
-  Thinned_paths ways_to(const std::vector<Point_3>& places,
-                        const Network& curve,
-                        double thickness,
-                        Run_watch& watch) const
+  // returns points of ways from places to the curve. Once the run is to stop no further ones are
+  // looked for.
+  std::vector<Vector> ways_to(const std::vector<Point_3>& places,
+                              const Network& curve,
+                              double thickness,
+                              Run_watch& watch) const
   {
-    Thinned_paths paths(cell_of_paths * thickness);
-    if(places.empty()) return paths;
+    std::vector<Vector> points;
+    if(places.empty()) return points;
     const Distance_to_curve tree(curve);
     Path_search ways(m_samples.domain(), m_samples.traits(), most_cells);
     for(const Point_3& place : places)
@@ -130,17 +132,18 @@ public:
         const auto is_near = [&](const Vector& p) {
           return tree.distance(p) < 2 * cell_of_paths * thickness || watch.must_stop();
         };
-        if(watch.must_stop()) return paths;
+        if(watch.must_stop()) return points;
         if(!ways.flood(to_vector(place), cell * thickness, is_near)) continue;
-        for(const Vector& p : ways.cells()) paths.add(p);
+        const std::vector<Vector> way = ways.cells();
+        points.insert(points.end(), way.begin(), way.end());
         break;
       }
-    return paths;
+    return points;
   }
 
 private:
-  static constexpr double far_away = 3; // from the curve, in units of the thickness
-  static constexpr double cell_of_paths = 0.5, least_cell = 0.125; // in units of the thickness
+  static constexpr double far_away = 3;       // from the curve, in units of the thickness
+  static constexpr double least_cell = 0.125; // in units of the thickness
   static constexpr std::size_t most_cells = 1000000;
 
   // The distances of samples to the curve, 0 where it is to keep clear of the boundary. Driven

@@ -92,12 +92,7 @@ public:
            outcome.has_moved();
   }
 
-  // Writes or reads everything but for the guard, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_size, m_separation);
-  }
+  auto history() { return m_size.history(); }
 
 private:
   // Strands that hold one another go apart by more than an edge is long: at smaller distances the

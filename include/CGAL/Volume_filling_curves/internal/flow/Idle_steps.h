@@ -23,13 +23,6 @@ public:
   // returns whether the flow is stuck
   bool are_too_many() const { return m_count >= most; }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_count);
-  }
-
 private:
   static constexpr int most = 5;
 

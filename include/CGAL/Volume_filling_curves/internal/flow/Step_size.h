@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,17 +70,8 @@ public:
     m_last_direction = std::move(direction);
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    std::vector<double> direction(m_last_direction.data(),
-                                  m_last_direction.data() + m_last_direction.size());
-    archive(m_largest, m_time_step, m_turns, direction);
-    if constexpr(Archive::is_reading)
-      m_last_direction = Eigen::Map<const Vector_field>(
-          direction.data(), static_cast<Eigen::Index>(direction.size() / 3), 3);
-  }
+  // the numbers that the next time step depends on
+  auto history() { return std::tie(m_time_step, m_turns, m_last_direction); }
 
 private:
   static constexpr double tolerated_fraction = 0.5;

@@ -49,13 +49,6 @@ public:
     return {radius * x, radius * y, z};
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_state);
-  }
-
 private:
   std::uint64_t m_state;
 };

@@ -107,13 +107,6 @@ public:
   }
   friend bool operator!=(const Vector& a, const Vector& b) { return !(a == b); }
 
-  // Writes or reads the coordinates, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_coordinates[0], m_coordinates[1], m_coordinates[2]);
-  }
-
 private:
   double m_coordinates[3] = {0, 0, 0};
 };

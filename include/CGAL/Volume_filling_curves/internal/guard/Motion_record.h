@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -98,6 +99,15 @@ public:
     m_numbers = std::move(numbers);
   }
 
+  // the numbers of the nodes in the record
+  const std::vector<std::uint64_t>& numbers() const { return m_numbers; }
+
+  // everything that it consists of
+  auto contents()
+  {
+    return std::tuple_cat(m_writer.contents(), std::tie(m_numbers, m_next_number));
+  }
+
   // Returns the certificate of the motion to the curve as it stands.
   std::string certificate() const
   {
@@ -106,15 +116,6 @@ public:
     writer.write_end(end.points().size(), end.edges().size(), end.digest());
     writer.write_record_hash(sha256(writer.bytes()));
     return writer.bytes();
-  }
-
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_writer, m_numbers, m_next_number);
-    if constexpr(Archive::is_reading)
-      archive.require(m_numbers.size() == m_curve.number_of_nodes());
   }
 
 private:

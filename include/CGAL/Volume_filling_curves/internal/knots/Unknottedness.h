@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -50,12 +51,8 @@ public:
     result.link = m_link;
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_proofs, m_link);
-  }
+  // everything that is known
+  auto contents() { return std::tie(m_proofs, m_link); }
 
 private:
   bool are_unknots() const

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -112,14 +113,8 @@ public:
     return test();
   }
 
-  // Writes or reads everything but the rays themselves, which are in the curve, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_ends, m_ball.center, m_ball.radius, m_inner_radius, m_length);
-    if constexpr(Archive::is_reading)
-      for(const std::size_t v : m_ends) archive.require(v < m_curve.number_of_nodes());
-  }
+  // what the rays were added with
+  auto sphere() { return std::tie(m_ball, m_inner_radius, m_length); }
 
 private:
   static constexpr double radius_over_size = 1.25, margin_over_thickness = 5;

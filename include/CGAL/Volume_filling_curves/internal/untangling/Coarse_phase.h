@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <array>
 #include <cstddef>
-#include <deque>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -24,27 +24,22 @@ class Coarse_phase
 {
 public:
   // A curve that is nearly tight is to stay as fine as it is.
-  void begin(double gradient_norm) { m_is_on = gradient_norm > gradient_of_nearly_tight; }
+  void begin(double gradient_norm)
+  {
+    m_edges = gradient_norm > gradient_of_nearly_tight ? Edges::LONG : Edges::SHORT;
+  }
 
-  void end() { set(false); }
+  void end() { set(Edges::SHORT); }
 
-  bool is_on() const { return m_is_on; }
+  bool is_on() const { return m_edges == Edges::LONG; }
 
   // Takes the length after a step, and decides what the next one is to be like.
   void note(double length)
   {
-    m_lengths.push_back(length);
-    if(m_lengths.size() <= window) return;
-    const double fall = 1 - m_lengths.back() / m_lengths.front();
-    m_lengths.pop_front();
-    if(m_is_on ? fall < slow : fall > fast) set(!m_is_on);
-  }
-
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_lengths, m_is_on);
+    m_lengths[m_count++ % m_lengths.size()] = length;
+    if(m_count < m_lengths.size()) return;
+    const double fall = 1 - length / m_lengths[m_count % m_lengths.size()];
+    if(is_on() ? fall < slow : fall > fast) set(is_on() ? Edges::SHORT : Edges::LONG);
   }
 
 private:
@@ -54,14 +49,21 @@ private:
   // by themselves: 3 % for both take 10 % more node-iterations on the paper's unknots (2026-11-23).
   static constexpr double slow = 0.02, fast = 0.05;
 
-  void set(bool is_on)
+  enum class Edges
   {
-    m_is_on = is_on;
-    m_lengths.clear();
+    SHORT,
+    LONG
+  };
+
+  void set(Edges edges)
+  {
+    m_edges = edges;
+    m_count = 0;
   }
 
-  std::deque<double> m_lengths; // of the last steps
-  bool m_is_on = false;
+  std::array<double, window + 1> m_lengths = {}; // after the last steps, in turn
+  std::size_t m_count = 0;                       // of the steps
+  Edges m_edges = Edges::SHORT;
 };
 
 } // namespace internal

@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <tuple>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -120,7 +122,7 @@ public:
   // The polygon that a search has found is no input.
   bool is_unknot_from_start() const
   {
-    return m_iterations_to_proof == std::size_t(0) && !m_start.follows_search;
+    return m_iterations_to_proof == 0 && !m_start.follows_search;
   }
 
   double settled_length() const
@@ -134,16 +136,17 @@ public:
   bool is_proved() const { return m_unknottedness.is_proved(); }
   void write_proofs(Untangling_result& result) { m_unknottedness.write(m_flow.curve(), result); }
 
-  // Writes or reads everything that the status depends on, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
+  // what the status depends on besides the flow
+  auto history()
   {
-    archive(m_unknottedness, m_stall_monitor, m_has_stalled, m_iterations_to_proof,
-            m_suspected_unknot);
+    return std::tuple_cat(
+        m_unknottedness.contents(),
+        std::tie(m_stall_monitor, m_has_stalled, m_iterations_to_proof, m_suspected_unknot));
   }
 
 private:
   static constexpr std::size_t most_iterations_to_settle = 50;
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
   // in this flow, and in those before
   std::size_t iterations() const
@@ -196,9 +199,9 @@ private:
   bool is_settled()
   {
     const std::size_t iterations = m_flow.statistics().iterations;
-    if(!m_iterations_to_proof) m_iterations_to_proof = iterations;
+    if(m_iterations_to_proof == never) m_iterations_to_proof = iterations;
     return is_unknot_from_start() || m_flow.length() <= settled_length() ||
-           iterations - *m_iterations_to_proof >= most_iterations_to_settle;
+           iterations - m_iterations_to_proof >= most_iterations_to_settle;
   }
 
   const Untangling_context<Guard, Visitor>& m_run;
@@ -207,7 +210,7 @@ private:
   Unknottedness<Network> m_unknottedness;
   Stall_monitor m_stall_monitor;
   Suspected_unknot m_suspected_unknot;
-  std::optional<std::size_t> m_iterations_to_proof;
+  std::size_t m_iterations_to_proof = never;
   bool m_has_stalled = false, m_is_too_thin = false;
 };
 

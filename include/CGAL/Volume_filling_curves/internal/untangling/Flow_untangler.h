@@ -11,8 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_finish.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_stop_rules.h>
@@ -41,20 +40,15 @@ public:
         m_flow(run.guard,
                run.parameters,
                typename Flow::Thickness(start.thickness),
-               run.saver.reader()),
+               run.saver.is_resuming()),
         m_start(start)
-  {
-    State_reader* const reader = run.saver.reader();
-    if(!reader) {
-      begin_coarsely();
-      return;
-    }
-    m_flow.resume(*reader);
-    (*reader)(*this);
-  }
+  {}
 
   Untangling_result operator()()
   {
+    const bool is_resuming = m_run.saver.is_resuming();
+    const auto kept = m_run.saver.keep([this](State_archive& archive) { copy(archive); });
+    if(!is_resuming) begin_coarsely();
     m_run.visitor.on_start(m_flow);
     Untangling_status status = flow();
     try {
@@ -62,13 +56,6 @@ public:
     } catch(const Run_stopped&) { // as far as that has come
     }
     return result(status);
-  }
-
-  // Writes or reads what the run depends on between two steps, see State_writer, but for the flow.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_rules, m_number_of_turns, m_are_rays_turning, m_coarse_phase);
   }
 
 private:
@@ -100,8 +87,7 @@ private:
   std::optional<Untangling_status> status_between_steps()
   {
     const std::optional<Untangling_status> status = m_rules.status(is_smooth());
-    if(!status || is_cut_short(*status))
-      m_run.saver.offer(status.has_value(), [this](State_writer& writer) { write_state(writer); });
+    if(!status || is_cut_short(*status)) m_run.saver.offer(status.has_value());
     return status;
   }
 
@@ -110,10 +96,14 @@ private:
     return status == Untangling_status::LIMIT || status == Untangling_status::INTERRUPTED;
   }
 
-  void write_state(State_writer& writer) const
+  void copy(State_archive& archive)
   {
-    m_run.write_state(writer);
-    writer(m_flow, *this);
+    double thickness = m_flow.thickness();
+    archive(thickness, m_flow.history(), m_rules.history(), m_coarse_phase, m_number_of_turns,
+            m_are_rays_turning);
+    if(!archive.is_reading()) return;
+    archive.require(is_positive(thickness));
+    m_flow.go_on(parameters(m_coarse_phase.is_on()), typename Flow::Thickness(thickness));
   }
 
   // Whether the curve is smooth on the scale of the thickness. While rays turn, it flows on.
@@ -156,11 +146,18 @@ private:
     return m_run.parameters.spacing < coarse_spacing && !m_rules.is_proved();
   }
 
+  Curve_flow_parameters parameters(bool is_coarse) const
+  {
+    Curve_flow_parameters parameters = m_run.parameters;
+    parameters.max_displacement *= is_coarse ? coarse_step : 1;
+    if(is_coarse) parameters.spacing = coarse_spacing;
+    return parameters;
+  }
+
   void flow_coarsely(bool is_coarse)
   {
-    const Untangling_parameters& asked = m_run.parameters;
-    m_flow.set_max_displacement((is_coarse ? coarse_step : 1) * asked.max_displacement);
-    m_flow.set_spacing(is_coarse ? coarse_spacing : asked.spacing);
+    m_flow.set_max_displacement(parameters(is_coarse).max_displacement);
+    m_flow.set_spacing(parameters(is_coarse).spacing);
   }
 
   void finish(Untangling_status& status)
@@ -175,11 +172,9 @@ private:
   // The descent has no state of its own: a run that is cut short resumes where it began.
   Untangling_status lower_ropelength(Untangling_status status_of_flow)
   {
-    State_writer start;
-    if(m_run.saver.is_saving()) write_state(start);
+    const Run_state start = m_run.saver.state_if_saving();
     const Untangling_status status = m_finish.lower_ropelength(status_of_flow);
-    if(is_cut_short(status))
-      m_run.saver.offer(true, [&](State_writer& writer) { writer.append(start.bytes()); });
+    if(is_cut_short(status)) m_run.saver.offer_last(start);
     try {
       m_flow.update();
     } catch(const Run_stopped&) { // the gradient is that of the motion before

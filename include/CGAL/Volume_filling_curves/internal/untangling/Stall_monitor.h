@@ -12,8 +12,9 @@
 #include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <deque>
+#include <limits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -28,48 +29,36 @@ public:
   bool operator()(double length, double gradient_norm, bool did_move)
   {
     m_idle_steps.note(did_move);
-    m_window.push_back({length, gradient_norm});
-    if(m_window.size() > window_size + 1) m_window.pop_front();
+    m_window[m_count++ % m_window.size()] = {length, gradient_norm};
     return m_idle_steps.are_too_many() || is_flat();
   }
 
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_window, m_idle_steps);
-  }
-
 private:
-  static constexpr std::size_t window_size = 100;
+  static constexpr std::size_t window = 100;
   static constexpr double least_change_of_length = 1e-3;
   static constexpr double least_fall_of_gradient = 1e-2;
 
   struct Sample
   {
     double length, gradient_norm;
-
-    template <typename Archive>
-    void serialize(Archive& archive)
-    {
-      archive(length, gradient_norm);
-    }
   };
 
   bool is_flat() const
   {
-    if(m_window.size() <= window_size) return false;
-    double least = m_window.front().length, most = least, gradient = m_window.back().gradient_norm;
+    if(m_count < m_window.size()) return false;
+    const Sample& oldest = m_window[m_count % m_window.size()];
+    double least = oldest.length, most = least, gradient = std::numeric_limits<double>::infinity();
     for(const Sample& sample : m_window) {
       least = (std::min)(least, sample.length);
       most = (std::max)(most, sample.length);
-      if(&sample != &m_window.front()) gradient = (std::min)(gradient, sample.gradient_norm);
+      if(&sample != &oldest) gradient = (std::min)(gradient, sample.gradient_norm);
     }
     return most - least < least_change_of_length * most &&
-           gradient > (1 - least_fall_of_gradient) * m_window.front().gradient_norm;
+           gradient > (1 - least_fall_of_gradient) * oldest.gradient_norm;
   }
 
-  std::deque<Sample> m_window;
+  std::array<Sample, window + 1> m_window = {}; // after the last steps, in turn
+  std::size_t m_count = 0;                      // of the steps
   Idle_steps m_idle_steps;
 };
 

@@ -15,9 +15,6 @@
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_search.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_reader.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
-#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
@@ -53,15 +50,16 @@ public:
     // no flow follows that could jam, and be followed by a search with more patience
     if(run.parameters.strategy == Untangling_strategy::SEARCH)
       m_search_parameters.patience_factor = patience_growth;
-    if(State_reader* const reader = run.saver.reader()) (*reader)(*this);
   }
 
   Untangling_result operator()()
   {
+    const auto kept = m_run.saver.keep([this](State_archive& archive) { copy(archive); });
     // with rays the search might take the curve out of their sphere
     if(m_run.parameters.strategy == Untangling_strategy::FLOW || m_run.rays.are_needed())
       return fitting_flow();
-    Untangling_status status = m_is_flowing ? Untangling_status::CONVERGED : prepare_flow();
+    const bool is_flowing = m_run.saver.is_resuming();
+    Untangling_status status = is_flowing ? Untangling_status::CONVERGED : prepare_flow();
     while(m_run.parameters.strategy == Untangling_strategy::AUTO &&
           status == Untangling_status::CONVERGED) {
       const Untangling_result last = fitting_flow();
@@ -71,14 +69,6 @@ public:
       status = prepare_flow();
     }
     return completed(result_without_flow(m_curve, status));
-  }
-
-  // Writes or reads what the run depends on between searches and flows, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_thickness, m_search_parameters.patience_factor, m_seeds, m_statistics, m_searches,
-            m_sweeps, m_seconds_of_searches, m_follows_search, m_is_flowing);
   }
 
 private:
@@ -102,14 +92,10 @@ private:
   // Has no state of its own: a run that is cut short resumes where the search began.
   Untangling_status search()
   {
-    State_writer start;
-    if(m_run.saver.is_saving()) {
-      m_run.write_state(start);
-      start(*this);
-    }
+    const Run_state start = m_run.saver.state_if_saving();
     const Untangling_status status = search_and_adopt();
     if(status == Untangling_status::LIMIT || status == Untangling_status::INTERRUPTED)
-      m_run.saver.offer(true, [&](State_writer& writer) { writer.append(start.bytes()); });
+      m_run.saver.offer_last(start);
     return status;
   }
 
@@ -275,19 +261,17 @@ private:
     if(m_searches > 0 && m_searches < max_searches) start.patience = 0; // a search gets on faster
     start.is_last = m_searches == 0 || !can_search_again();
     start.can_be_thicker = can_be_thicker();
-    note_flow(true);
     const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
-    note_flow(false);
     m_statistics += result.statistics;
     return completed(result);
   }
 
-  void note_flow(bool is_flowing)
+  // what a run depends on between searches and flows
+  void copy(State_archive& archive)
   {
-    m_is_flowing = is_flowing;
-    State_writer writer;
-    if(is_flowing) writer(*this);
-    m_run.state_of_strategy = writer.bytes();
+    archive(m_thickness, m_search_parameters.patience_factor, m_seeds, m_statistics, m_searches,
+            m_sweeps, m_seconds_of_searches, m_follows_search);
+    archive.require(m_thickness == 0 || is_positive(m_thickness));
   }
 
   Untangling_result completed(Untangling_result result) const
@@ -307,7 +291,6 @@ private:
   std::size_t m_searches = 0, m_sweeps = 0;
   double m_seconds_of_searches = 0;
   bool m_follows_search = false; // the curve
-  bool m_is_flowing = false;
 };
 
 // The whole space as the place of an Untangling_run: all strategies, and rays at pinned ends.
@@ -319,11 +302,6 @@ struct Whole_space
   using Flow = Curve_flow_3<Traits, Unbounded_domain_3<Traits>, ConcurrencyTag>;
 
   void check(const Network&, const Untangling_parameters&) const {}
-
-  Run_facts facts(const Network& curves, const Untangling_parameters& parameters) const
-  {
-    return run_fingerprint("untangle", parameters, {{"curve", state_hash(curves)}});
-  }
 
   Guard guard(Network& curves) const { return Guard(curves); }
 

@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
 
 #include <cstddef>
-#include <optional>
+#include <limits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -32,7 +32,7 @@ public:
   bool is_suspicious(const Flow& flow)
   {
     if(!looks_like_unknot(flow.curve())) return false;
-    if(!m_lingering) m_lingering = {flow.statistics().iterations, flow.length()};
+    if(m_iteration == never) set_place(flow);
     return true;
   }
 
@@ -42,30 +42,27 @@ public:
   {
     constexpr double noticeable = 0.99; // a fall of the length
     const std::size_t iterations = flow.statistics().iterations;
-    if(!m_lingering || iterations == 0) return false;
-    if(flow.length() < noticeable * m_lingering->length) m_lingering = {iterations, flow.length()};
-    return iterations - m_lingering->iteration >= patience;
-  }
-
-  // Writes or reads everything, see State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(m_looks_unknotted, m_lingering);
+    if(m_iteration == never || iterations == 0) return false;
+    if(flow.length() < noticeable * m_length) set_place(flow);
+    return iterations - m_iteration >= patience;
   }
 
 private:
-  struct Place // on the way
-  {
-    std::size_t iteration;
-    double length;
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
-    template <typename Archive>
-    void serialize(Archive& archive)
-    {
-      archive(iteration, length);
-    }
+  enum class Answer
+  {
+    UNKNOWN,
+    NO,
+    YES
   };
+
+  template <typename Flow>
+  void set_place(const Flow& flow)
+  {
+    m_iteration = flow.statistics().iterations;
+    m_length = flow.length();
+  }
 
   // what stays when a curve moves
   template <typename Network>
@@ -73,12 +70,13 @@ private:
   {
     if(curve.number_of_components() != 1 || !curve.is_closed(0) || has_pinned_node(curve))
       return false;
-    if(!m_looks_unknotted) m_looks_unknotted = looks_unknotted(curve);
-    return *m_looks_unknotted;
+    if(m_answer == Answer::UNKNOWN) m_answer = looks_unknotted(curve) ? Answer::YES : Answer::NO;
+    return m_answer == Answer::YES;
   }
 
-  std::optional<bool> m_looks_unknotted;
-  std::optional<Place> m_lingering;
+  Answer m_answer = Answer::UNKNOWN; // whether the curve looks like an unknot
+  std::size_t m_iteration = never;   // when the curve began to linger
+  double m_length = 0;               // of the curve then
 };
 
 } // namespace internal

@@ -11,13 +11,10 @@
 
 #include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
-#include <CGAL/Volume_filling_curves/internal/state/State_writer.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
-
-#include <string>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -33,19 +30,11 @@ struct Untangling_context
   Run_watch& watch; // of the guard as well
   Visitor& visitor;
   Run_saver& saver;
-  std::string state_of_strategy = {}; // while a flow runs
 
   // How a run ended that the watch has stopped.
   Untangling_status status_when_stopped() const
   {
     return watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
-  }
-
-  // Writes what every state of the run begins with.
-  void write_state(State_writer& writer) const
-  {
-    writer(guard.curve(), guard, rays);
-    writer.append(state_of_strategy);
   }
 };
 

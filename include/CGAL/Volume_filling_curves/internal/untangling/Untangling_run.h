@@ -17,7 +17,6 @@
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
-#include <CGAL/Volume_filling_curves/internal/state/read_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
@@ -97,13 +96,13 @@ private:
 
   Untangling_result untangle(double length) // of the input
   {
-    Run_saver saver(m_parameters, [this] { return m_place.facts(m_curves, m_parameters); });
-    if(State_reader* const reader = saver.reader())
-      read_curve(*reader, m_curves, [this] { m_place.check(m_curves, m_parameters); });
+    Run_saver saver(m_parameters, [this] { return fingerprint(); });
+    const auto kept_curve = saver.keep_curve(
+        m_curves, [this](const Network& curves) { m_place.check(curves, m_parameters); });
     Guard guard = m_place.guard(m_curves);
     guard.set_watch(&m_watch);
     if(m_parameters.certificate) guard.start_recording();
-    if(State_reader* const reader = saver.reader()) (*reader)(guard);
+    const auto kept_guard = saver.keep_guard(guard);
     Untangling_result result = untangle_with_rays(guard, saver);
     guard.set_watch(nullptr); // what is left is done as a whole
     if(m_parameters.keep_length) rescale(guard, length, result);
@@ -117,14 +116,27 @@ private:
   {
     Untangling_parameters parameters = m_parameters; // rays need the thickness first
     Closing_rays<Guard> rays(guard);
-    if(State_reader* const reader = saver.reader())
-      (*reader)(rays);
-    else
-      m_place.add_rays(rays, parameters);
+    if(!saver.is_resuming()) m_place.add_rays(rays, parameters);
+    const auto kept = saver.keep([&](State_archive& archive) {
+      archive(rays.sphere(), parameters.thickness);
+      archive.require(parameters.thickness == 0 || is_positive(parameters.thickness));
+    });
     const Untangling_context context{guard, rays, parameters, m_watch, m_visitor, saver};
     Untangling_result result = m_place.untangle(context);
     result.is_closure_kept = rays.can_turn_outwards();
     return result;
+  }
+
+  std::string fingerprint() const
+  {
+    State_archive curve;
+    copy_curve(curve, m_curves);
+    const std::string line = hash_line("curve", curve);
+    if constexpr(Guard::Boundary::is_bounded)
+      return run_fingerprint("untangle in a domain", m_parameters) + line +
+             domain_line(m_place.domain, m_curves.traits());
+    else
+      return run_fingerprint("untangle", m_parameters) + line;
   }
 
   static void rescale(Guard& guard, double length, Untangling_result& result)

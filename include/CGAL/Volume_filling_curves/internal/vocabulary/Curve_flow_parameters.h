@@ -139,16 +139,6 @@ struct Curve_flow_parameters
   /// The time step tau of the paper, dimensionless, instead of the adaptive step, which is taken if
   /// this is 0 (default).
   double time_step = 0;
-
-  /// \cond SKIP_IN_MANUAL
-  // Writes or reads everything, see internal::State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(thickness, number_of_directions, max_radius, spacing, screening, medial_weight,
-            coupling, preconditioner, wall, max_displacement, time_step);
-  }
-  /// \endcond
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -180,16 +170,6 @@ struct Curve_flow_statistics
     seconds_remeshing += other.seconds_remeshing;
     return *this;
   }
-
-  /// \cond SKIP_IN_MANUAL
-  // Writes or reads everything, see internal::State_writer.
-  template <typename Archive>
-  void serialize(Archive& archive)
-  {
-    archive(iterations, certified_changes, refused_changes, shortened_steps, refused_remeshing,
-            seconds_medial_spheres, seconds_direction, seconds_motion, seconds_remeshing);
-  }
-  /// \endcond
 };
 
 } // namespace Volume_filling_curves

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 
 class Isotopy_certificate;
-class Run_checkpoint;
+struct Run_checkpoint;
 class Run_state;
 
 /*!

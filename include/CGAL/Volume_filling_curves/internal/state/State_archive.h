@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_STATE_ARCHIVE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_STATE_ARCHIVE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/Run_state.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Copies numbers, plain structs and arrays of them to bytes, or back from them, as they are in
+// memory. Structs have neither pointers nor members of type `bool` or `std::optional`, which not
+// all bytes are values of. (Boost.Serialization is a library to be linked.) Linear time.
+class State_archive
+{
+public:
+  // Writes.
+  State_archive() = default;
+
+  // Reads. The bytes must outlive the archive.
+  explicit State_archive(std::string_view bytes) : m_rest(bytes), m_is_reading(true) {}
+
+  bool is_reading() const { return m_is_reading; }
+  bool is_at_end() const { return m_rest.empty(); }    // of what is read
+  const std::string& bytes() const { return m_bytes; } // that were written
+
+  // Throws Run_state_error if there are not enough bytes, and allocates no more than they fill.
+  template <typename... Parts>
+  void operator()(Parts&&... parts)
+  {
+    (copy(parts), ...);
+  }
+
+  // Throws Run_state_error if numbers that were read do not fit together.
+  static void require(bool condition)
+  {
+    if(!condition) throw Run_state_error("the state contradicts itself");
+  }
+
+private:
+  template <typename Part>
+  auto copy(Part& part) -> std::enable_if_t<std::is_trivially_copyable_v<Part>>
+  {
+    copy_bytes(&part, sizeof part);
+  }
+
+  void copy(bool& part)
+  {
+    auto byte = static_cast<unsigned char>(part);
+    copy(byte);
+    part = byte != 0;
+  }
+
+  template <typename... Parts>
+  void copy(std::tuple<Parts&...>& parts)
+  {
+    std::apply(*this, parts);
+  }
+
+  // a string or a vector
+  template <typename Array>
+  auto copy(Array& items) -> decltype(items.push_back(*items.data()))
+  {
+    copy_items(items, items.size(), [&](std::size_t size) { items.resize(size); });
+  }
+
+  // a matrix with three columns
+  template <typename Matrix>
+  auto copy(Matrix& matrix) -> decltype(matrix.rowwise(), void())
+  {
+    copy_items(matrix, static_cast<std::size_t>(matrix.size()), [&](std::size_t size) {
+      matrix.resize(static_cast<typename Matrix::Index>(size / 3), 3);
+      require(size % 3 == 0);
+    });
+  }
+
+  template <typename Items, typename Resize>
+  void copy_items(Items& items, std::size_t size, const Resize& resize)
+  {
+    constexpr std::size_t size_of_item = sizeof(*items.data());
+    static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(*items.data())>>);
+    copy(size);
+    if(m_is_reading) {
+      require(size <= m_rest.size() / size_of_item);
+      resize(size);
+    }
+    copy_bytes(items.data(), size * size_of_item);
+  }
+
+  void copy_bytes(void* part, std::size_t size)
+  {
+    if(!m_is_reading) {
+      m_bytes.append(static_cast<const char*>(part), size);
+      return;
+    }
+    require(size <= m_rest.size());
+    if(size > 0) std::memcpy(part, m_rest.data(), size);
+    m_rest.remove_prefix(size);
+  }
+
+  std::string m_bytes;
+  std::string_view m_rest; // to be read
+  bool m_is_reading = false;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_STATE_ARCHIVE_H
