@@ -8,15 +8,16 @@
  * \ingroup PkgVolumeFillingCurvesConcepts
  * \cgalConcept
  *
- * The concept `CurveFlowTraits_3` describes the point type of a curve and the predicates with which
- * every change of the curve is certified.
+ * The concept `CurveFlowTraits_3` describes the point type of a curve and the predicates that
+ * certify every change of the curve.
  *
- * The predicates decide exactly, for all points that `Construct_point_3` makes of finite
- * coordinates of type `double`, collinear, coplanar and coincident points included. That is what
- * the certificates rest on: a traits class whose predicates round is no model, even if it compiles.
+ * The predicates must be exact for all points that `Construct_point_3` constructs from finite
+ * coordinates of type `double`, including collinear, coplanar and coincident points. All
+ * certificates rest on this: a traits class whose predicates round is not a model, even if it
+ * compiles.
  *
- * Models are copyable and assignable. Default construction is needed only where no traits object is
- * passed. Functors are copyable, and calling a functor, or copies of it, concurrently is safe.
+ * Models are copyable and assignable. Default construction is required only where no traits object
+ * is passed. Functors are copyable, and a functor and its copies can be called concurrently.
  *
  * Every kernel of \cgal with exact predicates is a model.
  *
@@ -37,22 +38,22 @@ public:
   /*!
    * The point type, a model of `CopyConstructible` and `CopyAssignable`.
    *
-   * It has the member functions `x()`, `y()` and `z()`, whose values `CGAL::to_double()` turns into
-   * `double`. Of a point that `Construct_point_3` has made these are exactly the coordinates that
-   * were given. Neither a default constructor nor comparisons are needed.
+   * It has the member functions `x()`, `y()` and `z()`, whose values `CGAL::to_double()` converts
+   * to `double`. For a point from `Construct_point_3` these are exactly its arguments. Neither a
+   * default constructor nor comparisons are required.
    */
   typedef unspecified_type Point_3;
 
   /*!
-   * A type of vectors that can be constructed from three coordinates of type `double`, which its
-   * member functions `x()`, `y()` and `z()` return, up to `CGAL::to_double()`. Domains are asked
-   * for distances along such vectors.
+   * A type of vectors, constructible from three coordinates of type `double`, with the member
+   * functions `x()`, `y()` and `z()`, whose values `CGAL::to_double()` converts back. Domains
+   * return distances along such vectors.
    */
   typedef unspecified_type Vector_3;
 
   /*!
    * A functor with <tt>%Point_3 operator()(double x, double y, double z) const</tt>, which returns
-   * the point with these very coordinates.
+   * the point with exactly these coordinates.
    */
   typedef unspecified_type Construct_point_3;
 
@@ -68,8 +69,8 @@ public:
    *
    * Returns `CGAL::COLLINEAR` if and only if the three points lie on a line, and otherwise
    * `CGAL::POSITIVE` or `CGAL::NEGATIVE`, consistently for all triples of points in one plane: two
-   * triples that lie in a common plane get the same sign if and only if they turn in the same
-   * direction there. Which of the two directions is positive may be chosen for each plane.
+   * triples in a common plane get the same sign if and only if they turn in the same direction. The
+   * positive direction may be chosen for each plane.
    */
   typedef unspecified_type Coplanar_orientation_3;
 

@@ -9,9 +9,9 @@
  * \cgalConcept
  *
  * The concept `ScalableVolumeFillingDomain_3` describes a domain that
- * `CGAL::Volume_filling_curves::fill()` can multiply by a power of two: it works in a unit of
- * length in which nothing overflows. Domains with coordinates beyond 1e38, or all below 1e-38, must
- * be models of this concept.
+ * `CGAL::Volume_filling_curves::fill()` can scale by a power of two, to a unit of length in which
+ * nothing overflows. Domains with a coordinate beyond 1e38, or with all coordinates below 1e-38,
+ * must be models of this concept.
  *
  * \cgalRefines{VolumeFillingDomain_3}
  *

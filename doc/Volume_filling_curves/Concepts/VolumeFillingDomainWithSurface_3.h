@@ -8,12 +8,12 @@
  * \ingroup PkgVolumeFillingCurvesConcepts
  * \cgalConcept
  *
- * The concept `VolumeFillingDomainWithSurface_3` describes a domain whose boundary is a surface
- * that can be searched, such as a mesh: `distance()` returns distances instead of lower bounds, and
- * questions that any domain is asked one by one are answered together. That changes how long
- * `CGAL::Volume_filling_curves::fill()` takes, and finds connected parts exactly.
+ * The concept `VolumeFillingDomainWithSurface_3` describes a domain whose boundary is a searchable
+ * surface, such as a mesh: `distance()` returns exact distances instead of lower bounds, queries
+ * are answered in batches, and connected parts are known exactly. This makes
+ * `CGAL::Volume_filling_curves::fill()` faster.
  *
- * The members are used if all of them are there. Calling them concurrently is safe.
+ * The members are used only if all of them exist. They can be called concurrently.
  *
  * \cgalRefines{ScalableVolumeFillingDomain_3}
  *
@@ -27,21 +27,20 @@ public:
   /// \name Distances
   /// @{
 
-  /// returns the distance of `p` to the boundary, or `limit` if that is less, at which the search
-  /// may end.
+  /// returns the distance from `p` to the boundary, at most `limit`; the search may stop there.
   ///
   /// \pre `is_inside(p)`
   double distance_up_to(const Point_3& p, double limit) const;
 
   /*!
-   * shortens rays from a point inside, in directions of a plane, to where they first meet the
-   * boundary: `distance_along()` for each of them.
+   * shortens rays from a point inside, whose directions lie in a plane, to their first
+   * intersections with the boundary, as `distance_along()` does for each of them.
    *
-   * \tparam Rays the class of the rays, with the members `source`, the point, and `normal`, a unit
-   * vector orthogonal to the plane, each with member functions `x()`, `y()` and `z()` that return a
-   * `double`; and with the members `x`, `y` and `z`, the coordinates of the unit vectors along the
-   * rays, and `lengths`, their lengths, all of type `std::vector<double>` with an entry per ray. A
-   * ray of length 0 does not matter.
+   * \tparam Rays the class of the rays. Its members `source`, the point, and `normal`, a unit
+   * vector orthogonal to the plane, have member functions `x()`, `y()` and `z()` that return a
+   * `double`. Its members `x`, `y` and `z`, the coordinates of the unit vectors along the rays, and
+   * `lengths`, the lengths of the rays, are of type `std::vector<double>` with an entry per ray.
+   * Rays of length 0 are ignored.
    *
    * \param rays the rays, whose `lengths` are changed
    */
@@ -53,14 +52,14 @@ public:
   /// \name Connected Parts
   /// @{
 
-  /// returns the number of the connected part of the inside that `p` lies in. Points of different
-  /// parts have different numbers; not every number is that of a part.
+  /// returns the number of the connected part of the inside that contains `p`. Points of different
+  /// parts have different numbers; some numbers may belong to no part.
   ///
   /// \pre `is_inside(p)`
   std::size_t part(const Point_3& p) const;
 
-  /// returns a box for each number that `part()` may return, in the order of the numbers; a part
-  /// lies in the box of its number.
+  /// returns a box for each number that `part()` may return, in the order of the numbers; the part
+  /// with that number lies in the box.
   const std::vector<CGAL::Bbox_3>& part_boxes() const;
 
   /// @}

@@ -10,13 +10,13 @@
  *
  * The concept `VolumeFillingDomain_3` describes the set that a curve fills and never leaves.
  *
- * Two members decide: `is_inside()` about where a curve may start, `is_triangle_inside()` about
- * every elementary move. A curve that starts inside and whose every move sweeps triangles that lie
- * inside stays inside. That is as certain as the two answers are: a model says for which data they
- * are exact, and answers `false` rather than `true` where it does not know. The two members with
- * distances only steer and need no exactness.
+ * Two members decide: `is_inside()` accepts the start of a curve, and `is_triangle_inside()` each
+ * elementary move. A curve that starts inside, and whose moves only sweep triangles inside, stays
+ * inside. This is as certain as the two answers: a model documents for which data they are exact,
+ * and answers `false` in case of doubt. The two distance functions only steer the curve and need
+ * not be exact.
  *
- * Calling the members concurrently is safe.
+ * The members can be called concurrently.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Volume_filling_curves::Triangle_mesh_domain_3}
@@ -39,8 +39,8 @@ public:
   /// The point type of the curve, that is, `CurveFlowTraits_3::Point_3` of its traits.
   typedef unspecified_type Point_3;
 
-  /// A type of vectors that can be constructed from three coordinates of type `double`, for example
-  /// that of the kernel, or `CurveFlowTraits_3::Vector_3`.
+  /// A type of vectors, constructible from three coordinates of type `double`, for example that of
+  /// the kernel, or `CurveFlowTraits_3::Vector_3`.
   typedef unspecified_type Vector_3;
 
   /// @}
@@ -48,10 +48,10 @@ public:
   /// \name Containment
   /// @{
 
-  /// returns a box that holds the domain, with infinite bounds where it is unbounded.
+  /// returns a box that contains the domain, with infinite bounds where it is unbounded.
   CGAL::Bbox_3 bbox() const;
 
-  /// returns whether `p` lies strictly inside, that is, not on the boundary.
+  /// returns whether `p` lies strictly inside, not on the boundary.
   bool is_inside(const Point_3& p) const;
 
   /*!
@@ -67,12 +67,12 @@ public:
   /// \name Distances
   /// @{
 
-  /// returns a lower bound of the distance of `p` to the boundary, in the input's unit. If `p` is
-  /// not inside, the bound may be 0.
+  /// returns a lower bound of the distance from `p` to the boundary, in the input's unit; it may be
+  /// 0 if `p` is not inside.
   double distance(const Point_3& p) const;
 
-  /// returns how far one can go from `p` along the unit vector `direction` before the boundary is
-  /// met, or `limit` if that is less.
+  /// returns a lower bound of the distance from `p` to the boundary along the unit vector
+  /// `direction`, at most `limit`.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const;
 
   /// @}

@@ -29,7 +29,7 @@ namespace Volume_filling_curves {
  *
  * \brief The class `Ball_domain_3` is an open ball.
  *
- * `is_inside()` and `is_triangle_inside()` are exact, distances are computed in double arithmetic.
+ * `is_inside()` and `is_triangle_inside()` are exact; distances are computed in double arithmetic.
  * All operations take constant time and may be called concurrently.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -54,8 +54,8 @@ public:
    * \param center the center; its coordinates are rounded to `double`
    * \param radius the radius
    *
-   * \throws std::invalid_argument if a coordinate is not finite or the radius is not a positive,
-   * finite number
+   * \throws std::invalid_argument if a coordinate is not finite, or the radius is not positive and
+   * finite
    */
   Ball_domain_3(const Point_3& center, double radius)
       : m_center(internal::to_vector(center)), m_radius(radius)
@@ -73,7 +73,7 @@ public:
     return ball;
   }
 
-  /// returns a box that holds the ball.
+  /// returns a box that contains the ball.
   CGAL::Bbox_3 bbox() const
   {
     const double infinity = std::numeric_limits<double>::infinity();
@@ -105,14 +105,14 @@ public:
     return is_inside(q) && is_inside(r); // the ball is convex
   }
 
-  /// returns the distance of `p` to the sphere, or 0 if `p` is not inside.
+  /// returns the distance from `p` to the sphere, or 0 if `p` is not inside.
   double distance(const Point_3& p) const
   {
     return (std::max)(m_radius - (internal::to_vector(p) - m_center).norm(), 0.);
   }
 
-  /// returns how far it is from `p` along the unit vector `direction` to the sphere, or `limit`
-  /// if that is less, and 0 if `p` is not inside.
+  /// returns the distance from `p` to the sphere along the unit vector `direction`, at most
+  /// `limit`; 0 if `p` is not inside.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
     const Vector x = internal::to_vector(p) - m_center;

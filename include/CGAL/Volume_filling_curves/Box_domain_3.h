@@ -25,9 +25,9 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesDomains
  *
- * \brief The class `Box_domain_3` is an open box whose sides are parallel to the axes.
+ * \brief The class `Box_domain_3` is an open box with sides parallel to the coordinate planes.
  *
- * `is_inside()` and `is_triangle_inside()` are exact, distances are computed in double arithmetic.
+ * `is_inside()` and `is_triangle_inside()` are exact; distances are computed in double arithmetic.
  * All operations take constant time and may be called concurrently.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -47,7 +47,7 @@ public:
   using Vector_3 = typename Traits::Vector_3;
 
   /*!
-   * constructs the box with two opposite corners, whose coordinates are rounded to `double`.
+   * constructs the box from two opposite corners, whose coordinates are rounded to `double`.
    *
    * \throws std::invalid_argument if a coordinate is not finite or the box is flat
    */
@@ -82,15 +82,15 @@ public:
     return is_inside(q) && is_inside(r); // the box is convex
   }
 
-  /// returns the distance of `p` to the nearest side, or 0 if `p` is not inside.
+  /// returns the distance from `p` to the nearest side, or 0 if `p` is not inside.
   double distance(const Point_3& p) const
   {
     const Vector x = internal::to_vector(p);
     return (std::max)((x - m_box.min()).cwiseMin(m_box.max() - x).minCoeff(), 0.);
   }
 
-  /// returns how far it is from `p` along the unit vector `direction` to the first side, or
-  /// `limit` if that is less, and 0 if `p` is not inside.
+  /// returns the distance from `p` to the first side along the unit vector `direction`, at most
+  /// `limit`; 0 if `p` is not inside.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
     const Vector x = internal::to_vector(p), u = internal::to_vector(direction);

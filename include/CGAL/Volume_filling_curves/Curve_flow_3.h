@@ -42,21 +42,21 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief The class `Curve_flow_3` moves a curve, one certified step at a time, so that it gets
- * shorter and its strands keep an even distance.
+ * \brief The class `Curve_flow_3` moves a curve, one certified step at a time: the curve gets
+ * shorter while its strands keep an even distance.
  *
- * Each step (i) goes along the negative gradient of a two-term energy, length plus squared medial
- * radii, preconditioned by a sparse matrix whose pattern follows the medial spheres
- * \cgalCite{vfc:njs-mspku-25}, (ii) as far as `Isotopy_guard_3` certifies, and (iii) is followed by
- * certified remeshing. Between steps everything can be read: it belongs to the curve as it stands.
+ * Each step follows the negative gradient of a two-term energy, length plus squared medial radii,
+ * preconditioned by a sparse matrix whose pattern follows the medial spheres
+ * \cgalCite{vfc:njs-mspku-25}. The step goes as far as `Isotopy_guard_3` certifies, and certified
+ * remeshing follows. Between steps, all reading functions describe the current curve.
  *
- * The result is the same for every number of threads. A step takes near-linear time.
+ * The result does not depend on the number of threads. A step takes near-linear time.
  *
- * In a domain the curve stays strictly inside, and the boundary limits the medial spheres, too, so
- * that the curve grows until it fills the domain evenly. There the thickness may vary in space.
+ * In a domain the curve stays strictly inside, and the boundary also limits the medial spheres: the
+ * curve grows until it fills the domain evenly. The thickness may vary in space.
  *
- * The flow borrows the guard of the curve, which must outlive it. Between steps the guard may
- * change the curve otherwise; `update()` lets the flow take note of that.
+ * The flow borrows the guard of the curve, which must outlive it. After other changes through the
+ * guard, call `update()`.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the point type of `Traits`
@@ -87,10 +87,11 @@ public:
   /// the type of the indices of nodes
   using size_type = typename Curve_network::size_type;
 
-  /// a thickness that varies in space; must be safe to call concurrently and return positive values
+  /// a thickness that varies in space; must be safe to call concurrently, and return positive
+  /// values
   using Thickness_field = std::function<double(const Point_3&)>;
 
-  /// a direction at each point, of which neither sign nor length matters; zero where there is none
+  /// a direction at each point, whose sign and length do not matter; zero where there is none
   using Direction_field = std::function<internal::Field_vector(const Point_3&)>;
 
   /// one vector per node: a matrix with a row for each, `x`, `y`, `z`
@@ -99,11 +100,11 @@ public:
   /// @}
 
   /*!
-   * prepares the flow of the curve that is guarded, inside the guard's domain: measures the
-   * thickness if none is given, and brings the edges to the lengths that the parameters ask for, by
-   * certified operations. The clearance of the guard is that of the flow from here on.
+   * prepares the flow of the guarded curve inside the guard's domain: measures the thickness if
+   * none is given, and remeshes the curve, by certified operations, to the edge lengths that the
+   * parameters require. The flow sets the clearance of the guard.
    *
-   * Nodes that are pinned stay where they are.
+   * Pinned nodes stay where they are.
    *
    * \param guard the guard of the curve
    * \param parameters \vfcNamedParams{Curve_flow_parameters}
@@ -121,8 +122,8 @@ public:
   /// \cond SKIP_IN_MANUAL
   using Thickness = internal::Thickness<Point_3>;
 
-  // With a thickness in place of the one in the parameters. A flow that is under way, with edges as
-  // another one has left them, waits for its history and go_on().
+  // A flow with a thickness that replaces the one in the parameters. A flow that is under way keeps
+  // the edges of another flow, and waits for its history and go_on().
   Curve_flow_3(Guard& guard,
                const Curve_flow_parameters& parameters,
                const Thickness& thickness,
@@ -150,7 +151,7 @@ public:
     m_step.set_largest_displacement(max_displacement);
   }
 
-  /// changes the least length of an edge, in units of the thickness, and brings the edges to that.
+  /// changes the least length of an edge, in units of the thickness, and remeshes the curve to it.
   ///
   /// \pre `spacing` is positive, and the network has no garbage
   void set_spacing(double spacing)
@@ -160,19 +161,20 @@ public:
     update();
   }
 
-  /// lets strands that are closer than `distance`, in units of the least thickness, go apart after
-  /// every step. By default they do so where they hold one another, up to half of the thickness.
+  /// separates strands that are closer than `distance`, in units of the least thickness, after
+  /// every step. By default only strands that block one another are separated, up to half of the
+  /// thickness.
   void keep_apart(double distance) { m_step.keep_apart(distance); }
 
-  /// changes the parameters, and brings the edges to the lengths that they ask for.
+  /// changes the parameters, and remeshes the curve to the edge lengths that they require.
   ///
-  /// \throws std::invalid_argument if a parameter is not positive and finite, as above
+  /// \throws std::invalid_argument like the constructor
   void set_parameters(const Curve_flow_parameters& parameters)
   {
     set_parameters(parameters, Thickness(parameters.thickness));
   }
 
-  /// likewise, with a thickness that varies in space instead of the one in the parameters.
+  /// changes the parameters, with a thickness that varies in space instead of their `thickness`.
   void set_parameters(const Curve_flow_parameters& parameters, Thickness_field thickness)
   {
     set_parameters(parameters, Thickness(parameters.thickness, std::move(thickness)));
@@ -189,8 +191,8 @@ public:
   /// \endcond
 
   /*!
-   * lets the curve follow a direction field: an edge that includes an angle with the field counts
-   * \f$1 + w \sin^2\f$ of that angle times its length in the energy. Takes effect with the next
+   * makes the curve follow a direction field: in the energy, the length of an edge at an angle
+   * \f$\alpha\f$ to the field counts \f$1 + w \sin^2 \alpha\f$ times. Takes effect with the next
    * `update()`. An empty function stands for no field.
    *
    * \param field the field
@@ -211,8 +213,8 @@ public:
     return has_moved;
   }
 
-  /// takes note of the curve as it stands. To be called when the guard has changed the curve since
-  /// the last step.
+  /// updates the flow to the current curve. Call this function if the guard has changed the curve
+  /// since the last step.
   ///
   /// \pre the network has no garbage
   void update()
@@ -224,21 +226,21 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Does what update() does, and counts the change as a step. For visitors, who see all of a flow.
+  // An update() that counts the change as a step, for visitors, which see every state of a flow.
   void note_step()
   {
     ++m_statistics.iterations;
     update();
   }
 
-  // The numbers that the next steps depend on, but for parameters, thickness and the curve.
+  // The numbers that the next steps depend on, except for parameters, thickness and the curve.
   auto history()
   {
     return std::tuple_cat(std::tie(m_first_certified_change, m_first_refused_change, m_statistics),
                           m_step.history());
   }
 
-  // Goes on from the history of another flow of the same curve: update() finds the same bits.
+  // Continues from the history of another flow of the same curve: update() computes the same bits.
   void go_on(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
     m_parameters = parameters;
@@ -254,10 +256,10 @@ public:
   /// returns the network.
   const Curve_network& curve() const { return m_guard.curve(); }
 
-  /// returns the parameters, with the thickness that was measured if none was given.
+  /// returns the parameters, with the measured thickness if none was given.
   const Curve_flow_parameters& parameters() const { return m_parameters; }
 
-  /// returns the thickness r, in the input's unit; the mean of the nodes' if it varies.
+  /// returns the thickness r, in the input's unit; if it varies, the mean over the nodes.
   double thickness() const { return m_parameters.thickness; }
 
   /// returns the thickness at node `v`.
@@ -269,37 +271,37 @@ public:
   /// returns the gradient of the energy at each node; zero at pinned nodes.
   const Vector_field& gradient() const { return m_direction.gradient(); }
 
-  /// returns r times the sum of the norms of the nodes' gradients, over the sum of the nodes'
-  /// shares of the length, pinned nodes left out: dimensionless, and independent of the spacing.
+  /// returns r times the sum of the norms of the nodes' gradients, divided by the sum of the nodes'
+  /// shares of the length; pinned nodes are left out. Dimensionless, and independent of the
+  /// spacing.
   double gradient_norm() const { return thickness() * m_direction.gradient_per_length(); }
 
-  /// returns the share of the pull of the length that neither contacts nor bends at the scale of r
-  /// resist: the sum of the norms of the nodes' gradients over that of the gradients of the length
-  /// alone, or over 2 pi if that is more, pinned nodes left out. It is about 0.01 for a tight
-  /// curve, and 1 for a loose one, however smooth that is: then the thickness is too small for the
+  /// returns the share of the curve's tension that neither contacts nor bends at the scale of r
+  /// resist: the sum of the norms of the nodes' gradients, divided by the same sum for the length
+  /// alone, or by 2 pi if that is more; pinned nodes are left out. It is about 0.01 for a tight
+  /// curve. It is 1 for a loose curve, however smooth; then the thickness is too small for the
   /// curve.
   double loose_share() const { return m_direction.loose_share(); }
 
-  /// returns the mean of the medial radii along the curve, each of them capped at `largest`, in the
-  /// input's unit; pinned nodes are left out.
+  /// returns the mean of the medial radii along the curve, each capped at `largest`, in the input's
+  /// unit; pinned nodes are left out.
   double mean_medial_radius(double largest = std::numeric_limits<double>::infinity()) const
   {
     return internal::mean_radius(m_direction.spheres(), m_direction.weights(), largest,
                                  [&](size_type v) { return !curve().is_pinned(v); });
   }
 
-  /// returns the direction in which the next step goes.
+  /// returns the direction of the next step.
   const Vector_field& direction() const { return m_direction.vectors(); }
 
-  /// returns the medial spheres of node `v`; there are several circles of them at ends, junctions
-  /// and spikes.
+  /// returns the medial spheres of node `v`; ends, junctions and spikes have several circles of
+  /// them.
   std::vector<Medial_sphere<Point_3>> medial_spheres(size_type v) const
   {
     return internal::medial_spheres_at(curve(), v, m_direction.spheres());
   }
 
-  /// returns what the flow has done so far. Changes are those that the guard has made since the
-  /// flow began.
+  /// returns the work of the flow so far. Changes are those of the guard since the flow began.
   Curve_flow_statistics statistics() const
   {
     Curve_flow_statistics statistics = m_statistics;
@@ -332,7 +334,7 @@ private:
     m_node_thickness = m_thickness.at_each(curve().points());
     m_parameters.thickness = m_thickness.mean(m_node_thickness);
     const auto least = std::min_element(m_node_thickness.begin(), m_node_thickness.end());
-    // A step leaves strands a tenth of the thickness apart, so that they can move on.
+    // A step keeps strands a tenth of the thickness apart; closer ones could hardly move again.
     constexpr double clearance_over_thickness = 0.1;
     m_guard.set_clearance(least == m_node_thickness.end() ? 0 : clearance_over_thickness * *least);
   }
@@ -370,8 +372,8 @@ private:
     return {m_guard, std::move(spacing)};
   }
 
-  // Each round joins pairs of edges that are too short; then each halves edges that are too long.
-  // If the guard's watch ends the run, edges stay as they are.
+  // Rounds of collapses, which join pairs of edges that are too short, and then of splits, which
+  // halve edges that are too long. If the guard's watch ends the run, edges stay as they are.
   void remesh_until_even()
   {
     const internal::Stage_timer stage(m_statistics.seconds_remeshing);
@@ -388,13 +390,13 @@ private:
 
   Guard& m_guard;
   size_type m_first_certified_change,
-      m_first_refused_change; // of the guard's, where the flow began
+      m_first_refused_change; // the guard's counts at the start of the flow
   Curve_flow_parameters m_parameters;
   Thickness m_thickness;
   Curve_flow_statistics m_statistics;
   internal::Guarded_step<Guard, ConcurrencyTag> m_step;
 
-  // of the curve as it stands
+  // values of the current curve
   std::vector<double> m_node_thickness;
   internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
 };

@@ -19,7 +19,7 @@ namespace Volume_filling_curves {
 
 namespace internal {
 
-// Whether the predicates of a kernel decide exactly, and its points hold every double.
+// Requirements on a kernel: exact predicates, and points that hold every double.
 template <typename Kernel>
 struct Is_exact_kernel
 {
@@ -44,7 +44,7 @@ struct Is_kernel<
     : std::true_type
 {};
 
-// A kernel is asked whether it is exact; a traits class promises it.
+// Exactness is checked for a kernel; a traits class guarantees it by its concept.
 template <typename Traits>
 constexpr bool can_certify()
 {
@@ -59,10 +59,10 @@ constexpr bool can_certify()
 /*!
  * \ingroup PkgVolumeFillingCurvesTraits
  *
- * \brief The class `Curve_flow_traits_3` provides the point type and the exact predicates with
- * which every change of a curve is certified.
+ * \brief The class `Curve_flow_traits_3` provides the point type and the exact predicates that
+ * certify every change of a curve.
  *
- * Such a kernel can stand for the traits itself, as in
+ * A kernel with exact predicates is a traits class itself, as in
  * `Curve_network_3<CGAL::Exact_predicates_inexact_constructions_kernel>`.
  *
  * \tparam Kernel a model of \cgal's `Kernel` with exact predicates, for example

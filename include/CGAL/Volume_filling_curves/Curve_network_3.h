@@ -29,13 +29,12 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns whether a curve is embedded, as `untangle()`, `fill()`, `simplify_curves()` and
- * `Isotopy_guard_3` need it: whether no edge has length zero, and any two edges meet at most in a
- * common node.
+ * \brief returns whether a curve is embedded: no edge has length zero, and two edges meet at most
+ * in a common node. `untangle()`, `fill()`, `simplify_curves()` and `Isotopy_guard_3` require this.
  *
- * Decided with exact predicates. `IO::read_embedded_curve_network()` lists where the edges of a
- * file meet. Takes \cgalBigO{n \log^2 n} time for `n` nodes unless many edges have intersecting
- * bounding boxes.
+ * The decision is exact. `IO::read_embedded_curve_network()` lists the edges of a file that meet.
+ * Takes \cgalBigO{n \log^2 n} time for `n` nodes unless many edges have intersecting bounding
+ * boxes.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
@@ -53,10 +52,10 @@ template <typename Traits>
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief gives out the curves of a network as polylines.
+ * \brief writes the curves of a network to an output iterator, as polylines.
  *
- * There is one polyline for every component without junctions; it repeats its first point at the
- * end if the component is closed. Components with junctions are cut there. Takes linear time.
+ * Every component without junctions becomes one polyline, whose last point repeats the first if the
+ * component is closed. Components with junctions are cut at these. Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam OutputIterator a model of `OutputIterator` that accepts
@@ -65,7 +64,7 @@ template <typename Traits>
  * \param network the network
  * \param polylines receives the polylines
  *
- * \return the output iterator behind the last polyline
+ * \return the output iterator past the last polyline
  */
 template <typename Traits, typename OutputIterator>
 OutputIterator curve_network_to_polylines(const Curve_network_3<Traits>& network,
@@ -83,8 +82,8 @@ OutputIterator curve_network_to_polylines(const Curve_network_3<Traits>& network
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns the positions of the nodes as a matrix with one row x, y, z per node, as libigl
- * and polyscope speak of curves. Takes linear time.
+ * \brief returns the positions of the nodes as a matrix with one row x, y, z per node, the form
+ * that libigl and polyscope use for curves. Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
@@ -101,8 +100,8 @@ template <typename Traits>
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns the edges as a matrix with one row per edge, of two rows of `point_matrix()`.
- * Takes linear time.
+ * \brief returns the edges as a matrix with one row per edge: the indices of two rows of
+ * `point_matrix()`. Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
@@ -124,19 +123,19 @@ template <typename Traits>
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns where in the input the nodes of a network come from, whatever has been done to it
- * since: for each node an edge of the input and a place on it.
+ * \brief returns for each node of a network the point of the input that it corresponds to: an edge
+ * of the input and a position on it. Any changes since then are taken into account.
  *
- * A node of the input that is still there comes from where it was. The origins of the nodes between
- * two of these are spread between theirs, in proportion to the length of the curve as it is, each
- * edge of the input counting the same. So origins never run backwards along a component, and run
- * once around a closed one; if none of its nodes is left, its first node comes from the first of
- * the input. In a component with junctions this holds for each chain from one junction or end to
- * the next, and junctions and ends come from themselves. Nodes that a visitor sees beyond the ends
- * of an arc come from nowhere: both indices are `Curve_network_3::null_node()`.
+ * A remaining node of the input corresponds to itself. Between two such nodes, the origins of the
+ * nodes are interpolated in proportion to the present length of the curve, with the same share for
+ * each edge of the input. Hence origins never run backwards along a component, and run once around
+ * a closed one; if none of its nodes remains, its first node corresponds to the first node of the
+ * input. In a component with junctions this holds for each chain between junctions or ends, which
+ * correspond to themselves. Nodes of the closing rays that a visitor sees beyond the ends of an arc
+ * have no origin: both indices are `Curve_network_3::null_node()`.
  *
- * The input is what the network was constructed from. Takes time linear in the number of nodes of
- * the network and of its input.
+ * The input is the data that the network was constructed from. Takes time linear in the number of
+ * nodes of the network and of its input.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *

@@ -32,9 +32,9 @@ namespace Volume_filling_curves {
  *
  * \brief The class `Domain_samples_3` holds random points, uniform in a bounded domain.
  *
- * The same domain, number and seed give the same points, on every platform. Taking them needs the
- * time of `is_inside()` for as many points of the domain's box as it takes, on average the number
- * of samples times the volume of the box over that of the domain.
+ * The same domain, number and seed give the same points on every platform. The construction calls
+ * `is_inside()` for random points of the domain's box: on average, the number of samples times the
+ * volume of the box over that of the domain.
  *
  * \tparam Traits_ a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
@@ -46,7 +46,7 @@ public:
   /// the type of points
   using Point_3 = typename Traits_::Point_3;
 
-  /// the number of samples that the statistics of a report rest on
+  /// the number of samples for the statistics of a report
   static constexpr std::size_t default_number = 20000;
 
   /*!
@@ -56,11 +56,12 @@ public:
    * \param number the number of samples
    * \param seed the seed of the random numbers
    * \param traits the traits object
-   * \param go_further is asked after every 1024 points of the box, and ends the sampling with
-   * fewer samples if it returns `false`; none by default
+   * \param go_further is called after every 1024 points of the box; if it returns `false`, the
+   * sampling ends with fewer samples. None by default
    *
-   * \throws std::invalid_argument if the domain is unbounded, its box empty, or less than about
-   * every 10,000th point of the box inside, or none before `go_further` ended the sampling
+   * \throws std::invalid_argument if the domain is unbounded, if its box is empty, if fewer than
+   * about one in 10,000 points of the box are inside, or if `go_further` ended the sampling before
+   * the first sample
    */
   explicit Domain_samples_3(const Domain& domain,
                             std::size_t number = default_number,
@@ -106,8 +107,8 @@ public:
   /// returns the traits object.
   const Traits_& traits() const { return m_traits; }
 
-  /// returns an estimate of the volume of the domain, from the share of the points that were
-  /// inside.
+  /// returns an estimate of the volume of the domain: the volume of the box times the share of its
+  /// points that were inside.
   double volume() const { return m_volume; }
 
 private:

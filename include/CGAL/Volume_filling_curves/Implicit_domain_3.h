@@ -28,30 +28,31 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesDomains
  *
- * \brief The class `Implicit_domain_3` is the set where a function is negative, for example where a
- * signed distance is.
+ * \brief The class `Implicit_domain_3` is the set where a function, for example a signed distance,
+ * is negative.
  *
- * The function `f` comes with a Lipschitz bound `L`: `|f(p) - f(q)| <= L |p - q|` for all points of
- * the box. A signed distance has `L = 1`, and for a differentiable function `L` is a bound for the
- * norm of its gradient. If the bound is right, then within `|f(p)| / L` around `p` the sign of `f`
- * does not change, and all answers rest on that:
+ * The function `f` has a Lipschitz bound `L`: `|f(p) - f(q)| <= L |p - q|` for all points of the
+ * box. A signed distance has `L = 1`; for a differentiable function, `L` bounds the norm of the
+ * gradient. If the bound holds, the sign of `f` does not change within `|f(p)| / L` of `p`. All
+ * answers rest on this:
  *
- * - `is_triangle_inside()` cuts the triangle into pieces and returns `true` only if for every piece
- *   such a ball around its center covers it. So `f` is negative *everywhere* on an accepted
- *   triangle, not only at samples, as far as the bound holds and the values of `f` are exact;
- *   whoever knows that they are wrong by at most `e` passes `f + e`. Triangles that are closer to
- *   the boundary than about a sixtieth of their size, times `L` over the norm of the gradient, are
+ * - `is_triangle_inside()` divides the triangle and returns `true` only if such a ball around the
+ *   center of each piece covers the piece. Hence `f` is negative *everywhere* on an accepted
+ *   triangle, not only at samples, provided that the bound holds and the values of `f` are exact.
+ *   If the values have errors of at most `e`, pass `f + e`. Triangles that are closer to the
+ *   boundary than about a sixtieth of their size, times `L` over the norm of the gradient, are
  *   refused even if they lie inside.
  * - `distance()` and `distance_along()` are lower bounds.
  *
- * With a bound that is too small a curve can leave the domain; one that is too large costs time and
+ * If the bound is too small, a curve can leave the domain; if it is too large, it costs time and
  * keeps the curve away from the boundary.
  *
- * A triangle takes at most 8191 calls of `f`, mostly one; a distance along a direction at most
- * 1000, mostly fewer than ten. The member functions may be called concurrently if `f` may.
+ * A triangle takes at most 8191 calls of `f`, and usually one; a distance along a direction takes
+ * at most 1000, and usually fewer than ten. The member functions may be called concurrently if `f`
+ * may.
  *
  * \tparam Function a functor with <tt>double operator()(Point_3 p) const</tt>, or with another
- * result that `CGAL::to_double()` converts
+ * result type that `CGAL::to_double()` converts
  * \tparam Traits_ a model of `CurveFlowTraits_3`
  *
  * \cgalModels{ScalableVolumeFillingDomain_3}
@@ -72,7 +73,7 @@ public:
    * constructs the domain.
    *
    * \param function the function, negative inside
-   * \param bbox a box that holds the domain
+   * \param bbox a box that contains the domain
    * \param lipschitz_bound the Lipschitz bound of the function in the box; 1 for a signed distance
    * \param traits the traits object
    *
@@ -96,7 +97,7 @@ public:
   }
 
   /// returns the domain with all coordinates multiplied by `factor`, a power of two. The function
-  /// is still called with points in the unit that it was given for.
+  /// is still called with points in its original unit.
   Implicit_domain_3 scaled(double factor) const
   {
     Implicit_domain_3 domain = *this;
@@ -106,14 +107,14 @@ public:
     return domain;
   }
 
-  /// returns the box that was given.
+  /// returns the box passed to the constructor.
   CGAL::Bbox_3 bbox() const { return m_bbox; }
 
   /// returns whether the function is negative at `p`.
   bool is_inside(const Point_3& p) const { return value(p) < 0; }
 
   /*!
-   * returns whether the closed triangle `pqr`, which may be degenerate, was proved to lie inside.
+   * returns whether the closed triangle `pqr`, which may be degenerate, is proved to lie inside.
    * \pre `is_inside(p)`
    */
   bool is_triangle_inside(const Point_3& p, const Point_3& q, const Point_3& r) const
@@ -122,11 +123,11 @@ public:
                       max_bisections);
   }
 
-  /// returns a lower bound of the distance of `p` to the boundary, 0 if `p` is not inside.
+  /// returns a lower bound of the distance from `p` to the boundary, or 0 if `p` is not inside.
   double distance(const Point_3& p) const { return (std::max)(-value(p) / m_lipschitz, 0.); }
 
-  /// returns a lower bound of how far it is from `p` along the unit vector `direction` to the
-  /// boundary, or `limit` if that is less. A signed distance is followed up to a thousandth of
+  /// returns a lower bound of the distance from `p` to the boundary along the unit vector
+  /// `direction`, at most `limit`. For a signed distance the bound is accurate to a thousandth of
   /// `limit`.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
@@ -149,7 +150,7 @@ private:
   static constexpr double march_end = 1e-3; // of the limit; the steps shrink geometrically
   static constexpr int max_steps = 1000;
 
-  // for the rounding of centers and radii, relative to the size of the coordinates
+  // margin for the rounding of centers and radii, relative to the size of the coordinates
   static constexpr double margin = 1e-14;
 
   double value(const Point_3& p) const
@@ -166,7 +167,7 @@ private:
     return internal::stable_norm(Vector(m_bbox.x_span(), m_bbox.y_span(), m_bbox.z_span()));
   }
 
-  // returns whether balls in which the function is negative cover the triangle
+  // Returns whether balls in which the function is negative cover the triangle.
   bool is_covered(const std::array<Vector, 3>& t, int bisections) const
   {
     const Vector center = (t[0] + t[1] + t[2]) / 3;

@@ -42,36 +42,35 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief The class `Isotopy_guard_3` is the only way to change a `Curve_network_3`: it carries out
- * a change if and only if it can certify it.
+ * \brief The class `Isotopy_guard_3` is the only way to change a `Curve_network_3`: it makes a
+ * change if and only if it can certify it.
  *
- * A change is certified with exact predicates to be an ambient isotopy: the curve passes at no time
- * through itself. Everything is built from the elementary moves of knot theory
- * \cgalCite{vfc:r-ebt-26}: replacing an edge by two sides of a triangle that meets the rest of the
- * curve only in the ends of the edge, or the reverse. Degenerate positions are decided exactly,
- * too. For open curves the certificate says that no strand passes through another; a strand may
- * slip off an end.
+ * Exact predicates certify that a change is an ambient isotopy: the curve never passes through
+ * itself. All changes consist of the elementary moves of knot theory \cgalCite{vfc:r-ebt-26}: an
+ * edge is replaced by two sides of a triangle that meets the rest of the curve only in the ends of
+ * the edge, or the reverse. Degenerate positions are decided exactly. For open curves the
+ * certificate proves that no strand passes through another; a strand may slip off an end.
  *
- * On request the guard also keeps a clearance: it refuses changes that bring edges without a common
- * node closer than a given distance and closer than half the distance that they had, or close the
- * angle between edges with a common node below 20 degrees and to less than about half of what it
- * was. Curves that land on contact can hardly move again. The clearance is no part of the
- * certificate.
+ * On request the guard also keeps a clearance, since curves in contact can hardly move again. It
+ * refuses changes that bring edges without a common node closer than a given distance and closer
+ * than half their former distance; and changes that reduce the angle between edges with a common
+ * node below 20 degrees and to less than about half its former value. The clearance is not part of
+ * the certificate.
  *
  * Inserting and removing nodes leaves gaps in the numbering, which `collect_garbage()` closes.
- * Positions are rounded to `double` before they are certified; those that are not finite, or have
- * coordinates beyond 1e150, are refused.
+ * Positions are rounded to `double` before they are certified; positions that are not finite, or
+ * have coordinates beyond 1e150, are refused.
  *
  * The guard borrows the network, which must outlive it and must not be assigned to meanwhile. A
- * network has one guard at a time: the constructors throw `std::logic_error` if there is another
- * one. Whatever is to change the network, as `Curve_flow_3`, is given the guard; `untangle()`,
- * `fill()` and `simplify_curves()` make their own. Guards of different networks can be used
+ * network has at most one guard: the constructors throw `std::logic_error` if there is another.
+ * Algorithms that change the network, such as `Curve_flow_3`, take the guard; `untangle()`,
+ * `fill()` and `simplify_curves()` construct their own. Guards of different networks can be used
  * concurrently.
  *
  * \pre the network is embedded: two of its edges meet at most in a common node
  *
- * With a domain, everything that the curve sweeps must lie strictly inside it as well: a curve that
- * starts inside stays inside, as exactly as the domain can tell.
+ * With a domain, all that the curve sweeps must also lie strictly inside: a curve that starts
+ * inside stays inside, as exactly as the domain answers.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
@@ -106,7 +105,7 @@ public:
   /// constructs a guard of `curve` without a domain.
   explicit Isotopy_guard_3(Curve_network& curve) : Isotopy_guard_3(curve, Boundary()) {}
 
-  /// constructs a guard of `curve`, which keeps it inside `domain`, which must outlive the guard.
+  /// constructs a guard that keeps `curve` inside `domain`, which must outlive the guard.
   ///
   /// \pre the curve lies inside `domain`
   Isotopy_guard_3(Curve_network& curve, const Domain& domain)
@@ -120,7 +119,7 @@ public:
   const Curve_network& curve() const { return m_curve; }
 
   /// sets the distance that edges without a common node keep, in the input's unit; 0 (default)
-  /// stands for no clearance at all. Edges that are closer already may halve their distance.
+  /// stands for no clearance. Edges that are already closer may halve their distance.
   void set_clearance(double distance) { m_clearance = internal::Clearance_rule(distance); }
 
   /// returns the distance that edges without a common node keep.
@@ -129,8 +128,8 @@ public:
   /// \name Certified Operations
   /// @{
 
-  /// moves node `v` to `target` if that is certified, and returns whether it did. Pinned nodes
-  /// move, too: pins are for the flow.
+  /// moves node `v` to `target` if that is certified, and returns whether it did. Pinned nodes move
+  /// as well: pins only concern the flow.
   ///
   /// \pre the node has not been removed
   bool move_node(size_type v, const Point_3& target)
@@ -144,8 +143,8 @@ public:
   }
 
   /// replaces edge `e` by two edges to a new node at `position` if that is certified, and returns
-  /// whether it did. The edge from `source(e)` keeps the index `e`, so that the new node is
-  /// `target(e)`; it has the largest index.
+  /// whether it did. The edge from `source(e)` keeps the index `e`; hence the new node is
+  /// `target(e)`, with the largest index.
   ///
   /// \pre the edge has not been removed
   bool insert_node(size_type e, const Point_3& position)
@@ -165,16 +164,16 @@ public:
   }
 
   /*!
-   * moves all nodes towards their targets, as far as that is certified.
+   * moves all nodes towards their targets, as far as this is certified.
    *
-   * Tries the fractions 1, 1/2, 1/4, ... of the way down to `least_fraction`.
+   * Tries the fractions 1, 1/2, 1/4, ... of the displacements down to `least_fraction`.
    *
    * \tparam ConcurrencyTag enables a parallel run (`Parallel_tag`); the result is the same
    *
    * \param targets one row per node with its x, y and z
-   * \param least_fraction the least fraction of the way to be tried
+   * \param least_fraction the least fraction to try
    *
-   * \returns the fraction of the way that the nodes went, 0 if none was certified
+   * \returns the fraction of their displacements that the nodes moved, 0 if none was certified
    *
    * \pre the network has no garbage
    * \pre `targets` has one row per node
@@ -204,15 +203,15 @@ public:
   }
 
   /*!
-   * moves each node towards its target as far as those near it let it: where nodes are in the way
-   * of one another, or of a boundary, they and no others go 1/2, 1/4, ..., 1/64 of the way, or
-   * stay.
+   * moves each node towards its target as far as nearby nodes allow: nodes that block one another,
+   * or meet a boundary, move 1/2, 1/4, ..., 1/64 of their displacements, or stay; all others move
+   * fully.
    *
    * \tparam ConcurrencyTag enables a parallel run (`Parallel_tag`); the result is the same
    *
    * \param targets one row per node with its x, y and z
    *
-   * \returns the fraction of the way that each node went
+   * \returns the fraction of its displacement that each node moved
    *
    * \pre the network has no garbage
    * \pre `targets` has one row per node
@@ -233,9 +232,9 @@ public:
     return motion.fractions();
   }
 
-  /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if it is certified to
-  /// meet nothing but `v`, and returns whether it did. No strand slips off an end that has a ray.
-  /// Nodes of rays are pinned and have no origin; certificates leave them out.
+  /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if the ray is certified
+  /// to meet the curve only in `v`, and returns whether it did. No strand slips off an end that has
+  /// a ray. Nodes of rays are pinned and have no origin; certificates omit them.
   ///
   /// \pre the node has not been removed
   bool add_ray(size_type v, const Point_3& tip)
@@ -245,28 +244,29 @@ public:
                      [&] { m_editor.append_leaf(v, rounded(tip)); });
   }
 
-  /// removes all rays, and closes the gaps that they leave.
+  /// removes all rays, and closes the gaps in the numbering.
   void remove_rays() { internal::remove_rays(m_curve, m_editor); }
 
   /// @}
 
-  /// pins node `v`, or frees it, as `Curve_network_3::set_pinned()` does.
+  /// pins or unpins node `v`, like `Curve_network_3::set_pinned()`.
   void set_pinned(size_type v, bool is_pinned = true) { m_editor.set_pinned(v, is_pinned); }
 
-  /// closes the gaps that removed nodes left, numbers the nodes along the curve again, and returns
-  /// the former index of each node.
+  /// closes the gaps of removed nodes, renumbers the nodes along the curve, and returns the former
+  /// index of each node.
   std::vector<std::uint32_t> collect_garbage() { return m_editor.collect_garbage(); }
 
   /// \name Observers and Certificate
   /// @{
 
-  /// calls `observer` right after every change. It must outlive the guard or be removed before.
+  /// adds an observer, which is called right after every change. It must outlive the guard or be
+  /// removed before.
   void add_observer(Observer& observer) { m_editor.add(observer); }
 
-  /// stops calling an observer.
+  /// removes an observer.
   void remove_observer(Observer& observer) { m_editor.remove(observer); }
 
-  /// starts to record all changes from here on; a former record is forgotten.
+  /// starts recording changes, and discards any former record.
   ///
   /// \pre the network has no garbage
   void start_recording()
@@ -277,7 +277,7 @@ public:
     m_editor.add(*m_record);
   }
 
-  /// stops to record changes, and forgets the record.
+  /// stops recording changes, and discards the record.
   void stop_recording()
   {
     if(m_record) m_editor.remove(*m_record);
@@ -287,8 +287,8 @@ public:
   /// returns whether changes are recorded.
   bool is_recording() const { return m_record != nullptr; }
 
-  /// returns the certificate of the motion from where the recording has started to the network as
-  /// it stands. The recording goes on. Takes time linear in the length of the record.
+  /// returns the certificate of the motion from the start of the recording to the current network.
+  /// The recording continues. Takes time linear in the length of the record.
   ///
   /// \pre changes are recorded
   Isotopy_certificate certificate() const
@@ -302,10 +302,10 @@ public:
   /// \name Statistics
   /// @{
 
-  /// returns how many changes of a node were certified and carried out.
+  /// returns the number of changes of a node that were certified and made.
   size_type number_of_certified_changes() const { return m_number_of_certified; }
 
-  /// returns how many changes of a node were refused.
+  /// returns the number of changes of a node that were refused.
   size_type number_of_refused_changes() const { return m_number_of_rejected; }
 
   /// @}
@@ -313,8 +313,8 @@ public:
   /// \cond SKIP_IN_MANUAL
   const Boundary& boundary() const { return m_boundary; }
 
-  // Puts motions of all nodes, and those who use the guard, under a watch, or under none if it is
-  // null: they throw Run_stopped before they change anything.
+  // Sets the watch of motions of all nodes and of the users of the guard, or none if it is null:
+  // they throw Run_stopped before they change anything.
   void set_watch(internal::Run_watch* watch) { m_watch = watch; }
   internal::Run_watch* watch() const { return m_watch; }
 
@@ -349,7 +349,7 @@ private:
     return internal::is_in_range(internal::to_vector(p));
   }
 
-  // Counts targets beyond the range as refused.
+  // Returns whether all targets are in range, and counts the others as refused.
   bool are_in_range(const internal::Vector_field& targets)
   {
     CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");

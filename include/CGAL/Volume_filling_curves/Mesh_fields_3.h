@@ -23,14 +23,14 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesDomains
  *
- * \brief The class `Mesh_thickness_field_3` is a function of the point that is given by its values
- * at the vertices of a triangle mesh: at a point it has the barycentric value at the closest point
- * of the surface.
+ * \brief The class `Mesh_thickness_field_3` is a function of the point, given by values at the
+ * vertices of a triangle mesh: its value is interpolated barycentrically at the closest point of
+ * the surface.
  *
- * The function is continuous wherever one point of the surface is closest. Values lie between the
- * least and the largest one of the closest face. The mesh is copied. Construction takes
- * \cgalBigO{n \log n} time for `n` faces, evaluation \cgalBigO{\log n} for most points. Evaluation
- * is computed in double arithmetic, and may be called concurrently.
+ * The function is continuous wherever the closest point is unique. Its values lie between the
+ * minimum and the maximum at the corners of the closest face. The mesh is copied. Construction
+ * takes \cgalBigO{n \log n} time for `n` faces, evaluation \cgalBigO{\log n} for most points.
+ * Evaluation uses double arithmetic and may be called concurrently.
  *
  * \tparam Kernel a model of \cgal's `Kernel`, as for `Triangle_mesh_domain_3`
  */
@@ -51,8 +51,8 @@ public:
    * \param mesh the mesh
    * \param values the values at its vertices, in the order of `vertices(mesh)`
    *
-   * \throws std::invalid_argument if a face is no triangle, there are fewer than two, or the values
-   * are not as many as the vertices
+   * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
+   * or if the values and the vertices differ in number
    */
   template <typename TriangleMesh>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const std::vector<double>& values)
@@ -69,7 +69,7 @@ public:
    * \param mesh the mesh
    * \param values the values at its vertices
    *
-   * \throws std::invalid_argument if a face is no triangle, or there are fewer than two
+   * \throws std::invalid_argument if a face is not a triangle, or if there are fewer than two faces
    */
   template <typename TriangleMesh, typename VertexValueMap>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const VertexValueMap& values)
@@ -92,13 +92,15 @@ private:
 /*!
  * \ingroup PkgVolumeFillingCurvesDomains
  *
- * \brief The class `Mesh_direction_field_3` is a direction at each point that is given by vectors
- * at the vertices of a triangle mesh: the barycentric mean at the closest point of the surface.
+ * \brief The class `Mesh_direction_field_3` is a field of directions, given by vectors at the
+ * vertices of a triangle mesh: its direction is that of the barycentric mean at the closest point
+ * of the surface.
  *
- * The sign of a vector does not matter: those at the corners of a face are turned so that none
- * points away from the first. Their lengths are weights; where all are zero there is no direction.
- * The mesh is copied. Construction takes \cgalBigO{n \log n} time for `n` faces, evaluation
- * \cgalBigO{\log n} for most points. Evaluation is computed in double arithmetic, and may be called
+ * The sign of a vector does not matter: before taking the mean, the vectors at the corners of a
+ * face are flipped where they point away from the first. Lengths act as weights; where all vectors
+ * are zero there is no direction. The mesh is copied. Construction takes \cgalBigO{n \log n} time
+ * for `n` faces, evaluation
+ * \cgalBigO{\log n} for most points. Evaluation uses double arithmetic and may be called
  * concurrently.
  *
  * \tparam Kernel a model of \cgal's `Kernel`, as for `Triangle_mesh_domain_3`
@@ -120,8 +122,8 @@ public:
    * \param mesh the mesh
    * \param vectors the vectors at its vertices, in the order of `vertices(mesh)`
    *
-   * \throws std::invalid_argument if a face is no triangle, there are fewer than two, or the
-   * vectors are not as many as the vertices
+   * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
+   * or if the vectors and the vertices differ in number
    */
   template <typename TriangleMesh>
   Mesh_direction_field_3(const TriangleMesh& mesh,
@@ -139,7 +141,7 @@ public:
    * \param mesh the mesh
    * \param vectors the vectors at its vertices
    *
-   * \throws std::invalid_argument if a face is no triangle, or there are fewer than two
+   * \throws std::invalid_argument if a face is not a triangle, or if there are fewer than two faces
    */
   template <typename TriangleMesh, typename VertexVectorMap>
   Mesh_direction_field_3(const TriangleMesh& mesh, const VertexVectorMap& vectors)

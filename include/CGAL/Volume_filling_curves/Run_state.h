@@ -33,11 +33,12 @@ public:
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief The class `Run_state` is all that a run of `untangle()` or `fill()` needs to go on later:
- * the run that resumes from it ends with the same bits as if it had never been interrupted.
+ * \brief The class `Run_state` is a snapshot of a run of `untangle()` or `fill()`. A run that
+ * resumes from it ends with the same bits as an uninterrupted run.
  *
- * It is a sequence of bytes, to be kept in a file. The page \ref vfc_interrupted_runs describes it.
- * `Run_checkpoint` gives states out, and `Curve_run_parameters::resume_from` takes one.
+ * A state is a sequence of bytes, to be kept in a file; the page \ref vfc_interrupted_runs
+ * describes its use. `Run_checkpoint` provides states, and `Curve_run_parameters::resume_from`
+ * takes one.
  */
 class Run_state
 {
@@ -47,7 +48,7 @@ public:
 
   /// constructs a state from its bytes. Takes linear time, for a checksum.
   ///
-  /// \throws Run_state_error if they are not those of a state, or are damaged or cut off
+  /// \throws Run_state_error if the bytes are not a state, or are damaged or truncated
   explicit Run_state(std::string bytes) : m_bytes(std::move(bytes))
   {
     const std::string_view all = m_bytes;
@@ -56,10 +57,10 @@ public:
       throw Run_state_error("the state of the run is damaged or cut off");
   }
 
-  /// returns the bytes, to be written to a file.
+  /// returns the bytes, for example to write them to a file.
   const std::string& bytes() const { return m_bytes; }
 
-  /// returns whether this is the state of no run.
+  /// returns whether the state is empty.
   bool is_empty() const { return m_bytes.empty(); }
 
   /// \cond SKIP_IN_MANUAL
@@ -89,16 +90,16 @@ private:
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// A moment between two iterations of `untangle()` or `fill()`, at which the state of the run can
-/// be taken; this changes nothing of the run.
+/// A point between two iterations of `untangle()` or `fill()` at which the state of the run can be
+/// saved. Saving it does not affect the run.
 struct Run_checkpoint
 {
-  /// Returns the state of the run. Takes time linear in the size of the curve and of the
-  /// certificate so far, if there is one.
+  /// Returns the state of the run. Takes time linear in the size of the curve and of its
+  /// certificate, if one is recorded.
   std::function<Run_state()> state;
 
-  /// Whether the run ends here before its goal, at a limit or since the visitor wants it: then no
-  /// other checkpoint follows.
+  /// Whether the run ends here before its goal, at a limit or on request of the visitor. No other
+  /// checkpoint follows then.
   bool is_last;
 };
 

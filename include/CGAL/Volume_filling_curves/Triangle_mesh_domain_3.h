@@ -43,18 +43,18 @@ namespace Volume_filling_curves {
  *
  * \brief The class `Triangle_mesh_domain_3` is the inside of a closed triangle mesh.
  *
- * The mesh may have several shells, and a shell within another one bounds a cavity: a point is
- * inside if a path from it to infinity crosses the surface an odd number of times. A shell within
- * another one must therefore be turned the other way, or the mesh is refused: two solids may have
- * been meant. Whether the outermost shells are turned outward or inward does not matter.
+ * The mesh may have several shells; a shell within another one bounds a cavity. A point is inside
+ * if a path from it to infinity crosses the surface an odd number of times. A nested shell must
+ * have the opposite orientation of the shell around it; otherwise two solids may have been meant,
+ * and the mesh is refused. The outermost shells may be oriented outward or inward.
  *
  * `is_inside()` and `is_triangle_inside()` are exact. Distances are computed in double arithmetic,
- * with a relative error of a few units in the last place of the coordinates; for a face so thin
- * that the direction of its normal is lost, a distance may come out too small.
+ * with an error of a few units in the last place of the coordinates; near a face so thin that its
+ * normal is lost to rounding, a distance may come out too small.
  *
- * The mesh is copied, so that it may change or vanish. Constructing takes
+ * The mesh is copied and may change afterwards. Construction takes
  * \cgalBigO{n \log n} time for `n` faces. A query takes \cgalBigO{\log n} time for most points, and
- * up to linear time for points that are equally far from many faces. The member functions may be
+ * up to linear time for points at equal distances from many faces. The member functions may be
  * called concurrently.
  *
  * \tparam Kernel a model of \cgal's `Kernel` with exact predicates, as for `Curve_flow_traits_3`
@@ -85,26 +85,26 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{vertex_point_map}
-   *     \cgalParamDescription{a property map that gives a mesh's vertices their points}
+   *     \cgalParamDescription{a property map from the vertices of a mesh to their points}
    *     \cgalParamType{a model of `ReadablePropertyMap`, for `tube_mesh()` of
    *       `WritablePropertyMap`, whose key type is the mesh's vertex descriptor and whose value
    *       type is `Point_3`}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{check_mesh}
-   *     \cgalParamDescription{whether to look for faces of a mesh that meet elsewhere than in a
-   *       common vertex or edge, and for shells that are turned like the one around them. Without
-   *       it the former make it a matter of chance what is inside, the latter bound cavities. The
-   *       search takes 1.5 us per face, 4 % of the time of a coarse filling}
+   *     \cgalParamDescription{whether to refuse meshes with faces that meet elsewhere than in a
+   *       common vertex or edge, and with nested shells of the same orientation. Without this
+   *       check, the former leave the inside undefined, and the latter bound cavities. It takes 1.5
+   *       us per face, 4 % of the time of a coarse filling}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws std::invalid_argument if a face is not a triangle or is degenerate, if the mesh is not
-   * closed, has no faces, or all vertices lie in a plane, if a coordinate is not finite or beyond
-   * 1e100, or the mesh smaller than 1e-100, and if a check was not switched off and finds
-   * something; with vertices and faces in the message, counted from 0 in their order in the mesh
+   * \throws std::invalid_argument if the mesh has no faces, is not closed, has a face that is
+   * degenerate or not a triangle, or has all its vertices in a plane; if a coordinate is not finite
+   * or beyond 1e100, or the mesh is smaller than 1e-100; or if `check_mesh` finds a defect. The
+   * message lists vertices and faces, numbered from 0 in their order in the mesh
    */
   template <typename TriangleMesh,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -114,7 +114,7 @@ public:
   {}
 
   /// returns the domain with all coordinates multiplied by `factor`, a power of two. Takes as long
-  /// as constructing it.
+  /// as the construction.
   Triangle_mesh_domain_3 scaled(double factor) const
   {
     Mesh mesh = m_faces->mesh();
@@ -125,7 +125,7 @@ public:
     return Triangle_mesh_domain_3(std::make_unique<const Faces>(std::move(mesh)));
   }
 
-  /// returns a box that holds the domain.
+  /// returns a box that contains the domain.
   CGAL::Bbox_3 bbox() const { return m_faces->bbox(); }
 
   /// returns whether `p` lies strictly inside.
@@ -140,20 +140,20 @@ public:
     return !m_faces->does_meet({p, q, r});
   }
 
-  /// returns the distance of `p` to the surface, whether `p` is inside or not.
+  /// returns the distance from `p`, inside or outside, to the surface.
   double distance(const Point_3& p) const
   {
     return std::sqrt(m_faces->nearest(internal::to_vector(p)).squared_distance);
   }
 
-  /// returns how far it is from `p` along the unit vector `direction` to the surface, or `limit`
-  /// if that is less.
+  /// returns the distance from `p` to the surface along the unit vector `direction`, at most
+  /// `limit`.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
     return m_faces->distance_along(internal::to_vector(p), internal::to_vector(direction), limit);
   }
 
-  /// returns the distance of `p` to the surface, or `limit` if that is less.
+  /// returns the distance from `p` to the surface, at most `limit`.
   double distance_up_to(const Point_3& p, double limit) const
   {
     const auto nearest = m_faces->nearest(internal::to_vector(p), limit * limit);
@@ -169,19 +169,21 @@ public:
   /// \endcond
 
   /// \name Connected Parts
-  /// Shells that do not lie within one another bound different parts, and so do those that touch in
-  /// vertices or edges; a part may have cavities.
+  /// Shells that are not nested bound different parts, even if they touch in vertices or edges. A
+  /// part may have cavities.
   /// @{
 
   /*!
-   * returns the number of the connected part of the inside that `p` lies in: that of the shell
-   * around it. Points of different parts have different numbers, and not every number is a part's.
+   * returns the number of the connected part of the inside that contains `p`, which is the number
+   * of the shell around it. Points of different parts have different numbers; some numbers belong
+   * to no part.
    *
    * \pre `is_inside(p)`
    */
   std::size_t part(const Point_3& p) const { return m_faces->innermost_shell(p); }
 
-  /// returns a box for each number that `part()` may return; a part lies in the box of its number.
+  /// returns a box for each number that `part()` may return; the part with that number lies in the
+  /// box.
   const std::vector<CGAL::Bbox_3>& part_boxes() const { return m_faces->shells().boxes(); }
 
   /// @}
@@ -238,7 +240,7 @@ explicit Triangle_mesh_domain_3(const TriangleMesh&,
 
 namespace internal {
 
-// Returns the domain itself, or that inside a mesh.
+// Returns the domain itself, or the domain that a mesh bounds.
 template <typename Traits, typename Domain, typename NamedParameters>
 decltype(auto) as_domain(const Domain& domain, const NamedParameters& np)
 {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Returns whether any vertex of a mesh is inside of another one, or outside.
+// Returns whether any vertex of a mesh is inside another one (or outside).
 template <typename TriangleMesh>
 bool has_vertex_on_side(const TriangleMesh& mesh, const TriangleMesh& other, bool is_inside)
 {
@@ -39,23 +39,23 @@ bool has_vertex_on_side(const TriangleMesh& mesh, const TriangleMesh& other, boo
 /*!
  * \ingroup PkgVolumeFillingCurvesDomains
  *
- * \brief adds an obstacle to a mesh that bounds a domain: a shell that bounds a cavity.
+ * \brief adds an obstacle to a mesh that bounds a domain: a shell around a cavity.
  *
- * The faces of the obstacle are appended to the mesh, turned against those of the mesh, as a cavity
- * has them; the vertices and faces of the mesh keep their numbers. `Triangle_mesh_domain_3` and
- * `fill()` then take the mesh, and so does `verify_certificate()`. Several obstacles are added one
- * after the other. Takes \cgalBigO{n \log n} time for `n` faces unless many of them have
- * intersecting bounding boxes.
+ * The faces of the obstacle are appended to the mesh with the opposite orientation, as a cavity
+ * requires; the vertices and faces of the mesh keep their numbers. The mesh can then be passed to
+ * `Triangle_mesh_domain_3`, `fill()` and `verify_certificate()`. Add several obstacles one after
+ * the other. Takes \cgalBigO{n \log n} time for `n` faces unless many of them have intersecting
+ * bounding boxes.
  *
  * \tparam TriangleMesh a model of `MutableFaceGraph` and `HalfedgeListGraph` with an internal
  * vertex point map
  *
  * \param mesh the mesh, closed and without self-intersections
- * \param obstacle the obstacle, likewise, with any orientation
+ * \param obstacle the obstacle, closed and without self-intersections, with any orientation
  *
- * \throws std::invalid_argument if either bounds no domain, see `Triangle_mesh_domain_3`, or if the
- * obstacle touches or crosses the mesh, or does not lie strictly inside of it, outside of all
- * earlier obstacles; the mesh does not change then
+ * \throws std::invalid_argument if either bounds no domain, see `Triangle_mesh_domain_3`; if the
+ * obstacle touches or crosses the mesh; or if it does not lie strictly inside the mesh and outside
+ * all earlier obstacles. The mesh is unchanged in that case
  */
 template <typename TriangleMesh>
 void add_obstacle(TriangleMesh& mesh, TriangleMesh obstacle)

@@ -35,9 +35,9 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief The struct `Coverage` tells how evenly a curve fills a domain: statistics of the distances
- * of uniform samples of the domain to the curve, divided by the thickness. Without samples, as if
- * there was no time to measure, they are not a number.
+ * \brief The struct `Coverage` describes how evenly a curve fills a domain: statistics of the
+ * distances from uniform samples of the domain to the curve, divided by the thickness. Without
+ * samples, for example if there was no time to measure, they are NaN.
  */
 struct Coverage
 {
@@ -66,7 +66,7 @@ struct Coverage
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief The struct `Empty_region_3` is a connected part of a domain that a curve did not get to.
+ * \brief The struct `Empty_region_3` is a connected part of a domain that a curve did not reach.
  *
  * \tparam Point_3 the type of points
  */
@@ -76,17 +76,18 @@ struct Empty_region_3
   /// the center of a ball that lies in the region
   Point_3 point;
 
-  /// the radius of this ball
+  /// the radius of the ball
   double radius;
 
-  /// the volume of the region, estimated by the share of the samples in it
+  /// the volume of the region, estimated from its share of the samples
   double volume;
 };
 
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief The struct `Containment` lists what of a curve is not strictly inside a domain.
+ * \brief The struct `Containment` lists the nodes and edges of a curve that are not strictly inside
+ * a domain.
  */
 struct Containment
 {
@@ -119,7 +120,7 @@ inline double quantile(const std::vector<double>& sorted, double share)
   return sorted[(std::max)(static_cast<std::size_t>(rank), std::size_t(1)) - 1];
 }
 
-// The same as empty_regions(), given the distance of the k-th sample from the boundary.
+// Distances from the samples to the curve, computed block by block.
 template <typename ConcurrencyTag, typename Traits, typename Domain>
 std::vector<double> sample_distances(const Curve_network_3<Traits>& curve,
                                      const Domain_samples_3<Traits, Domain>& samples,
@@ -202,8 +203,9 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
 /// @{
 
 /*!
- * returns the distance of every sample to the nearest point of the curve; infinity if the curve has
- * no edges. \cgalBigO{(n + m) \log n} time for `n` edges and `m` samples for most curves.
+ * returns the distance from every sample to the nearest point of the curve, or infinity if the
+ * curve has no edges. Takes \cgalBigO{(n + m) \log n} time for `n` edges and `m` samples of most
+ * curves.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -213,7 +215,7 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
  * \param samples the samples
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename Traits,
@@ -230,7 +232,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 }
 
 /*!
- * returns the statistics of distances that `sample_distances()` has computed.
+ * returns the statistics of distances from `sample_distances()`.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -265,8 +267,8 @@ template <typename Traits, typename Domain, typename Thickness>
 }
 
 /*!
- * returns the share of the samples that are farther than 2 r from the curve: a curve that fills the
- * domain leaves at most 1 %.
+ * returns the share of the samples that are farther than 2 r from the curve; it is at most 1 % for
+ * a curve that fills the domain.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -290,11 +292,11 @@ template <typename Traits, typename Domain, typename Thickness>
 }
 
 /*!
- * returns the regions of the domain that the curve did not get to, the largest first.
+ * returns the regions of the domain that the curve did not reach, the largest first.
  *
- * A region is a set of samples that are farther than 2 r from the curve, connected by straight ways
- * inside the domain between samples that are close together, and holds a ball of radius r / 2 whose
- * points are all inside and farther than 2 r from the curve.
+ * A region is a set of samples farther than 2 r from the curve, connected by segments inside the
+ * domain between nearby samples. It contains a ball of radius r/2 that lies inside the domain and
+ * farther than 2 r from the curve.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -306,7 +308,7 @@ template <typename Traits, typename Domain, typename Thickness>
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
           typename Domain,
@@ -329,8 +331,8 @@ template <typename Traits,
 }
 
 /*!
- * finds the nodes and the edges of the curve that are not strictly inside the domain; as exact as
- * the domain is. The time of one triangle test and two point tests of the domain per edge.
+ * finds the nodes and edges of the curve that are not strictly inside the domain, as exactly as the
+ * domain answers. Takes one triangle test and two point tests of the domain per edge.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -339,7 +341,7 @@ template <typename Traits,
  * \param domain the domain
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
           typename Domain,

@@ -38,13 +38,14 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief The struct `Curve_measures` collects what `measure()` computes of a curve.
+ * \brief The struct `Curve_measures` collects the measures that `measure()` computes.
  *
- * Lengths are in the input's unit. What does not apply is NaN, the least of nothing is infinity.
+ * Lengths are in the input's unit. A measure that does not apply is NaN; a minimum over nothing is
+ * infinity.
  */
 struct Curve_measures
 {
-  /// the length of all components together
+  /// the total length of all components
   double length = 0;
 
   /// see `component_lengths()`
@@ -79,13 +80,13 @@ struct Curve_measures
 /// @{
 
 /*!
- * returns the length of each component, junctions or not. Linear time.
+ * returns the length of each component, with or without junctions. Takes linear time.
  *
  * All functions on this page only read the curve and can run concurrently. Scaling the curve by a
- * power of two scales their results exactly, short of overflow and underflow.
+ * power of two scales their results exactly, barring overflow and underflow.
  *
- * Those that can take seconds take the named parameter `progress`, a function that receives a
- * `Run_progress` every few milliseconds, in the thread of the caller. If it returns `false`, they
+ * Functions that can run for seconds have the named parameter `progress`, a function that receives
+ * a `Run_progress` every few milliseconds, in the thread of the caller. If it returns `false`, they
  * throw `Run_interrupted`.
  */
 template <typename Traits>
@@ -94,7 +95,7 @@ template <typename Traits>
   return internal::lengths_of_components(curve);
 }
 
-/// returns the length of all components together. Linear time.
+/// returns the total length of all components. Takes linear time.
 template <typename Traits>
 [[nodiscard]] double length(const Curve_network_3<Traits>& curve)
 {
@@ -103,10 +104,10 @@ template <typename Traits>
 
 /*!
  * returns the total curvature of each component: the sum of the angles, in radians, by which the
- * curve turns at its nodes; NaN for a component with junctions. Linear time.
+ * curve turns at its nodes; NaN for a component with junctions. Takes linear time.
  *
- * That of a closed curve is at least \f$2\pi\f$, and more than \f$4\pi\f$ if the curve is knotted
- * (Fary, Milnor).
+ * The total curvature of a closed curve is at least \f$2\pi\f$, and more than \f$4\pi\f$ if the
+ * curve is knotted (Fary, Milnor).
  */
 template <typename Traits>
 [[nodiscard]] std::vector<double> total_curvatures(const Curve_network_3<Traits>& curve)
@@ -119,12 +120,13 @@ template <typename Traits>
 }
 
 /*!
- * returns the least bend radius of the curve's corners; infinity if there are none. Linear time.
+ * returns the least bend radius of the curve's corners, or infinity if there are none. Takes linear
+ * time.
  *
- * The bend radius of a corner with the turning angle \f$\theta\f$ is
- * \f$\min(l_1, l_2) / (2 \tan(\theta/2))\f$, the radius of the arc that is tangent to both edges,
- * of lengths \f$l_1\f$ and \f$l_2\f$, and touches the shorter one in its middle (Rawdon's MinRad).
- * A regular polygon has the radius of its inscribed circle. Components with junctions are left out.
+ * The bend radius of a corner with the turning angle \f$\theta\f$ is \f$\min(l_1, l_2) / (2
+ * \tan(\theta/2))\f$, the radius of the arc that is tangent to both edges, of lengths \f$l_1\f$ and
+ * \f$l_2\f$, and touches the shorter one in its middle (Rawdon's MinRad). For a regular polygon it
+ * is the radius of the inscribed circle. Components with junctions are left out.
  */
 template <typename Traits>
 [[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
@@ -133,7 +135,7 @@ template <typename Traits>
 }
 
 /// returns for each node the reciprocal of its bend radius, see `min_bend_radius()`; 0 at ends and
-/// junctions. Linear time.
+/// junctions. Takes linear time.
 /// \pre the network has no garbage
 template <typename Traits>
 [[nodiscard]] std::vector<double> node_curvatures(const Curve_network_3<Traits>& curve)
@@ -142,7 +144,7 @@ template <typename Traits>
   return internal::node_curvatures(curve);
 }
 
-/// returns the reciprocal of `min_bend_radius()`; 0 if the curve is straight. Linear time.
+/// returns the reciprocal of `min_bend_radius()`, 0 if the curve is straight. Takes linear time.
 template <typename Traits>
 [[nodiscard]] double max_curvature(const Curve_network_3<Traits>& curve)
 {
@@ -150,19 +152,19 @@ template <typename Traits>
 }
 
 /*!
- * returns the radius of the thickest tube around the curve that neither kinks nor runs into itself:
- * the smaller one of `min_bend_radius()` and half of the length of the shortest doubly critical
- * chord (Rawdon's polygonal injectivity radius). NaN if the curve has a junction.
+ * returns the radius of the thickest tube around the curve that neither kinks nor meets itself: the
+ * minimum of `min_bend_radius()` and half the length of the shortest doubly critical chord
+ * (Rawdon's polygonal injectivity radius). NaN if the curve has a junction.
  *
- * A chord is doubly critical if at both of its ends the distance to the other end turns from
- * growing to shrinking or back; it may join two components. An end of an open curve counts as such
- * a place if the distance to the other end shrinks towards it. Near linear in the number of nodes
- * for curves whose nodes are spaced evenly.
+ * A chord is doubly critical if, at both of its ends, the distance to the other end turns from
+ * growing to shrinking or back; it may join two components. An end of an open curve also counts if
+ * the distance to the other end shrinks towards it. Takes near-linear time for curves whose nodes
+ * are spaced evenly.
  *
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] double polygonal_thickness(const Curve_network_3<Traits>& curve,
@@ -174,13 +176,13 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns the length divided by `polygonal_thickness()`, a radius: \f$2\pi\f$ for the circle, about
- * 32.7 for the tight trefoil. NaN if the curve has a junction.
+ * returns the length divided by `polygonal_thickness()`, which is a radius: \f$2\pi\f$ for the
+ * circle, about 32.7 for the tight trefoil. NaN if the curve has a junction.
  *
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] double ropelength(const Curve_network_3<Traits>& curve,
@@ -190,18 +192,18 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns the least distance of two segments that are not neighbors; infinity if all are.
+ * returns the least distance between two segments that are not neighbors, or infinity if all are.
  *
- * Segments are neighbors if they share a node or if, along their component, less than \f$\pi r\f$
- * of the curve lies between them. Segments of different components never are. Near linear in the
- * number of nodes for curves whose nodes are spaced evenly.
+ * Segments are neighbors if they share a node or if less than \f$\pi r\f$ of their component lies
+ * between them. Segments of different components are never neighbors. Takes near-linear time for
+ * curves whose nodes are spaced evenly.
  *
  * \param curve the curve
- * \param r the radius that the curve is meant to keep, in the input's unit; with 0 only segments
- * that share a node are neighbors
+ * \param r the radius that the curve should keep, in the input's unit; with 0 only segments that
+ * share a node are neighbors
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] double min_clearance(const Curve_network_3<Traits>& curve,
@@ -214,8 +216,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns the mean number of crossings that the curve shows, over 100 fixed directions that are
- * spread evenly. Crossings between components and within them count alike.
+ * returns the mean number of crossings of the curve's projections along 100 fixed, evenly
+ * distributed directions. Crossings between components and within them count alike.
  *
  * Takes \f$O(n \log n + k)\f$ time per direction for \f$n\f$ nodes and \f$k\f$ pairs of segments
  * whose projections come close.
@@ -225,7 +227,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename Traits,
@@ -244,11 +246,11 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 }
 
 /*!
- * returns the linking number of every two components, 0 where one of them is not closed. The
- * diagonal is 0.
+ * returns the linking number of every two components, 0 if one of them is not closed. The diagonal
+ * is 0.
  *
- * Crossings are found and their signs taken with exact predicates. A crossing is positive if the
- * upper strand, turned counterclockwise by less than a half turn, points along the lower one. Takes
+ * Crossings and their signs are decided with exact predicates. A crossing is positive if the upper
+ * strand, turned counterclockwise by less than a half turn, points along the lower one. Takes
  * \f$O(n \log n + k)\f$ time for \f$n\f$ nodes and \f$k\f$ pairs of segments whose projections come
  * close.
  *
@@ -257,7 +259,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws std::invalid_argument if they do and no linking number can be found
+ * \throws std::invalid_argument if they do, and their linking number is undefined
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -281,7 +283,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param r as for `min_clearance()`
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename Traits,
@@ -305,13 +307,13 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 }
 
 /*!
- * computes all measures of a polyline, or of several together.
+ * computes all measures of one polyline, or of several polylines as one curve.
  *
  * \param polylines a range of points, or a range of such ranges
  * \param r as for `min_clearance()`
  * \param np \vfcNamedParams{Measure_polylines_signature}
  *
- * \throws std::invalid_argument as that constructor
+ * \throws std::invalid_argument like the constructor of `Curve_network_3` from polylines
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename PolylineRange,
@@ -338,9 +340,9 @@ template <typename PolylineRange,
  * \brief returns how well curves follow a direction field: the mean by length of the squared cosine
  * of the angle between an edge and the field at its middle.
  *
- * It is 1 if all edges go along the field, 0 if all go across, and 1/3 for curves that prefer no
- * direction. Where the field is zero it asks for nothing, and edges do not count. Not a number if
- * none does. Dimensionless; takes linear time.
+ * It is 1 if all edges are parallel to the field, 0 if all are perpendicular, and 1/3 for curves
+ * without a preferred direction. Edges where the field is zero do not count; without any other
+ * edges the result is NaN. Dimensionless. Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam DirectionField a function of `Traits::Point_3` whose result is convertible to
@@ -351,8 +353,8 @@ template <typename PolylineRange,
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the field is not finite in the middle of an edge, with the place
- * in the message
+ * \throws std::invalid_argument if the field is not finite in the middle of an edge; the message
+ * gives the point
  */
 template <typename Traits, typename DirectionField>
 [[nodiscard]] double alignment(const Curve_network_3<Traits>& curves, const DirectionField& field)

@@ -26,7 +26,7 @@ namespace CGAL {
  * blocks until the window is closed, and has no effect if the environment variable
  * `CGAL_TEST_SUITE` is set. This function requires `CGAL_Qt5` with \cgal 5 and `CGAL_Qt6` with
  * \cgal 6, and is only available if the macro `CGAL_USE_BASIC_VIEWER` is defined. Linking with the
- * cmake target `CGAL::CGAL_Basic_viewer` does all of that.
+ * CMake target `CGAL::CGAL_Basic_viewer` provides both.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
@@ -40,7 +40,7 @@ void draw(const Volume_filling_curves::Curve_network_3<Traits>& curve,
 /*!
  * \ingroup PkgVolumeFillingCurvesDraw
  *
- * \brief adds nodes and edges of a curve to a scene, which may hold other objects.
+ * \brief adds the nodes and edges of a curve to a graphics scene, next to other objects.
  *
  * Components differ in color, and pinned nodes are black. This function requires \cgal 6, but
  * neither Qt nor a display; `CGAL::draw_graphics_scene()` shows the scene.

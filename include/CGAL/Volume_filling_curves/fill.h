@@ -58,45 +58,46 @@ auto fill(Curve_network_3<Traits>& curves,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief fills a domain evenly with curves: lets them grow until nearly every point inside is
- * within about 1.4 times the thickness r of them.
+ * \brief fills a domain evenly with curves: grows them until nearly every point inside lies within
+ * about 1.4 times the thickness r of them.
  *
- * The curves never leave the domain and never pass through themselves or one another: every change
- * is certified (see `Isotopy_guard_3`), so that the result is ambient isotopic to the start and
- * lies strictly inside, as exactly as the domain can tell. Components that are not connected grow
- * side by side; networks keep their graph, pinned nodes their places.
+ * The curves never leave the domain and never pass through themselves or one another. Every change
+ * is certified (see `Isotopy_guard_3`): the result is ambient isotopic to the start and lies
+ * strictly inside, as exactly as the domain answers. Components of a curve grow side by side;
+ * networks keep their graph, and pinned nodes stay where they are.
  *
- * If there are no curves yet, a small circle is placed at the widest place of each connected part
- * of the inside that is wide enough, that is, holds a ball with an eighth of the radius r, or of
- * that of the widest ball inside. From the curves fingers reach out all over the domain, which then
- * open (see `Filling_start`). A mesh knows its parts by its shells. In any other domain parts are
- * found by samples: one with a passage that is thinner than the samples are dense may count as two.
- * Where more than 1 % of the domain is too thin for r, the visitor's `on_thin_domain()` is called
- * before the start.
+ * If no curves are given, a small circle is placed at the widest point of each connected part of
+ * the inside that is wide enough. A part is wide enough if it holds a ball whose radius is an
+ * eighth of r, or an eighth of the radius of the widest ball inside if that is less. Fingers then
+ * grow from the curves through the whole domain, and open (see `Filling_start`). The shells of a
+ * mesh define its parts. In any other domain parts are found from samples, and a part with a
+ * passage narrower than the distance between samples may count as two. If more than 1 % of the
+ * domain is too thin for r, the visitor's `on_thin_domain()` is called first.
  *
- * With `Wall::COVER` the curve settles at about r from the boundary, with `Wall::KEEP_CLEAR` at
- * about 2r, and in both cases strands settle at about 2r from one another. On nine domains 79 to 80
- * % of the volume ended within r and 99 % within 1.4 r. A user who asks that every
- * point is within some distance of the curve gives a thickness smaller by about 1.4.
+ * The curve settles at about r from the boundary with `Wall::COVER` and at about 2 r with
+ * `Wall::KEEP_CLEAR`; strands settle at about 2 r from one another. On nine domains, 79 to 80 % of
+ * the volume ended within r of the curve and 99 % within 1.4 r. If every point must lie within d of
+ * the curve, use r = d / 1.4.
  *
- * The run ends when the curve has settled at the thickness asked for, and every empty region has
- * been driven at. A curve that has settled has not always filled its domain: if more than 1 % of
- * the volume is farther than 2 r from it, the status is `Filling_status::PARTIAL`, and
- * `Filling_result::reason` says why. For the curve to settle the steps shrink in the end, by a
- * fifth each: otherwise it trembles for good. Until the last steps edges are up to half as long
- * again as asked for, which saves time.
+ * The run ends when the curve has settled at the required thickness and has been pushed into every
+ * empty region. A settled curve need not fill its domain: if more than 1 % of the volume is farther
+ * than 2 r from it, the status is `Filling_status::PARTIAL`, and `Filling_result::reason` states
+ * the cause. Towards the end each step is a fifth shorter than the one before; otherwise the curve
+ * keeps oscillating. Until the last steps, edges may be up to 1.5 times as long as `spacing`
+ * requires, which saves time.
  *
- * The time limit also holds for the survey of the domain, where fewer samples are taken then, and
- * for the measures of the result, which are left out. A step that would end after it is not begun,
- * and one that does is broken off, unless there is a `checkpoint`: states are taken between steps.
+ * The time limit includes the survey of the domain, which then takes fewer samples, and the
+ * measures of the result, which are then skipped. A step that is expected to end after the limit is
+ * not started, and a step that overruns it is abandoned, unless there is a `checkpoint`: states are
+ * saved between steps.
  *
- * A domain multiplied by a power of two, with its lengths, gives the same curve, multiplied
- * likewise, in every bit. A domain larger than 1e38 or smaller than 1e-38 must be a model of
- * `ScalableVolumeFillingDomain_3` for that, as all domains of this package are. A visitor then sees
- * all that can be read of a `Curve_flow_3`, but not the object itself.
+ * Scaling a domain and its lengths by a power of two scales the curve by the same factor, bit for
+ * bit. Beyond 1e38 and below 1e-38 this requires a model of `ScalableVolumeFillingDomain_3`, as all
+ * domains of this package are. A visitor then receives an object with the reading functions of
+ * `Curve_flow_3` instead of the flow itself.
  *
- * The result is the same for every number of threads. The time is near-linear in the volume divided
- * by the cube of r for a given shape.
+ * The result does not depend on the number of threads. For a given shape, the time is near-linear
+ * in the volume divided by r cubed.
  *
  * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
@@ -106,26 +107,25 @@ auto fill(Curve_network_3<Traits>& curves,
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
- * \param domain the domain, or a closed triangle mesh, whose inside is filled as a
- * `Triangle_mesh_domain_3` is
+ * \param domain the domain, or a closed triangle mesh, which stands for the
+ * `Triangle_mesh_domain_3` that it bounds
  * \param np \vfcNamedParams{Fill_mesh_signature}
  *
- * \returns how the run ended, where the curve did not get to, and statistics
+ * \returns how the run ended, which regions the curve did not reach, and statistics
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded or not strictly inside the domain,
- * with the nodes in the message, if the domain is unbounded, larger than 1e150 or smaller than
- * 1e-150, or without `scaled()` beyond 1e38 or below 1e-38, hardly any point of its box is inside,
- * or its answers contradict each other, if a parameter has a value that it must not have, with its
- * name in the message and, of a field, the point, if both a length and a thickness are given, or if
- * a mesh bounds no domain, see `Triangle_mesh_domain_3`
- * It is also thrown if the curve would have more than 20 million nodes, which take some 30 GB, or
- * with the thickness by default 2 million.
- * \throws Run_state_error if the state to resume from is that of another run, with what differs in
- * the message
+ * \throws std::invalid_argument if the curves are not embedded or not strictly inside the domain
+ * (the message lists the nodes); if the domain is unbounded, larger than 1e150 or smaller than
+ * 1e-150, or has no `scaled()` beyond 1e38 or below 1e-38; if hardly any point of its box is
+ * inside, or its answers contradict each other; if a parameter is out of its range (the message
+ * names it and, for a field, the point); if both a length and a thickness are given; if a mesh
+ * bounds no domain, see `Triangle_mesh_domain_3`; or if the curve would have more than 20 million
+ * nodes, which take some 30 GB, or more than 2 million with the default thickness
+ * \throws Run_state_error if `resume_from` is the state of a different run; the message lists the
+ * differences
  *
- * What a visitor, a field or the domain throws is passed on.
+ * Exceptions of the visitor, of a field and of the domain pass through.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
@@ -150,11 +150,11 @@ Filling_result<typename Traits::Point_3> fill(
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief fills a domain evenly with a polyline, or with several.
+ * \brief fills a domain evenly with one or more polylines.
  *
- * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
- * the result; the ends of the others are pinned: they are ports. An empty polyline, or container,
- * stands for no curves. See the overload for `Curve_network_3`.
+ * As usual in \cgal, a polyline is closed if its last point repeats the first; its result is then
+ * closed in the same way. The ends of all other polylines are pinned, and serve as ports. An empty
+ * polyline or container means that no curves are given. See the overload for `Curve_network_3`.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
@@ -166,10 +166,11 @@ Filling_result<typename Traits::Point_3> fill(
  * \param domain the domain, or a closed triangle mesh, whose inside is filled
  * \param np \vfcNamedParams{Fill_mesh_with_polylines_signature}
  *
- * \returns how the run ended, where the curve did not get to, and statistics
+ * \returns how the run ended, which regions the curve did not reach, and statistics
  *
- * \throws std::invalid_argument as that overload and that constructor, and if an empty polyline is
- * to hold the curves of several parts of the domain. The polylines are unchanged then.
+ * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
+ * polylines, and if the domain has several parts, whose curves do not fit into a single empty
+ * polyline. The polylines are unchanged in that case.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Polylines,
@@ -203,21 +204,21 @@ auto fill(Polylines& polylines,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief fills a domain, with a struct of parameters in place of named ones.
+ * \brief fills a domain; the parameters come as a struct.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or a model
  * of `FaceListGraph`
- * \tparam Point_3 that point type
+ * \tparam Point_3 the point type of the domain
  * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
  *
  * \param curves the curves, replaced by the result
- * \param domain the domain, or a closed triangle mesh, whose inside it is
+ * \param domain the domain, or a closed triangle mesh, which bounds it
  * \param parameters the parameters
- * \param visitor is told of the progress, and can end the run
+ * \param visitor receives the progress of the run, and can end it
  *
- * \returns what the overload with named parameters returns; the same is thrown, too
+ * \returns the same as the overload with named parameters, and throws the same exceptions
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
@@ -239,30 +240,31 @@ Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// What `grow_fingers()` returns.
+/// The result of `grow_fingers()`.
 struct Finger_growth
 {
-  std::size_t number_of_places = 0;  ///< well-spaced points that were to be reached
-  std::size_t number_of_fingers = 0; ///< of those, how many were
+  std::size_t number_of_places = 0;  ///< well-spaced points to reach
+  std::size_t number_of_fingers = 0; ///< points that a finger reached
 };
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief lets curves reach out all over a domain: the start of `fill()`, for those who go on in
- * their own way.
+ * \brief grows fingers from curves through a whole domain. This is the first stage of `fill()`, as
+ * a building block for other fillings.
  *
- * Points that are 2.9 r apart are scattered in the domain, at least r/2 from its boundary, or r/8
- * where it is narrow. Along a random spanning tree of them, which begins at the curves, fingers
- * grow: an edge of the curve is halved, and one half is pulled out to the next point, with a blunt
- * tip that is 1.4 r wide. These are three insertions of nodes that the guard certifies, so that the
- * result is ambient isotopic to what it was: the outline of a tree, in place of a small circle. To
- * points that no straight finger gets to, ways with room for a ball of radius r/14 are searched,
- * and thin fingers are led along them, through necks and around corners. The time is near linear in
- * the number of points.
+ * Points at distances of 2.9 r are scattered in the domain, at least r/2 from its boundary, or r/8
+ * in narrow regions. Fingers grow along a random spanning tree of these points, which starts at the
+ * curves: an edge of the curve is halved, and one half is pulled out to the next point, with a
+ * blunt tip 1.4 r wide. Each finger consists of three insertions of nodes, which the guard
+ * certifies; so the result is ambient isotopic to the input. It is the outline of a tree, where
+ * `fill()` would otherwise start from a small circle. To points that no straight finger reaches, a
+ * path search finds paths with clearance r/14, and thin fingers follow them through necks and
+ * around corners. The time is near-linear in the number of points.
  *
- * Of several components the one that has got least of the volume grows first, so that they share
- * it. Pinned nodes stay where they are; networks keep their graph. The curves are numbered again.
+ * If there are several components, the one with the smallest share of the volume grows next, which
+ * divides the domain evenly. Pinned nodes stay where they are; networks keep their graph. The nodes
+ * are renumbered.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded
@@ -271,14 +273,14 @@ struct Finger_growth
  * \param guard the guard of the curves, in their domain
  * \param np \vfcNamedParams{Finger_signature}
  *
- * \returns how many points there are, and how many of them were reached
+ * \returns the number of points, and the number of points that were reached
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if a parameter has a value that it must not have, if there is no
- * thickness, or if a field has such a value somewhere, with its name and the point in the message
+ * \throws std::invalid_argument if a parameter is out of its range, if no thickness is given, or if
+ * a field is out of its range at a point; the message names the parameter and the point
  *
- * What a field or the domain throws is passed on.
+ * Exceptions of a field and of the domain pass through.
  */
 template <typename Traits,
           typename Domain,

@@ -28,10 +28,9 @@ namespace Volume_filling_curves {
 /*!
  * \addtogroup PkgVolumeFillingCurvesGenerators
  *
- * Closed curves to try things with: knots and links of a known type, and polygons. The same
+ * Closed curves for experiments and tests: knots and links of known types, and polygons. The same
  * arguments give the same bits on every machine. All functions return embedded networks, take
- * near-linear time unless they say otherwise, and can run concurrently. `Traits` is a model of
- * `CurveFlowTraits_3`.
+ * near-linear time, and can run concurrently. `Traits` is a model of `CurveFlowTraits_3`.
  *
  * @{
  */
@@ -40,8 +39,8 @@ namespace Volume_filling_curves {
  * returns a torus knot T(`p`, `q`), or a link if `p` and `q` have a common divisor, which is then
  * the number of its components.
  *
- * On a torus with the radii 2 and 1 it runs `p` times around the axis and |`q`| times around the
- * core. Its crossings are positive if `q` is: T(2, 3) is the right-handed trefoil, T(2, -3) the
+ * On a torus with radii 2 and 1, the curve runs `p` times around the axis and |`q`| times around
+ * the core. Its crossings are positive if `q` is: T(2, 3) is the right-handed trefoil, T(2, -3) the
  * left-handed one, and T(2, 2) the Hopf link.
  *
  * \param p the number of turns around the axis, at least 1
@@ -64,18 +63,18 @@ template <typename Traits = Curve_flow_traits_3<>>
 }
 
 /*!
- * returns the closure of a braid: every knot and every link is one (Alexander 1923).
+ * returns the closure of a braid. Every knot and every link is a closed braid (Alexander 1923).
  *
- * The strands run side by side around the z-axis, at a distance of 1. The letter `i` of the word
- * exchanges the strands `i` and `i + 1` by a half turn, with a positive crossing, and `-i` does so
- * with a negative one: the word 1 1 1 is the right-handed trefoil, 1 -2 1 -2 the figure-eight knot,
- * and 1 -2 1 -2 1 -2 the Borromean rings.
+ * The strands run side by side around the z-axis, at distance 1. The letter `i` of the word
+ * exchanges the strands `i` and `i + 1` by a half turn with a positive crossing, and `-i` with a
+ * negative one: the word 1 1 1 is the right-handed trefoil, 1 -2 1 -2 the figure-eight knot, and 1
+ * -2 1 -2 1 -2 the Borromean rings.
  *
  * \param word the letters, other than 0; see also `parse_braid_word()`
  * \param number_of_nodes the number of nodes, which are spaced equally
  * \param random_seed the seed of a random rotation; 0 for none
- * \param number_of_strands asks for more strands than the word uses: with an empty word there are
- * so many unlinked circles
+ * \param number_of_strands the least number of strands; with an empty word, the number of unlinked
+ * circles
  * \param traits the traits object
  *
  * \throws std::invalid_argument if there are too few nodes
@@ -103,11 +102,11 @@ template <typename Traits = Curve_flow_traits_3<>>
 }
 
 /*!
- * returns an unknot that does not look like one: a circle in the unit ball after random moves of
- * its nodes, each of them certified by `Isotopy_guard_3`.
+ * returns an unknot in disguise: a circle in the unit ball after random moves of its nodes, each
+ * certified by `Isotopy_guard_3`.
  *
  * \param number_of_nodes the number of nodes, at least 3
- * \param number_of_moves the number of moves that are tried; 10 per node make a tangle
+ * \param number_of_moves the number of attempted moves; 10 per node make a tangle
  * \param random_seed the seed of the moves
  * \param traits the traits object
  *
@@ -143,8 +142,8 @@ template <typename Traits = Curve_flow_traits_3<>>
 }
 
 /*!
- * returns a random polygon on the cubic lattice, an unknot: a unit square of which random edges
- * were pushed sideways by one. It is rich in edges that are parallel, collinear or in one plane.
+ * returns a random polygon on the cubic lattice, an unknot: a unit square after random edges were
+ * pushed sideways by one unit. Many of its edges are parallel, collinear or coplanar.
  *
  * \param number_of_nodes the number of nodes, even and at least 4
  * \param random_seed the seed of the polygon

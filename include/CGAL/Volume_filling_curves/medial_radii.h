@@ -30,20 +30,20 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief returns for each node the mean of its medial radii over all directions, each of them
- * capped at `largest`: how much room there is around the curve at this node.
+ * \brief returns for each node the mean of its medial radii over all directions, each capped at
+ * `largest`: a measure of the clearance around the curve.
  *
- * `mean_medial_radius()` is their mean along the curve, and says more about the radii.
+ * `mean_medial_radius()` is their mean along the curve, and explains medial radii.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param largest the cap, in the input's unit
- * \param number_of_directions how many medial spheres every node has
+ * \param number_of_directions the number of medial spheres per node
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
  * \pre `largest` is positive and finite
@@ -73,22 +73,22 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief returns for each node the least of its medial radii, each of them capped at `largest`: the
- * radius of the thickest tube that neither kinks at the node nor meets another strand there.
+ * \brief returns for each node the minimum of its medial radii, capped at `largest`: the radius of
+ * the thickest tube that neither kinks at the node nor meets another strand there.
  *
- * Up to the number of directions that is the radius of the smallest circle that is tangent to the
- * curve at the node and passes through another node (Gonzalez and Maddocks 1999). The least of them
- * all is about `polygonal_thickness()`.
+ * As the number of directions grows, this tends to the radius of the smallest circle that is
+ * tangent to the curve at the node and passes through another node (Gonzalez and Maddocks 1999).
+ * The minimum over all nodes is about `polygonal_thickness()`.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param largest the cap, in the input's unit
- * \param number_of_directions how many medial spheres every node has
+ * \param number_of_directions the number of medial spheres per node
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
  * \pre `largest` is positive and finite
@@ -117,23 +117,23 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief returns the mean of the medial radii of all nodes and directions, each of them capped at
- * `largest`: how far away the next strand is, in the mean along the curve.
+ * \brief returns the mean of the medial radii of all nodes and directions, each capped at
+ * `largest`: the mean distance to the next strand, in the input's unit.
  *
- * A medial sphere touches the curve at a node and holds no other node. Many touch nothing at all,
- * hence the cap; `untangle()` has a curve relax at a given thickness, and 2 of it is a good cap for
- * the result. Nodes count by their shares of the length. In the input's unit. Near-linear time for
- * curves whose nodes are spaced evenly.
+ * A medial sphere touches the curve at a node and contains no other node. Many spheres touch
+ * nothing else, hence the cap; twice the thickness is a good cap for a result of `untangle()`.
+ * Nodes are weighted by their share of the length. Takes near-linear time for curves whose nodes
+ * are spaced evenly.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param largest the cap, in the input's unit
- * \param number_of_directions how many medial spheres every node has
+ * \param number_of_directions the number of medial spheres per node
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  *
  * \return 0 if the curve is empty
  *
@@ -158,22 +158,22 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
- * \brief returns the thickness with which `untangle()` moves a curve if none is given.
+ * \brief returns the default thickness of `untangle()` for a curve.
  *
- * This is the 25th percentile of the medial radii of all points and directions, those of spheres
- * that touch nothing counting as infinite. It is a length in the input's unit, scales with the
- * curve, does not depend on how it is divided into edges, and is 0 for a curve without extent.
- * Curves with junctions get at least a thickness with which their nodes become about four times as
- * many, or two thousand. Near-linear time for most curves.
+ * This is the 25th percentile of the medial radii of all points and directions; spheres that touch
+ * nothing count as infinite. It is a length in the input's unit, scales with the curve, does not
+ * depend on the division into edges, and is 0 for a curve without extent. For curves with junctions
+ * it is at least the thickness at which the number of nodes grows to about four times the input's,
+ * or to two thousand. Takes near-linear time for most curves.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
- * \param number_of_directions how many medial spheres every point has
+ * \param number_of_directions the number of medial spheres per point
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
  * \pre `number_of_directions` is positive

@@ -36,19 +36,18 @@ namespace Volume_filling_curves {
  * \brief simplifies curves: removes every node that can be removed by a certified operation.
  *
  * A node is removed if the triangle that it spans with its two neighbors meets the rest of the
- * curves in nothing but these neighbors, so that the result is ambient isotopic to the input. In
- * the end no further node can be removed under the same conditions. Nodes that stay do not move.
- * Pinned nodes, ends of open curves and junctions stay, and a closed curve keeps 3 nodes at least.
- * `Curve_network_3::origin()` tells which node of the input a node was.
+ * curves only in these neighbors; hence the result is ambient isotopic to the input. At the end no
+ * further node can be removed by this rule. Remaining nodes do not move. Pinned nodes, ends of open
+ * curves and junctions stay, and a closed curve keeps at least 3 nodes. `Curve_network_3::origin()`
+ * returns the input index of a node.
  *
- * With a `max_distance` every edge of the result stays within that Fréchet distance of the part of
- * the input that it stands for: both can be run through from end to end, without turning back, such
- * that they are never farther apart. In particular, every point of the input is within that
- * distance of the result, and every point of the result of the input. Distances are computed with
- * `double`s.
+ * With a `max_distance`, every edge of the result lies within that Fréchet distance of the section
+ * of the input that it replaces: two points can traverse both from end to end, never turning back
+ * and never farther apart than this. In particular, every point of the input is within that
+ * distance of the result, and vice versa. Distances are computed with `double`s.
  *
- * Nodes that change the curve least are removed first. A tangled curve of 100,000 nodes takes a few
- * seconds.
+ * Nodes whose removal changes the curve least are removed first. A tangled curve of 100,000 nodes
+ * takes a few seconds.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of named parameters
@@ -56,13 +55,13 @@ namespace Volume_filling_curves {
  * \param curves the curves, replaced by the result
  * \param np \vfcNamedParams{Simplify_signature}
  *
- * \returns the number of nodes that were removed; by then, if `progress` ended the run
+ * \returns the number of nodes removed, up to the interruption if `progress` ended the run
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded, with the nodes in the message, if a
- * coordinate is beyond 1e150 or the size below 1e-150, or if a parameter has a value that it must
- * not have, with its name in the message
+ * \throws std::invalid_argument if the curves are not embedded (the message lists the nodes), if a
+ * coordinate is beyond 1e150 or the size is below 1e-150, or if a parameter is out of its range
+ * (the message names it)
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::size_t simplify_curves(Curve_network_3<Traits>& curves,
@@ -74,10 +73,10 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief simplifies a polyline, or several.
+ * \brief simplifies one or more polylines.
  *
- * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
- * the result. See the overload for `Curve_network_3`.
+ * As usual in \cgal, a polyline is closed if its last point repeats the first; its result is then
+ * closed in the same way. See the overload for `Curve_network_3`.
  *
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
  * \tparam NamedParameters a sequence of named parameters
@@ -85,10 +84,10 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
  * \param polylines the polylines, replaced by the result
  * \param np \vfcNamedParams{Simplify_polylines_signature}
  *
- * \returns the number of points that were removed
+ * \returns the number of points removed
  *
- * \throws std::invalid_argument as that overload and that constructor. The polylines are unchanged
- * then.
+ * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
+ * polylines. The polylines are unchanged in that case.
  */
 template <typename Polylines,
           typename NamedParameters = CGAL::parameters::Default_named_parameters
@@ -109,9 +108,9 @@ std::size_t simplify_curves(Polylines& polylines,
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// simplifies curves, with a struct of parameters in place of named ones.
+/// simplifies curves; the parameters come as a struct.
 ///
-/// \returns what the overload with named parameters returns; the same is thrown, too
+/// \returns the same as the overload with named parameters, and throws the same exceptions
 template <typename Traits>
 std::size_t simplify_curves(Curve_network_3<Traits>& curves,
                             const Simplification_parameters& parameters)

@@ -27,21 +27,21 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief makes a triangle mesh of the surface of the tube around a curve.
+ * \brief constructs a triangle mesh of the surface of the tube around a curve.
  *
- * Every component of the curve gets a closed surface of its own, oriented to the outside, which is
- * added to the mesh: a torus around a closed curve, a sphere around an open one, whose ends are
- * flat. At each node there is a regular polygon, in the plane that bisects the corner, whose
- * corners have the distance `radius` from the node; neighboring polygons are joined by triangles.
- * Polygons follow one another without a twist, but for what closes a closed curve, at most half of
- * a side, which is spread evenly. All of the tube is within its radius of the curve.
+ * Every component of the curve adds a closed surface to the mesh, oriented outward: a torus around
+ * a closed curve, a sphere with flat ends around an open one. At each node a regular polygon lies
+ * in the plane that bisects the corner, with its corners at distance `radius` from the node;
+ * triangles join neighboring polygons. Successive polygons are not twisted, except for the twist
+ * that closes a closed curve, which is at most half a side and is distributed evenly. The whole
+ * tube lies within its radius of the curve.
  *
- * The mesh does not intersect itself if the radius is less than `polygonal_thickness()` everywhere:
- * then no corner is too sharp for the radius, and no strand comes closer than two radii. With
+ * If the radius is less than `polygonal_thickness()` everywhere, the mesh does not intersect
+ * itself: no corner is too sharp for the radius, and no two strands are closer than two radii. With
  * larger radii it may.
  *
- * With `k` sides there are `k` vertices and `2k` triangles per node, and another vertex per open
- * end. Linear time.
+ * With `k` sides the mesh has `k` vertices and `2k` triangles per node, and one more vertex per
+ * open end. Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Radius a number, a function, or a model of `ReadablePropertyMap`
@@ -51,9 +51,8 @@ namespace Volume_filling_curves {
  *
  * \param curve the curve
  * \param radius the radius of the tube, in the input's unit; or a function `double(std::size_t)`,
- * or a property map, that gives the radius at each node
- * \param mesh receives the tube in addition to what it holds; it does not change if an exception is
- * thrown
+ * or a property map, for the radius at each node
+ * \param mesh the mesh to which the tube is added; it is unchanged if an exception is thrown
  * \param np \vfcNamedParams{Tube_signature}
  *
  * \throws std::invalid_argument if the curve has a junction, if a radius is not positive and

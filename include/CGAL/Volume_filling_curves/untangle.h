@@ -34,32 +34,34 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles curves: moves them, without ever passing through themselves, to a short and
- * simple shape.
+ * \brief untangles curves: moves them to a short and simple shape, and never through themselves.
  *
- * With the strategy `AUTO` (default) a random search brings the curves to polygons with as few
- * edges as it finds, for at most a quarter of the time limit, and then they flow, as `Curve_flow_3`
- * moves them, from there or, if that is as simple, from where they were, until they are tight, or
- * are proved to be unknots, of which a single one becomes round. With `lower_ropelength` closed
- * curves that are tight are pulled on. If closed curves were tighter before, and no thickness is
- * given, they are the result. With `FLOW` they do nothing but flow, until they are proved to be
- * unknots, are tight, or get nowhere. With `SEARCH` they stay the polygons that the search ends
- * with: of at most 5 edges per component if they are unknots, and else as short of edges as the
- * search got. Every change is certified with exact predicates, hence the result is ambient isotopic
- * to the input, whatever the status that is returned. Nodes are removed and inserted on the way;
- * `Curve_network_3::origin()` tells which node of the input a node was. Components keep their order
- * and orientation; pinned nodes stay where they are.
+ * With the strategy `AUTO` (default), a random search first looks for polygons with few edges, for
+ * at most a quarter of the time limit. The curves then flow, as in `Curve_flow_3`, from these
+ * polygons or, if the input is as simple, from the input. The flow ends when the curves are tight
+ * or are proved to be unknots; a single unknot becomes round. With `lower_ropelength`, tight closed
+ * curves are then tightened further. If the closed input was tighter than the outcome, and no
+ * thickness is given, the input is returned.
+ *
+ * With `FLOW` the curves only flow, until they are proved to be unknots, are tight, or stop making
+ * progress. With `SEARCH` the result is the polygon of the search: at most 5 edges per component
+ * for unknots, otherwise as few edges as the search found.
+ *
+ * Every change is certified with exact predicates; hence the result is ambient isotopic to the
+ * input, whatever the status. Nodes are inserted and removed; `Curve_network_3::origin()` returns
+ * the input index of a node. Components keep their order and orientation, and pinned nodes stay
+ * where they are.
  *
  * A component with ends keeps its knot if all of its ends are pinned: no strand slips off them. The
- * type of an open knot is that of its closure by straight lines from the ends away from the mean of
- * all nodes, and these lines are part of the curve while it flows, as pinned nodes whose `origin()`
- * is null; a visitor sees them. `Untangling_result::is_closure_kept` tells whether the closure of
- * the result, whose mean is another, has that type as well: always where the run has converged. A
- * component with a free end has no knot to be kept.
+ * type of an open knot is that of its closure by straight rays from the ends, which point away from
+ * the mean of all nodes. While the curve flows, these closing rays are part of it, as pinned nodes
+ * with a null `origin()`, and a visitor sees them. The result has a different mean;
+ * `Untangling_result::is_closure_kept` states whether its own closure has the same type. It always
+ * has if the run has converged. A component with a free end has no knot to keep.
  *
- * As long as curves get shorter fast, their edges are half a thickness long at least, and steps are
- * 2.5 times as long as `max_displacement`; visitors see that. Curves that are nearly tight from the
- * start, and results, have edges as `spacing` asks for.
+ * While curves shrink fast, their edges are at least half a thickness long, and steps are 2.5 times
+ * as long as `max_displacement`; visitors see these curves. Results, and curves that are nearly
+ * tight from the start, have the edge lengths that `spacing` requires.
  *
  * The result does not depend on the number of threads. An iteration takes near-linear time; tangled
  * knots of a thousand nodes take about 70 iterations and 0.04 seconds (236 knots).
@@ -72,18 +74,18 @@ namespace Volume_filling_curves {
  * \param curves the curves, replaced by the result
  * \param np \vfcNamedParams{Untangle_signature}
  *
- * \returns how the run ended, what is proved of the curves, and statistics
+ * \returns how the run ended, which proofs were found, and statistics
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded, if a coordinate is beyond 1e150 or
- * the size below 1e-150, if a pinned end is shut in such that no straight line leads from it to the
- * outside, or a node is pinned although the length is to be kept, with the nodes in the message;
- * and if a parameter has a value that it must not have, with its name in the message.
- * \throws Run_state_error if the state to resume from is that of another run, with what differs in
- * the message
+ * \throws std::invalid_argument if the curves are not embedded, if a pinned end is enclosed so that
+ * no straight ray leads from it to the outside, or if a node is pinned although the length is to be
+ * kept (the message lists the nodes); if a coordinate is beyond 1e150 or the size is below 1e-150;
+ * or if a parameter is out of its range (the message names it)
+ * \throws Run_state_error if `resume_from` is the state of a different run; the message lists the
+ * differences
  *
- * The curves are unchanged then. What a visitor throws is passed on.
+ * If one of these is thrown, the curves are unchanged. Exceptions of the visitor pass through.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
@@ -104,10 +106,11 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles a polyline, or several.
+ * \brief untangles one or more polylines.
  *
- * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
- * the result; the ends of the others are pinned. See the overload for `Curve_network_3`.
+ * As usual in \cgal, a polyline is closed if its last point repeats the first; its result is then
+ * closed in the same way. The ends of all other polylines are pinned. See the overload for
+ * `Curve_network_3`.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
@@ -116,10 +119,10 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * \param polylines the polylines, replaced by the result
  * \param np \vfcNamedParams{Untangle_polylines_signature}
  *
- * \returns how the run ended, what is proved of the curves, and statistics
+ * \returns how the run ended, which proofs were found, and statistics
  *
- * \throws std::invalid_argument as that overload and that constructor. The polylines are unchanged
- * then.
+ * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
+ * polylines. The polylines are unchanged in that case.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Polylines,
@@ -143,7 +146,7 @@ Untangling_result untangle(Polylines& polylines,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles curves, with a struct of parameters in place of named ones.
+ * \brief untangles curves; the parameters come as a struct.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -151,9 +154,9 @@ Untangling_result untangle(Polylines& polylines,
  *
  * \param curves the curves, replaced by the result
  * \param parameters the parameters
- * \param visitor is told of the progress, and can end the run
+ * \param visitor receives the progress of the run, and can end it
  *
- * \returns what the overload with named parameters returns; the same is thrown, too
+ * \returns the same as the overload with named parameters, and throws the same exceptions
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
@@ -170,10 +173,10 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns a copy of the curve that a visitor of `untangle()` sees, without the rays that it
- * has at pinned ends while it flows (see `CurveFlowVisitor`); a plain copy if there are none.
+ * \brief returns a copy of a curve without the closing rays that `untangle()` adds at pinned ends
+ * while the curve flows (see `CurveFlowVisitor`).
  *
- * Linear time.
+ * Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *

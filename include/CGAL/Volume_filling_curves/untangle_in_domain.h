@@ -25,7 +25,8 @@ namespace Volume_filling_curves {
 
 namespace internal {
 
-// A domain as the place of an Untangling_run: the curves flow, and no rays lead out of it.
+// The inside of a domain as the surroundings of an Untangling_run: the curves flow, without closing
+// rays.
 template <typename Traits, typename Domain, typename ConcurrencyTag>
 struct Place_in_domain
 {
@@ -59,15 +60,15 @@ struct Place_in_domain
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles curves that must not leave a domain: moves them, without ever passing through
- * themselves or the boundary, to a short and simple shape.
+ * \brief untangles curves inside a domain: moves them to a short and simple shape, and never
+ * through themselves or the boundary.
  *
- * The curves flow, as `untangle()` lets them without a domain and with the strategy `FLOW`, until
- * they are proved to be unknots, are tight, or get nowhere; the boundary limits the medial spheres
- * and the motion. Obstacles are cavities of the domain. What is proved of the curves is about the
- * curves in space and says nothing of the obstacles: a curve that is an unknot may be hooked around
- * one. With `stop_at_proof(false)` it flows on until it is tight around it. The knots of curves
- * with ends are not kept, even if the ends are pinned: strands may slip off them.
+ * The curves flow as with the strategy `FLOW` of `untangle()` without a domain, until they are
+ * proved to be unknots, are tight, or stop making progress. The boundary limits the medial spheres
+ * and the motion. Obstacles are cavities of the domain. Proofs concern the curves in space and
+ * ignore the obstacles: a curve that is an unknot may still be hooked around one. With
+ * `stop_at_proof(false)` it flows on until it is tight around the obstacle. Curves with ends do not
+ * keep their knots, even if the ends are pinned: strands may slip off.
  *
  * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
@@ -77,18 +78,18 @@ struct Place_in_domain
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
- * \param domain the domain, or a closed triangle mesh, whose inside it is, as that of a
- * `Triangle_mesh_domain_3`
+ * \param domain the domain, or a closed triangle mesh, which stands for the
+ * `Triangle_mesh_domain_3` that it bounds
  * \param np \vfcNamedParams{Untangle_in_mesh_signature}. The `strategy` must not be `SEARCH`;
- * `AUTO` stands for `FLOW`. `lower_ropelength` changes nothing.
+ * `AUTO` stands for `FLOW`. `lower_ropelength` has no effect.
  *
- * \returns how the run ended, what is proved of the curves, and statistics
+ * \returns how the run ended, which proofs were found, and statistics
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument as `untangle()` without a domain, if the curves are not strictly
- * inside the domain, with the nodes in the message, and if the `strategy` is `SEARCH`
- * \throws Run_state_error as `untangle()` without a domain
+ * \throws std::invalid_argument like `untangle()` without a domain, if the curves are not strictly
+ * inside the domain (the message lists the nodes), and if the `strategy` is `SEARCH`
+ * \throws Run_state_error like `untangle()` without a domain
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,
@@ -117,10 +118,11 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles a polyline, or several, that must not leave a domain.
+ * \brief untangles one or more polylines inside a domain.
  *
- * By \cgal's habit a polyline is closed if its last point repeats the first, and so is then that of
- * the result; the ends of the others are pinned. See the overload for `Curve_network_3`.
+ * As usual in \cgal, a polyline is closed if its last point repeats the first; its result is then
+ * closed in the same way. The ends of all other polylines are pinned. See the overload for
+ * `Curve_network_3`.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
@@ -129,13 +131,13 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
- * \param domain the domain, or a closed triangle mesh, whose inside it is
+ * \param domain the domain, or a closed triangle mesh, which bounds it
  * \param np \vfcNamedParams{Untangle_polylines_in_mesh_signature}
  *
- * \returns how the run ended, what is proved of the curves, and statistics
+ * \returns how the run ended, which proofs were found, and statistics
  *
- * \throws std::invalid_argument as that overload and the constructor of `Curve_network_3` from
- * polylines. The polylines are unchanged then.
+ * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
+ * polylines. The polylines are unchanged in that case.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Polylines,
@@ -168,7 +170,7 @@ Untangling_result untangle(Polylines& polylines,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief untangles curves inside a domain, with a struct of parameters in place of named ones.
+ * \brief untangles curves inside a domain; the parameters come as a struct.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -177,11 +179,11 @@ Untangling_result untangle(Polylines& polylines,
  * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
  *
  * \param curves the curves, replaced by the result
- * \param domain the domain, or a closed triangle mesh, whose inside it is
+ * \param domain the domain, or a closed triangle mesh, which bounds it
  * \param parameters the parameters
- * \param visitor is told of the progress, and can end the run
+ * \param visitor receives the progress of the run, and can end it
  *
- * \returns what the overload with named parameters returns; the same is thrown, too
+ * \returns the same as the overload with named parameters, and throws the same exceptions
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,

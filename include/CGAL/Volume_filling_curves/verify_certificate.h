@@ -31,24 +31,24 @@ namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// What `verify_certificate()` has found out.
+/// The result of `verify_certificate()`.
 struct Certificate_verdict
 {
-  bool is_valid = false; ///< whether the certificate proves that the curves are ambient isotopic
+  bool is_valid = false; ///< whether the certificate proves the curves to be ambient isotopic
 
-  /// the number of the operation, from 1, that is wrong or at which the record ends, or 0 if it is
-  /// none of them
+  /// the number, from 1, of the invalid operation or of the operation where the record breaks off;
+  /// 0 if the fault is elsewhere
   std::size_t operation = 0;
 
-  std::string message; ///< what is wrong; empty if nothing is
+  std::string message; ///< the fault; empty if there is none
 
-  std::size_t number_of_operations = 0; ///< how many operations were verified
+  std::size_t number_of_operations = 0; ///< the number of verified operations
 
-  bool has_domain = false; ///< whether it was verified that the curve stayed inside, too
+  bool has_domain = false; ///< whether it was also verified that the curve stayed inside a domain
 
-  /// returns the verdict as a sentence with the names of the curves and the domain: "verified: 20
-  /// operations; the end is ambient isotopic to the start and never left the domain", or
-  /// "rejected: operation 7: ".
+  /// returns the verdict as a sentence with the names of the curves and the domain, for example
+  /// "verified: 20 operations; the end is ambient isotopic to the start and never left the domain",
+  /// or "rejected: operation 7: " and the message.
   std::string sentence(const std::string& start = "the start",
                        const std::string& end = "the end",
                        const std::string& domain = "the domain") const
@@ -65,7 +65,7 @@ struct Certificate_verdict
 
 namespace internal {
 
-// A network as it is, or that of a polyline or several.
+// A network itself, or the network of one or more polylines.
 template <typename Curve>
 decltype(auto) network_of(const Curve& curve)
 {
@@ -93,35 +93,33 @@ Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief verifies that a certificate proves that the curve `end` is ambient isotopic to the curve
- * `start`.
+ * \brief verifies that a certificate proves the curves `start` and `end` to be ambient isotopic.
  *
- * All operations are carried out again, by an implementation that shares nothing with
- * `Isotopy_guard_3`: what arithmetic with `double` cannot prove is decided with rational numbers.
- * A certificate that was altered, cut off or made for other curves is refused. So is one that was
- * forged, with hashes that fit, unless what it tells is a proof in spite of that.
+ * All operations are replayed by an implementation that shares no code with `Isotopy_guard_3`;
+ * questions that `double` arithmetic cannot settle are decided with rational numbers. A certificate
+ * that was altered, truncated or made for other curves is rejected. So is a forged one with
+ * matching hashes, unless its operations are a valid proof all the same.
  *
- * How the nodes of the curves are numbered, the direction of edges and pins do not matter.
- * Nodes need not be pinned where they were, and a domain is not considered: the overload in
- * `verify_certificate_in_domain.h` does that.
+ * The numbering of nodes, the direction of edges and pins do not matter. Domains are ignored; the
+ * overload below takes one.
  *
- * Takes constant time per operation if edges have similar lengths: a microsecond or two.
+ * Takes constant time per operation if edges have similar lengths: one or two microseconds.
  *
  * \tparam Start a class with the functions `nodes()`, `edges()`, `point()`, `source()` and
- * `target()` of `Curve_network_3`, or a range of points, or of such ranges: polylines, which are
- * closed if their last point repeats the first
- * \tparam End likewise
+ * `target()` of `Curve_network_3`, or one or more polylines: a range of points, or a range of such
+ * ranges. A polyline is closed if its last point repeats the first
+ * \tparam End as `Start`
  *
  * \param certificate the certificate
  * \param start the curve at the start
  * \param end the curve at the end
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \returns whether the certificate is valid, and if not, why not
+ * \returns whether the certificate is valid, and otherwise the fault
  *
  * \throws std::invalid_argument if a polyline has too few distinct points, or a coordinate that is
  * not finite or beyond 1e150
- * \throws Run_interrupted if `progress` returns `false`: nothing is known then
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Start,
           typename End,
@@ -160,38 +158,38 @@ auto enclosure_of(const Domain& domain)
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief verifies that a certificate proves that the curve `end` is ambient isotopic to the curve
- * `start`, and that the curve has been inside a domain all the time.
+ * \brief verifies that a certificate proves the curves `start` and `end` to be ambient isotopic, by
+ * a motion that never leaves a domain.
  *
- * In addition to what `verify_certificate()` does without a domain, the curve at the start must lie
- * strictly inside, and so must every triangle that an operation sweeps. Of a mesh this is decided
- * by an implementation that shares nothing with `Triangle_mesh_domain_3`: CGAL's AABB tree finds
- * faces, and what arithmetic with `double` cannot prove is decided with rational numbers. Of any
- * other domain it is as certain as the domain's own answers. A certificate of `fill()` is valid for
- * the domain that was filled; if no curve was given it leads from `Filling_result::start`.
+ * In addition to the conditions without a domain, the start curve must lie strictly inside, and so
+ * must every triangle that an operation sweeps. For a mesh this is decided by an implementation
+ * that shares no code with `Triangle_mesh_domain_3`: CGAL's AABB tree finds faces, and questions
+ * that `double` arithmetic cannot settle are decided with rational numbers. For any other domain it
+ * is as certain as the domain's own answers. A certificate of `fill()` is valid for the domain that
+ * was filled; if no curve was given, its start is `Filling_result::start`.
  *
  * Takes a few microseconds per operation.
  *
  * \tparam Start a class with the functions `nodes()`, `edges()`, `point()`, `source()` and
- * `target()` of `Curve_network_3`, or a range of points, or of such ranges: polylines, which are
- * closed if their last point repeats the first
- * \tparam End likewise
+ * `target()` of `Curve_network_3`, or one or more polylines: a range of points, or a range of such
+ * ranges. A polyline is closed if its last point repeats the first
+ * \tparam End as `Start`
  * \tparam Domain a model of `FaceListGraph`, or of `VolumeFillingDomain_3` with points that are
  * constructed from three `double`s
  *
  * \param certificate the certificate
  * \param start the curve at the start
  * \param end the curve at the end
- * \param domain a closed triangle mesh, whose inside it is, or a domain
+ * \param domain a domain, or a closed triangle mesh that bounds one
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \returns whether the certificate is valid, and if not, why not
+ * \returns whether the certificate is valid, and otherwise the fault
  *
  * \pre no two faces of a mesh meet elsewhere than in a common vertex or a common edge
  *
- * \throws std::invalid_argument if a mesh is not closed, has a face that is no triangle or a
- * coordinate that is not finite; and as without a domain
- * \throws Run_interrupted if `progress` returns `false`: nothing is known then
+ * \throws std::invalid_argument like the overload without a domain, and if a mesh is not closed or
+ * has a face that is not a triangle or a coordinate that is not finite
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Start,
           typename End,

@@ -34,19 +34,19 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief constructs a curve network from polylines, and lists everything that is wrong with them.
+ * \brief constructs a curve network from polylines, and lists their defects.
  *
- * As the constructor of `Curve_network_3` from polylines, but it treats polylines as
- * `IO::read_curve_network()` treats those of a file: nothing is thrown, an edge that is given twice
- * is dropped with a warning, and so on. Whether edges meet is not tested. Takes \cgalBigO{n \log n}
- * time for `n` points.
+ * This function does the same as the constructor of `Curve_network_3` from polylines, but treats
+ * defects like `IO::read_curve_network()`: it throws nothing, drops an edge that occurs twice with
+ * a warning, and so on. It does not test whether edges meet. Takes \cgalBigO{n \log n} time for `n`
+ * points.
  *
  * \tparam PolylineRange a model of `ConstRange` whose items are points, or ranges of points
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of Named Parameters
  *
  * \param polylines the polylines; coordinates are rounded to `double`
- * \param network receives the network; it does not change if there is an error
+ * \param network receives the network; it is unchanged if there is an error
  * \param defects receives all errors and warnings; their `line` is the number of the polyline,
  * counted from 1
  * \param np an optional sequence of the named parameters `point_map`, `closure` and `junctions` of
@@ -75,41 +75,41 @@ namespace IO {
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief reads a curve network from a file, and lists everything that is wrong with it.
+ * \brief reads a curve network from a file, and lists its defects.
  *
- * The extension tells the format, in upper or lower case:
+ * The extension, in upper or lower case, determines the format:
  *
  * - `.obj`: Wavefront OBJ with vertices `v` and polylines `l`. A polyline that repeats its first
- *   index at the end is closed; polylines with a common vertex are connected. A record
- *   `fixed i j k` pins vertices. All other records are ignored. Without any `l` there is one closed
- *   curve through all vertices.
+ *   index at the end is closed; polylines with a common vertex are connected. A record `fixed i j
+ *   k` pins vertices. All other records are ignored. A file without `l` records is one closed curve
+ *   through all vertices.
  * - `.polylines.txt`: one polyline per line, the number of its points followed by their
  *   coordinates. A polyline that repeats its first point at the end is closed. If junctions are
  *   allowed, equal end points of polylines are one node.
  *
- * An `.obj` file without any `l` may have a single face, with five corners or more, whose boundary
- * is taken for a closed curve, with a warning.
+ * If an `.obj` file without `l` records has a single face, with five or more corners, the boundary
+ * of this face is read as a closed curve, with a warning.
  *
  * The program `vfc` reads and writes further formats, and converts files.
  *
- * `origin()` of the network gives the place of a node among the vertices of the file, from 0; the
- * repeated points of `.polylines.txt` do not count. An edge that is given twice is dropped and an
- * edge of length zero contracted, with a warning.
+ * `origin()` of the network returns the index of a node among the vertices of the file, from 0;
+ * repeated points of `.polylines.txt` do not count. An edge that occurs twice is dropped, and an
+ * edge of length zero is contracted, each with a warning.
  *
- * Whether the network is embedded, that is, whether edges meet elsewhere than in a common node, is
- * not tested here: functions that need it test it themselves, and `read_embedded_curve_network()`
- * lists where they meet. Takes \cgalBigO{n \log n} time for `n` vertices.
+ * This function does not test whether the network is embedded, that is, whether edges meet only in
+ * common nodes. Functions that require it test it themselves; `read_embedded_curve_network()` lists
+ * edges that meet. Takes \cgalBigO{n \log n} time for `n` vertices.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param filename the name of the file
- * \param network receives the network; it does not change if there is an error
+ * \param network receives the network; it is unchanged if there is an error
  * \param defects receives all errors and warnings, at most 1000 of a kind
- * \param junctions tells whether nodes may have more than two edges
- * \param closure tells which components are closed, if the file is not to: with `Closure::CLOSED`
- * each arc gets an edge between its ends; with `Closure::OPEN` each closed curve loses its last
- * edge in the file, which is the one between the last and the first point of a polyline; with
- * `Closure::IF_REPEATED` all is as the file has it. Components with junctions do not change.
+ * \param junctions whether nodes may have more than two edges
+ * \param closure which components are closed, overriding the file: `Closure::CLOSED` adds an edge
+ * between the ends of each arc; `Closure::OPEN` removes the last edge of each closed curve in the
+ * file, between the last and the first point of a polyline; `Closure::IF_REPEATED` follows the
+ * file. Components with junctions do not change.
  *
  * \return whether there is no error
  */
@@ -130,8 +130,7 @@ bool read_curve_network(
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief reads a curve network from a file, as the overload above, for those who need not know what
- * is wrong.
+ * \brief reads a curve network from a file, like the overload above, without a list of defects.
  *
  * \return whether there is no error
  */
@@ -149,22 +148,23 @@ bool read_curve_network(
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief writes a curve network to a file, and reports what went wrong.
+ * \brief writes a curve network to a file, and reports errors.
  *
- * The extension tells the format as in `read_curve_network()`. Coordinates have 17 significant
- * digits, so that reading the file gives the very same network, down to the numbers of its nodes.
- * The format `.polylines.txt` does not hold which nodes are pinned, and of a network with junctions
- * not the numbers of its nodes.
+ * The extension determines the format, as in `read_curve_network()`. Coordinates have 17
+ * significant digits: reading the file restores the same network, including the numbering of its
+ * nodes. The format `.polylines.txt` does not store pins and, for a network with junctions, the
+ * numbering.
  *
- * The network is written to a new file in the same folder, which replaces an existing one when it
- * is complete: no other program sees a part of it, and an error leaves the old file as it was.
+ * The network is first written to a new file in the same folder, which replaces an existing file
+ * once it is complete. Other programs never see an incomplete file, and an error leaves the old
+ * file intact.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param filename the name of the file
  * \param network the network
  * \param error receives the error of the system, if any, and `std::errc::invalid_argument` if the
- * extension is not that of a format
+ * extension belongs to no format
  *
  * \return whether the file was written
  *
@@ -186,8 +186,7 @@ bool write_curve_network(const std::string& filename,
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief writes a curve network to a file, as the overload above, for those who need not know what
- * went wrong.
+ * \brief writes a curve network to a file, like the overload above, without an error code.
  *
  * \return whether the file was written
  */
@@ -202,12 +201,11 @@ bool write_curve_network(const std::string& filename,
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief reads a curve network from a file, and lists everything that is wrong with it, also where
- * edges meet.
+ * \brief reads a curve network from a file, and lists its defects, including edges that meet.
  *
- * As `read_curve_network()`, with the same parameters, but the network is constructed only if it is
- * embedded (see `is_embedded()`). The time is \cgalBigO{n \log^2 n} for `n` vertices unless many
- * edges have intersecting bounding boxes.
+ * This function does the same as `read_curve_network()`, with the same parameters, but constructs
+ * the network only if it is embedded (see `is_embedded()`). The time is \cgalBigO{n \log^2 n} for
+ * `n` vertices unless many edges have intersecting bounding boxes.
  *
  * \return whether there is no error
  */

@@ -22,43 +22,42 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  * \headerfile CGAL/Volume_filling_curves/Isotopy_guard_3.h
  *
- * \brief The class `Isotopy_certificate` is the record of a certified motion: everything that was
- * done to a curve, one elementary move after another, such that anybody can verify it without
- * trusting the program that has done it.
+ * \brief The class `Isotopy_certificate` is the record of a certified motion: all changes of a
+ * curve as elementary moves. Anyone can verify it without trusting the program that wrote it.
  *
- * It is a sequence of bytes, to be kept in a file: the hash of the curve at the start, all moves
- * with the coordinates, and the hash of the curve at the end. The page \ref vfc_certificate_format
- * describes it. There is a text form of the same content, for reading.
+ * A certificate is a sequence of bytes, to be kept in a file: the hash of the start curve, all
+ * moves with their coordinates, and the hash of the end curve. The page \ref vfc_certificate_format
+ * describes it. A text form of the same content is meant for reading.
  *
- * `untangle()`, `fill()`, `simplify_curves()` and `Isotopy_guard_3` make certificates, and
+ * `untangle()`, `fill()`, `simplify_curves()` and `Isotopy_guard_3` write certificates, and
  * `verify_certificate()` verifies them.
  */
 class Isotopy_certificate
 {
 public:
-  /// constructs a certificate of nothing, which is not valid for any curve.
+  /// constructs an empty certificate, which is valid for no curve.
   Isotopy_certificate() = default;
 
   /*!
-   * constructs a certificate from the content of a file, in binary or in text form. Of the binary
-   * form nothing is looked at; verifying it does that.
+   * constructs a certificate from the content of a file, in binary or text form. The binary form is
+   * not checked until it is verified.
    *
-   * \throws std::invalid_argument if the content is in text form and has an error, with the line in
-   * the message
+   * \throws std::invalid_argument if the content is in text form and has an error; the message
+   * gives the line
    */
   explicit Isotopy_certificate(std::string content)
       : m_bytes(internal::is_text_form(content) ? internal::from_text_form(content)
                                                 : std::move(content))
   {}
 
-  /// returns the binary form, to be written to a file.
+  /// returns the binary form, for example to write it to a file.
   const std::string& bytes() const { return m_bytes; }
 
   /*!
    * returns the text form, about three times as long: one operation per line. Coordinates have 17
    * significant digits.
    *
-   * \throws std::invalid_argument if the bytes are not those of a certificate
+   * \throws std::invalid_argument if the bytes are not a certificate
    */
   std::string text() const { return internal::to_text_form(m_bytes); }
 

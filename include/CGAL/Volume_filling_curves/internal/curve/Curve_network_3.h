@@ -54,13 +54,11 @@ class Origin_interpolation;
  * Components may be closed or open, junctions (nodes with more than two edges) are allowed, and
  * nodes can be pinned. Nodes are numbered from 0 along the curve, component after component.
  *
- * The network can be read by everybody, but once constructed its coordinates and its edges change
- * only through `Isotopy_guard_3`, which certifies every change with exact predicates. (Assigning
- * replaces the network by another one.) Functions that read a network, but for its own and those of
- * the guard, expect that it has no garbage.
+ * Anyone can read a network, but after construction only `Isotopy_guard_3` changes its coordinates
+ * and edges, and certifies every change with exact predicates. (Assignment replaces the whole
+ * network.) Functions outside this class and the guard require a network without garbage.
  *
- * Constructing, copying and renumbering take time linear in the number of nodes. Concurrent reading
- * is safe.
+ * Construction, copying and renumbering take linear time. Concurrent reading is safe.
  *
  * \tparam Traits_ a model of `CurveFlowTraits_3`, for example \cgal's kernel
  * `CGAL::Exact_predicates_inexact_constructions_kernel`
@@ -91,16 +89,17 @@ public:
   /// the type of ranges of nodes' indices, a model of `ConstRange` with the value type `size_type`
   using Node_range = internal::Present_range<internal::Is_present_node>;
 
-  /// the type of ranges of edges' indices, likewise
+  /// the type of ranges of edges' indices, a model of `ConstRange` with the value type `size_type`
   using Edge_range = internal::Present_range<internal::Is_present_edge>;
 
-  /// the type of ranges of indices that follow one another, likewise
+  /// the type of ranges of consecutive indices, a model of `ConstRange` with the value type
+  /// `size_type`
   using Index_range = internal::Index_range;
 
   /// the type of ranges of positions, a model of `ConstRange` with the value type `Point_3`
   using Point_range = internal::Point_range<Point_3>;
 
-  /// stands for "no node", for example as the origin of a node that was inserted.
+  /// returns the index that stands for "no node", for example as the origin of an inserted node.
   static constexpr size_type null_node() { return Topology::null; }
 
   /// @}
@@ -114,17 +113,17 @@ public:
   /*!
    * constructs a network from points and edges, numbered along the curve.
    *
-   * Closed components and paths whose edges follow one another keep that direction; others are
-   * given one. The i-th point becomes a node `v` with `origin(v) == i`; points without an edge are
-   * left out.
+   * Closed components and paths whose edges have consistent directions keep these; others are
+   * assigned one. The i-th point becomes a node `v` with `origin(v) == i`; points without an edge
+   * are left out.
    *
    * \param points the nodes' positions, in the input's unit; coordinates are rounded to `double`
    * \param edges pairs of indices of `points`
    * \param traits the traits object
    *
-   * \throws std::invalid_argument if an edge has an index that is out of range, joins a node with
-   * itself or occurs twice, or if a coordinate is not a number or beyond 1e150
-   * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
+   * \throws std::invalid_argument if an edge has an index out of range, joins a node to itself or
+   * occurs twice, or if a coordinate is not a number or beyond 1e150
+   * \throws std::length_error if there are \f$2^{32}\f$ or more points or edges
    */
   Curve_network_3(const std::vector<Point_3>& points,
                   const std::vector<std::array<size_type, 2>>& edges,
@@ -142,11 +141,11 @@ public:
   /*!
    * constructs a network from a polyline, or from a range of polylines.
    *
-   * By \cgal's habit a polyline is closed if its last point repeats the first, see `Closure`.
-   * Points are numbered in the order of the range, and `origin()` gives this number; a point that
-   * repeats the first at the end is no new one. A point that repeats the one before it is left out.
-   * If junctions are allowed, equal end points of polylines are one node; otherwise each polyline
-   * is a component, in this order.
+   * As usual in \cgal, a polyline is closed if its last point repeats the first, see `Closure`.
+   * Points are numbered in the order of the range, and `origin()` returns this number; a last point
+   * that repeats the first is not numbered. A point that repeats its predecessor is left out. If
+   * junctions are allowed, equal end points of polylines are one node; otherwise each polyline is a
+   * component, in this order.
    *
    * \tparam PolylineRange a model of `ConstRange` whose items are points, or ranges of points
    * \tparam NamedParameters a sequence of named parameters
@@ -157,10 +156,10 @@ public:
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{point_map}
-   *     \cgalParamDescription{a property map that gives the points of the polylines}
-   *     \cgalParamType{a model of `ReadablePropertyMap`, and of `WritablePropertyMap` where a
-   *     result replaces the polylines, whose key type is the type of the polylines' items and
-   *     whose value type has the members `x()`, `y()` and `z()`}
+   *     \cgalParamDescription{a property map from the items of the polylines to their points}
+   *     \cgalParamType{a model of `ReadablePropertyMap`, and of `WritablePropertyMap` if a result
+   *       replaces the polylines, whose key type is the type of the polylines' items and whose
+   *       value type has the members `x()`, `y()` and `z()`}
    *     \cgalParamDefault{`CGAL::Identity_property_map`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{closure}
@@ -175,10 +174,10 @@ public:
    *   \cgalParamNEnd
    * \cgalNamedParamsEnd
    *
-   * \throws std::invalid_argument if a polyline has fewer than two distinct points, or three if it
-   * is closed, if a coordinate is not a number or beyond 1e150, or if two polylines are the
-   * same edge
-   * \throws std::length_error if there are \f$2^{32}\f$ points or edges, or more
+   * \throws std::invalid_argument if a polyline has fewer than two distinct points, or fewer than
+   * three if it is closed; if a coordinate is not a number or beyond 1e150; or if two polylines are
+   * the same edge
+   * \throws std::length_error if there are \f$2^{32}\f$ or more points or edges
    */
   template <typename PolylineRange,
             typename NamedParameters = CGAL::parameters::Default_named_parameters,
@@ -190,8 +189,8 @@ public:
   {}
 
   /*!
-   * constructs a network from matrices, as libigl and polyscope speak of curves: as the constructor
-   * from points and edges does.
+   * constructs a network from matrices, the form that libigl and polyscope use for curves, like the
+   * constructor from points and edges.
    *
    * \param points a matrix with one row x, y, z per point
    * \param edges a matrix of an integral type with one row per edge, of two indices of `points`
@@ -199,7 +198,8 @@ public:
    *
    * \pre `points` has three columns and `edges` two
    *
-   * \throws std::invalid_argument and std::length_error as that constructor
+   * \throws std::invalid_argument like that constructor
+   * \throws std::length_error like that constructor
    */
   template <typename Points, typename Edges>
   Curve_network_3(const Eigen::MatrixBase<Points>& points,
@@ -212,7 +212,7 @@ public:
   /// @}
 
   /// \name Ranges
-  /// Elements that were removed are left out.
+  /// Ranges skip removed elements.
   /// @{
 
   /// returns the range of the nodes' indices.
@@ -243,7 +243,7 @@ public:
   /// returns the range of the nodes' positions.
   Point_range points() const { return internal::point_range<Point_3>(nodes(), m_points); }
 
-  /// returns the box around all nodes; an empty one if there are none.
+  /// returns the bounding box of all nodes, which is empty if there are none.
   Bbox_3 bbox() const
   {
     Bbox_3 box;
@@ -260,11 +260,11 @@ public:
   /// @{
 
   /// returns the number of nodes, without removed ones. If the network has no garbage, the nodes
-  /// are those from 0 on, up to but without this number; otherwise `nodes()` tells them.
+  /// have the indices from 0 up to this number, exclusive; otherwise use `nodes()`.
   size_type number_of_nodes() const { return m_topology.number_of_nodes(); }
 
-  /// returns the number of nodes that were removed and still have an index, so that indices are
-  /// less than `number_of_nodes() + number_of_removed_nodes()`.
+  /// returns the number of removed nodes that still have an index. All indices are less than
+  /// `number_of_nodes() + number_of_removed_nodes()`.
   size_type number_of_removed_nodes() const { return m_topology.number_of_removed_nodes(); }
 
   /// returns whether node `v` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
@@ -286,13 +286,13 @@ public:
   }
 
   /// returns the index that node `v` had in the input, or `null_node()` if it was inserted later.
-  /// `curve_origins()` gives every node a place in the input.
+  /// `curve_origins()` assigns every node a point of the input.
   size_type origin(size_type v) const { return m_topology.origin(v); }
 
-  /// returns whether node `v` is pinned, that is, whether the flow leaves it where it is.
+  /// returns whether node `v` is pinned, that is, whether the flow does not move it.
   bool is_pinned(size_type v) const { return m_topology.is_pinned(v); }
 
-  /// pins node `v`, or frees it.
+  /// pins or unpins node `v`.
   void set_pinned(size_type v, bool is_pinned = true) { m_topology.set_pinned(v, is_pinned); }
 
   /// pins all nodes with one edge.
@@ -307,10 +307,10 @@ public:
   /// \name Edges
   /// @{
 
-  /// returns the number of edges, without removed ones; likewise.
+  /// returns the number of edges, without removed ones.
   size_type number_of_edges() const { return m_topology.number_of_edges(); }
 
-  /// returns the number of edges that were removed and still have an index.
+  /// returns the number of removed edges that still have an index.
   size_type number_of_removed_edges() const { return m_topology.number_of_removed_edges(); }
 
   /// returns whether edge `e` was removed and awaits `Isotopy_guard_3::collect_garbage()`.
@@ -333,14 +333,14 @@ public:
   /// returns the component of node `v`. Components are numbered in the order of the input.
   size_type component(size_type v) const { return m_topology.component(v); }
 
-  /// returns the first node of component `c`; the nodes of `c` are those from `first_node(c)` on,
-  /// up to but without `first_node(c + 1)`.
+  /// returns the first node of component `c`; the nodes of `c` have the indices from
+  /// `first_node(c)` up to `first_node(c + 1)`, exclusive.
   size_type first_node(size_type c) const { return m_topology.first_node(c); }
 
   /// returns whether component `c` is a closed curve without ends and junctions.
   bool is_closed(size_type c) const { return m_topology.is_closed(c); }
 
-  /// returns whether some node has more than two edges.
+  /// returns whether any node has more than two edges.
   bool has_junction() const { return m_topology.has_junction(); }
 
   /// @}
@@ -348,7 +348,7 @@ public:
   /// \name Numbering and Traits
   /// @{
 
-  /// returns whether nodes were inserted or removed since the nodes were numbered.
+  /// returns whether nodes were inserted or removed since the last numbering.
   bool has_garbage() const { return m_topology.has_garbage(); }
 
   /// returns the traits object.

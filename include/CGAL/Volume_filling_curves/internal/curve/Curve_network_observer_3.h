@@ -22,11 +22,11 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  * \headerfile CGAL/Volume_filling_curves/Isotopy_guard_3.h
  *
- * \brief The class `Curve_network_observer_3` is the base of classes that follow the changes of a
+ * \brief The class `Curve_network_observer_3` is the base class of observers of a
  * `Curve_network_3`.
  *
- * Its functions are called right after each change, so that data of your own about nodes and edges
- * stay in step. By default they do nothing.
+ * Its functions are called right after each change, which keeps your own data about nodes and edges
+ * up to date. By default they do nothing.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
@@ -42,34 +42,35 @@ public:
   /// the type of the indices of nodes and edges
   using size_type = std::size_t;
 
-  /// A motion of all nodes. In each round, the nodes go to their new positions one after another.
+  /// A motion of all nodes. In each round, the nodes move to their new positions one after another.
   struct Rounds
   {
     std::vector<std::vector<Point_3>> positions; ///< one vector per round, one position per node
-    bool is_reversed = false; ///< whether the node with the largest index is the first to move
+    bool is_reversed = false; ///< whether the node with the largest index moves first
   };
 
-  /// node `v` has moved to where it is now.
+  /// is called after node `v` has moved to its present position.
   virtual void on_move(size_type /* v */) {}
 
-  /// all nodes have moved, from the positions `before` to where they are now.
+  /// is called after all nodes have moved from the positions `before` to their present ones.
   virtual void on_motion(const std::vector<Point_3>& /* before */, const Rounds& /* rounds */) {}
 
-  /// the new last node `v` splits an edge. Its edge 0 has the index and the source of that edge,
-  /// its edge 1 is the new last edge.
+  /// is called after the new last node `v` has split an edge. Its edge 0 has the index and the
+  /// source of that edge; its edge 1 is the new last edge.
   virtual void on_insertion(size_type /* v */) {}
 
-  /// node `v` is gone, and edge `e` joins its two neighbors.
+  /// is called after node `v` has been removed and edge `e` joins its two neighbors.
   virtual void on_removal(size_type /* v */, size_type /* e */) {}
 
-  /// the new last node `v` is the tip of a ray, with the new last edge. See
-  /// `Isotopy_guard_3::add_ray()`.
+  /// is called after a ray has been added, with the new last node `v` as its tip and the new last
+  /// edge. See `Isotopy_guard_3::add_ray()`.
   virtual void on_new_ray(size_type /* v */) {}
 
-  /// node `v` of a ray is gone, and so is its edge `e`.
+  /// is called after node `v` of a ray and its edge `e` have been removed.
   virtual void on_shorter_ray(size_type /* v */, size_type /* e */) {}
 
-  /// nodes and edges are numbered along the curve again: node `v` had the index `former[v]`.
+  /// is called after nodes and edges have been renumbered along the curve: node `v` had the index
+  /// `former[v]`.
   virtual void on_renumbering(const std::vector<std::uint32_t>& /* former */) {}
 
 protected:

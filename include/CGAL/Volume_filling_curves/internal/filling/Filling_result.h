@@ -23,15 +23,16 @@ namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// How a filling ended.
+/// The outcome of a filling.
 enum class Filling_status
 {
-  CONVERGED,          ///< the length has settled, every empty region was driven at, and at most 1 %
-                      ///< of the volume is farther than 2 r from the curve
-  PARTIAL,            ///< likewise, but more of the volume is; `Filling_result::reason` says why
-  LENGTH_NOT_REACHED, ///< the length has settled more than 2 % off the one asked for
+  CONVERGED,          ///< the curve has settled, was pushed into every empty region, and at most 1
+                      ///< % of the volume is farther than 2 r from it
+  PARTIAL,            ///< like `CONVERGED`, but more of the volume is farther;
+                      ///< `Filling_result::reason` states the cause
+  LENGTH_NOT_REACHED, ///< the curve has settled with a length more than 2 % off the required one
   LIMIT,              ///< the limit of iterations or of time was reached
-  STALLED,            ///< several steps running could not be certified, however short
+  STALLED,            ///< several steps in a row could not be certified, however short
   INTERRUPTED         ///< the visitor asked to stop
 };
 
@@ -68,50 +69,50 @@ inline std::ostream& operator<<(std::ostream& out, Filling_status status)
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/fill.h
 ///
-/// What `fill()` returns. Whatever the status, the curve lies strictly inside the domain and is
-/// ambient isotopic to the one it started as.
+/// The result of `fill()`. Whatever the status, the curve lies strictly inside the domain and is
+/// ambient isotopic to the start.
 ///
 /// \tparam Point_3 the type of points
 template <typename Point_3>
 struct Filling_result
 {
   Filling_status status = Filling_status::LIMIT; ///< how the run ended
-  double thickness = 0; ///< r, in the input's unit; the mean of the nodes' if it varies
+  double thickness = 0; ///< r, in the input's unit; if it varies, the mean over the nodes
 
-  /// the thickness by default, if the run took a larger one, to have about 200,000 nodes; else 0
+  /// the default thickness, if the run used a larger one to limit the curve to about 200,000 nodes;
+  /// otherwise 0
   double default_thickness = 0;
 
-  double medial_radius = 0; ///< the mean medial radius, capped by the boundary and at 2 r
-  double gradient_norm = 0; ///< at the end, see `Curve_flow_3::gradient_norm()`
-  /// the share of the volume that the curve is to fill but that is farther than 2 r from it; with
-  /// `Wall::KEEP_CLEAR` what is within 2 r of the boundary is not to be filled and does not count.
-  /// Not a number if there was no time to measure it
+  double medial_radius = 0; ///< the mean medial radius, capped at the boundary and at 2 r
+  double gradient_norm = 0; ///< the final `Curve_flow_3::gradient_norm()`
+  /// the unfilled share of the volume, which is farther than 2 r from the curve; with
+  /// `Wall::KEEP_CLEAR`, the volume within 2 r of the boundary does not count. NaN if there was no
+  /// time to measure it
   double unfilled_fraction = 0;
-  /// the share of the whole volume that is farther than 2 r from the curve, the same unless
-  /// `Wall::KEEP_CLEAR` was asked for
+  /// the share of the whole volume that is farther than 2 r from the curve; differs from
+  /// `unfilled_fraction` only with `Wall::KEEP_CLEAR`
   double uncovered_fraction = 0;
-  Coverage coverage; ///< the distances of uniform samples inside to the curve, over r
-  /// where the curve did not get to
+  Coverage coverage; ///< statistics of the distances from samples to the curve, over r
+  /// the regions that the curve did not reach
   std::vector<Empty_region_3<Point_3>> empty_regions;
-  /// whether they were searched for, which takes time; if the time was up they are unknown
+  /// whether there was time to search for empty regions
   bool are_empty_regions_known = false;
 
-  /// the number of connected parts of the inside that are wide enough for a curve, that is, hold a
-  /// ball with an eighth of the radius r, or of that of the widest ball inside
+  /// the number of connected parts of the inside that are wide enough for a curve, see `fill()`
   std::size_t parts = 0;
 
-  /// the number of those in which no curve was started, as can be if curves are given
+  /// the number of these parts without a curve, which may occur if curves are given
   std::size_t unreachable_parts = 0;
 
-  /// how much of the domain is too thin for the thickness that the run began with
+  /// the fit of the initial thickness to the domain
   Thickness_fit thickness_fit;
 
-  /// why more than 1 % of the volume is farther than 2 r from the curve, in plain English, if the
-  /// status is `PARTIAL` or `STALLED`; else empty
+  /// the reason, in English, why more than 1 % of the volume is farther than 2 r from the curve, if
+  /// the status is `PARTIAL` or `STALLED`; otherwise empty
   std::string reason;
 
-  /// the circles that the run has started from if no curve was given: polylines whose last point
-  /// repeats the first. The run's certificate leads from them to the result: both can be passed to
+  /// the circles that the run started from if no curve was given, as polylines whose last point
+  /// repeats the first. They are the start curve of the run's certificate, see
   /// `verify_certificate()`
   std::vector<std::vector<Point_3>> start;
 

@@ -18,12 +18,11 @@ namespace Volume_filling_curves {
 
 namespace internal {
 
-// The length of a curve that fills a volume V with thickness r is this times V / r^2: 0.259 to
+// Length of a curve that fills a volume V with thickness r, as a multiple of V / r^2: 0.259 to
 // 0.269 on nine domains of run_filling (2026-11-21).
 constexpr double filling_density = 0.26;
 
-// The largest share of the volume farther than 2 r from the curve with which a domain counts as
-// filled.
+// Largest share of the volume that may be farther than 2 r from the curve in a filled domain.
 constexpr double tolerated_unfilled_fraction = 0.01;
 
 } // namespace internal
@@ -31,11 +30,11 @@ constexpr double tolerated_unfilled_fraction = 0.01;
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns about how long a curve is that fills a volume: \f$0.26\, V / r^2\f$, for planning
- * how much time and material a filling takes before `fill()` is called.
+ * \brief returns an estimate of the length of a curve that fills a volume, \f$0.26\, V / r^2\f$, to
+ * plan time and material before calling `fill()`.
  *
  * The factor was 0.259 to 0.269 on nine domains that are wide compared with the thickness; in
- * narrow ones the curve is shorter.
+ * narrow domains the curve is shorter.
  *
  * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
  * \param thickness the thickness \f$r\f$, in the input's unit
@@ -51,9 +50,9 @@ constexpr double tolerated_unfilled_fraction = 0.01;
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns about how thick a curve is that fills a volume and has a length, the thickness
- * from which `fill()` starts if a length is asked for: \f$\sqrt{0.26\, V / L}\f$, see
- * `length_of_filling()`.
+ * \brief returns an estimate of the thickness of a curve that fills a volume and has a given
+ * length, \f$\sqrt{0.26\, V / L}\f$, see `length_of_filling()`. `fill()` starts from this thickness
+ * if a length is required.
  *
  * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
  * \param length the length \f$L\f$, in the input's unit

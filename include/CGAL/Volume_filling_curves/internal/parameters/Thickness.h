@@ -26,17 +26,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The thickness of a curve: a number or a field, times a factor, times a thinning in some places.
-// It is made in untangle() and fill(), and handed down by value. Safe to call concurrently if the
-// field is.
+// Thickness of a curve: a number or a field, times a factor, times a local thinning. untangle() and
+// fill() construct it and pass it on by value. Safe to call concurrently if the field is.
 template <typename Point_3>
 class Thickness
 {
 public:
   using Field = std::function<double(const Point_3&)>;
 
-  // Takes the number, 0 if it is to be found, and the field that stands in its place, if there is
-  // one, with the size of the domain, which it must not exceed. The number may be its mean then.
+  // Takes a number, 0 if it is still to be found; or a field, whose mean the number may be, and the
+  // size of the domain, which the field must not exceed.
   explicit Thickness(double number = 0,
                      Field field = nullptr,
                      double size = std::numeric_limits<double>::infinity())
@@ -45,14 +44,14 @@ public:
 
   bool is_given() const { return m_field || m_number > 0; }
 
-  // whether it differs from point to point
+  // Whether it varies from point to point.
   bool varies() const { return m_field || m_thinning; }
 
   double number() const { return m_number; }
   void set_number(double number) { m_number = number; }
 
-  // Throws std::invalid_argument if the field is not positive and finite there, or too large: a
-  // search for places that are as far apart as a NaN says never ends.
+  // Throws std::invalid_argument if the field is not positive and finite at the point, or too
+  // large: a search for points at a distance of NaN never ends.
   double operator()(const Point_3& p) const
   {
     const double thickness = m_field ? m_factor * checked(m_field(p), p) : m_number;
@@ -68,14 +67,14 @@ public:
     return values;
   }
 
-  // returns the mean of some values, the number if it does not vary
+  // Returns the mean of some values, or the number if the thickness does not vary.
   double mean(const std::vector<double>& values) const
   {
     if(!varies() || values.empty()) return m_number;
     return std::accumulate(values.begin(), values.end(), 0.) / static_cast<double>(values.size());
   }
 
-  // returns the thickness with the mean at some points as its number, if it varies
+  // Returns the thickness with the mean at some points as its number, if it varies.
   template <typename Points>
   Thickness averaged_at(const Points& points) const
   {
@@ -91,7 +90,7 @@ public:
     return thickness;
   }
 
-  // returns the thickness times a function of the point, in place of any former one
+  // Returns the thickness times a function of the point, which replaces any former one.
   Thickness thinned(Field thinning) const
   {
     Thickness result = *this;

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Every complaint about the value of a parameter is made here: "screening is -1, but must be
-// positive and finite".
+// Errors about the values of parameters, all in one form: "screening is -1, but must be positive
+// and finite".
 
 inline bool is_positive(double x)
 {
@@ -99,7 +99,7 @@ inline std::string not_larger_than(const std::string& owner, double size)
   return demand.str();
 }
 
-// Throws std::invalid_argument if the thickness is larger than what it is the thickness of.
+// Throws std::invalid_argument if the thickness is larger than its owner, a curve or a domain.
 inline void check_thickness(double thickness, double size, const std::string& owner)
 {
   if(thickness > size)

@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Named parameters fill a struct by its table. The parameters of a function are its Signature: the
-// members of a struct, Without those that mean nothing to it, and lists of tags that are no
-// members, such as the visitor. A named parameter that a function does not take, or whose value has
-// a type that it cannot use, is refused at compile time.
+// Translation of named parameters to a struct, by its table. The Signature of a function lists its
+// parameters: the members of a struct, Without those that do not apply, and tags that set no
+// member, such as the visitor. A named parameter that a function does not take, or with a value of
+// an unsuitable type, is refused at compile time.
 
 template <typename... Tags>
 struct Tag_list
@@ -81,7 +81,7 @@ auto types_of_rows(const std::tuple<Rows...>&) -> decltype(std::tuple_cat(
 template <typename Signature, typename Tag>
 using Row_types = decltype(types_of_rows<Tag>(parameter_table<typename Signature::Parameters>()));
 
-// The types of values that a function takes for a named parameter, none if it may be any.
+// The types of values that a function takes for a named parameter, or none if any type is allowed.
 template <typename Signature, typename Tag>
 struct Wanted
 {
@@ -206,7 +206,7 @@ auto get_visitor(const NamedParameters& np)
                           Default_curve_flow_visitor());
 }
 
-// Access to a visitor that may be given by reference.
+// Access to a visitor, which may be passed by reference.
 template <typename Visitor>
 Visitor& unwrapped(Visitor& visitor)
 {

@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The basis of reading, checking and refusing parameters: for each struct of parameters a table
-// with a row per member, which says by which named parameter it is set and which values it may
-// have. The names of the rows are those of the members.
+// Tables of parameters, the basis of reading, checking and refusing them. The table of a struct has
+// a row per member: the named parameter that sets it, and the range of its values. Rows have the
+// names of the members.
 
 enum class Range
 {
@@ -54,7 +54,7 @@ constexpr Parameter<Tag, Struct, Value> parameter(Value Struct::*member, Range r
   return {member, range};
 }
 
-// The table of a struct is that of its first argument's type.
+// Table of a struct, selected by the type of the argument.
 constexpr auto parameter_table(const Curve_flow_parameters*)
 {
   using namespace internal_np;
@@ -100,7 +100,7 @@ constexpr auto parameter_table(const Untangling_parameters* p)
                       parameter<keep_length_t>(&P::keep_length)));
 }
 
-// The thickness stands in two rows: as a number, and as a function.
+// Table of Filling_parameters. The thickness has two rows: a number and a function.
 template <typename Point_3>
 constexpr auto parameter_table(const Filling_parameters<Point_3>* p)
 {
@@ -139,10 +139,10 @@ constexpr auto parameter_table(const Simplification_parameters*)
                          parameter<progress_t>(&P::progress));
 }
 
-// The parameters of functions without a status, see watched().
+// Parameters of functions without a status, see watched().
 struct Progress_parameters
 {
-  /// Is called with a `Run_progress` every few milliseconds, as `Curve_run_parameters::progress`.
+  /// Is called with a `Run_progress` every few milliseconds, like `Curve_run_parameters::progress`.
   /// If it returns `false`, `Run_interrupted` is thrown.
   std::function<bool(const Run_progress&)> progress;
 };

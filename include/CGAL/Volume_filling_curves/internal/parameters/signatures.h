@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The named parameters that the public functions take: in space, inside a domain or a mesh; of a
-// network or of polylines. Those that set no member are described here or where they are first
-// taken, in the form of CGAL's manual, see named_parameters.py.
+// Named parameters of the public functions: in space or inside a domain or mesh, of a network or of
+// polylines. Parameters that set no member are documented here or at their first use, in the form
+// of CGAL's manual, see named_parameters.py.
 
 // \cgalParamNBegin{visitor}
 //   \cgalParamDescription{receives the progress of the run, and can end it}
@@ -31,18 +31,18 @@ namespace internal {
 using Visitor_tag = Tag_list<internal_np::visitor_t>;
 
 // \cgalParamNBegin{origins}
-//   \cgalParamDescription{receives the places in the input that the points of the result come
-//     from, see `curve_origins()`; pass `std::ref()` of it}
+//   \cgalParamDescription{receives the points of the input that the points of the result correspond
+//     to, see `curve_origins()`; pass `std::ref()` of it}
 //   \cgalParamType{for a polyline `std::vector<Curve_origin>`, for a container of polylines a
-//     `std::vector` of them}
-//   \cgalParamDefault{nothing is given out}
+//     `std::vector` of these}
+// \cgalParamDefault{none}
 // \cgalParamNEnd
 using Polyline_tags =
     Tag_list<internal_np::point_map_t, internal_np::closure_t, internal_np::origins_t>;
 
 using Mesh_tags = Tag_list<internal_np::vertex_point_map_t, internal_np::check_mesh_t>;
 
-using No_wall = Without<internal_np::wall_t>; // where there is no domain
+using No_wall = Without<internal_np::wall_t>; // for functions without a domain
 
 using Untangle_signature = Signature<Untangling_parameters, No_wall, Visitor_tag>;
 using Untangle_polylines_signature =

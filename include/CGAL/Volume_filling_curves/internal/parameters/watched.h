@@ -23,9 +23,8 @@ using Progress_signature = Signature<Progress_parameters>;
 using Measure_tags = Tag_list<internal_np::point_map_t, internal_np::closure_t>;
 using Measure_polylines_signature = Signature<Progress_parameters, Measure_tags>;
 
-// For functions that have no status: calls f(watch), a watch that asks the function given as the
-// named parameter `progress`, and returns the result. \throws Run_interrupted if the latter returns
-// false
+// Progress for functions without a status: calls f(watch), where the watch calls the named
+// parameter `progress`, and returns the result. \throws Run_interrupted if `progress` returns false
 template <typename NamedParameters, typename Function>
 auto watched(Run_stage stage, const NamedParameters& np, const Function& f)
 {
@@ -35,12 +34,12 @@ auto watched(Run_stage stage, const NamedParameters& np, const Function& f)
     watch.check();
     return f(&watch);
   } catch(const Run_stopped&) {
-    if(!watch.is_interrupted()) throw; // of a run that this is a part of
+    if(!watch.is_interrupted()) throw; // the surrounding run is to stop
     throw Run_interrupted();
   }
 }
 
-// likewise, for the measures
+// Progress for measures.
 template <typename NamedParameters, typename Function>
 auto measured(const NamedParameters& np, const Function& f)
 {

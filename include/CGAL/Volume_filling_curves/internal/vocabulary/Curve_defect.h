@@ -21,53 +21,53 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief what can be wrong with a curve.
+ * \brief the kinds of defects of a curve.
  */
 enum class Curve_defect_kind
 {
   UNREADABLE_FILE,         ///< the file cannot be opened or read
-  UNKNOWN_FORMAT,          ///< the extension of the file's name is not that of a curve file, or the
-                           ///< file is not what its extension says
-  BINARY_DATA,             ///< bytes that do not belong in a text file, or encoded data
-  UNKNOWN_RECORD,          ///< a record that the format does not have (warning, ignored)
-  UNPARSABLE_NUMBER,       ///< a number was expected and something else was found
+  UNKNOWN_FORMAT,          ///< the file name has no extension of a curve format, or the contents do
+                           ///< not match it
+  BINARY_DATA,             ///< bytes that cannot occur in a text file, or encoded data
+  UNKNOWN_RECORD,          ///< a record that the format does not define (warning, ignored)
+  UNPARSABLE_NUMBER,       ///< a word that should be a number
   MISSING_COORDINATES,     ///< a vertex with fewer than three coordinates
-  WRONG_POINT_COUNT,       ///< a polyline that does not have as many points as it announces
+  WRONG_POINT_COUNT,       ///< a polyline whose announced number of points is wrong
   NON_FINITE_COORDINATE,   ///< a coordinate that is infinite or not a number
   COORDINATE_TOO_LARGE,    ///< a coordinate beyond 1e150, whose products would overflow
   SIZE_TOO_SMALL,          ///< a curve smaller than 1e-150, whose products would underflow
-  BAD_INDEX,               ///< an index that is zero, out of range or no integer
+  BAD_INDEX,               ///< an index that is zero, out of range or not an integer
   SHORT_LINE,              ///< a line record with fewer than two indices
-  NO_GEOMETRY,             ///< there are no vertices or no edges
-  FACES_ONLY,              ///< the file holds a surface, not a curve
+  NO_GEOMETRY,             ///< no vertices or no edges
+  FACES_ONLY,              ///< a surface instead of a curve
   NO_LINES,                ///< no line records: one closed curve through all vertices (warning)
   ISOLATED_VERTEX,         ///< vertices without an edge (warning, ignored)
   DUPLICATE_EDGE,          ///< an edge that occurs twice (warning, dropped)
   COINCIDENT_NODES,        ///< an edge of length zero (warning, its nodes are merged)
   NEARLY_COINCIDENT_NODES, ///< an edge shorter than 1e-12 of the size of all curves (warning)
-  NEARLY_CLOSED,           ///< an arc with ends as close as neighbors; closed ones repeat the first
-                           ///< point (warning)
-  UNDECIDED_CLOSURE,       ///< a list of points whose ends nearly meet: the format does not say
-                           ///< whether it is closed, so that the `closure` must be given
-  CHAIN_GAP,               ///< residues that are missing in a protein, bridged by an edge (warning)
+  NEARLY_CLOSED,           ///< an arc whose ends are as close as neighbors; a closed curve repeats
+                           ///< its first point (warning)
+  UNDECIDED_CLOSURE,       ///< a list of points whose ends nearly meet in a format without closed
+                           ///< curves; `closure` must be given
+  CHAIN_GAP,               ///< missing residues of a protein, bridged by an edge (warning)
   DEGENERATE_LOOP,         ///< a closed curve with fewer than three distinct nodes
   JUNCTION,                ///< a node with more than two edges where junctions are forbidden
-  SELF_CONTACT             ///< two edges that meet elsewhere than in a common node; only
-                           ///< `CGAL::IO::read_embedded_curve_network()` looks for them
+  SELF_CONTACT             ///< two edges that meet elsewhere than in a common node; found only by
+                           ///< `CGAL::IO::read_embedded_curve_network()`
 };
 
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  * \headerfile CGAL/Volume_filling_curves/IO/curve_network.h
  *
- * \brief The class `Curve_defect` describes one defect of a curve, and where it is.
+ * \brief The class `Curve_defect` describes a defect of a curve, and its location.
  */
 struct Curve_defect
 {
-  /// what is wrong
+  /// the kind of the defect
   Curve_defect_kind kind;
 
-  /// a sentence for humans, in ASCII, without a newline
+  /// a description in English, in ASCII, without a newline
   std::string message;
 
   /// the line of the file, counted from 1, or 0 if it is unknown
@@ -84,7 +84,7 @@ struct Curve_defect
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief returns whether a curve with a defect of this kind is refused. All other defects are
+ * \brief returns whether defects of a kind are errors, for which a curve is refused. All others are
  * warnings.
  */
 inline bool is_error(Curve_defect_kind kind)
@@ -177,10 +177,10 @@ inline std::ostream& operator<<(std::ostream& out, Curve_defect_kind kind)
 /*!
  * \ingroup PkgVolumeFillingCurvesIO
  *
- * \brief returns the line that a compiler would print:
- * `FILE:LINE: error|warning: KIND: message (nodes i j)`.
+ * \brief returns a defect in the form of a compiler's message: `FILE:LINE: error|warning: KIND:
+ * message (nodes i j)`.
  *
- * An unknown line is left out, and of many nodes only the first ten are listed.
+ * An unknown line is left out; at most ten nodes are listed.
  */
 inline std::string to_string(const Curve_defect& defect, const std::string& filename)
 {

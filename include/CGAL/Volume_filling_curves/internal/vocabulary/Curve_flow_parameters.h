@@ -17,15 +17,15 @@ namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// The matrix that turns the gradient of the energy into the direction of a step. `L` is the
-/// Laplacian of the curve, `M` the diagonal matrix of the nodes' weights.
+/// The matrix that maps the gradient of the energy to the direction of a step. `L` is the Laplacian
+/// of the curve, `M` the diagonal matrix of the nodes' weights.
 enum class Preconditioner
 {
   MEDIAL,       ///< `L`, coupled with weight beta / R along medial spheres, + lambda `M`
   H1,           ///< `L` + lambda `M`
   L2,           ///< lambda `M`
   QUASI_NEWTON, ///< `L` + alpha `M`, the Hessian with the spheres held fixed
-  CONTACT       ///< `L` + lambda `M` + how strands at the same sphere resist coming closer
+  CONTACT       ///< `L` + lambda `M` + the stiffness of contacts between strands at the same sphere
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -58,11 +58,11 @@ inline std::ostream& operator<<(std::ostream& out, Preconditioner preconditioner
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// What the boundary of a domain is to the medial spheres of a curve inside.
+/// The way in which the boundary of a domain limits the medial spheres of a curve inside.
 enum class Wall
 {
-  COVER,     ///< their centers lie inside: the curve settles at about r from the boundary
-  KEEP_CLEAR ///< they lie inside: the curve settles at about 2r from the boundary
+  COVER,     ///< their centers stay inside: the curve settles at about r from the boundary
+  KEEP_CLEAR ///< the whole spheres stay inside: the curve settles at about 2 r from the boundary
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -93,14 +93,14 @@ inline std::ostream& operator<<(std::ostream& out, Wall wall)
  *
  * \brief The parameters of a `Curve_flow_3`.
  *
- * Only the thickness is a length; everything else is in units of the thickness r or dimensionless,
- * so that scaling the input scales the output and changes nothing else.
+ * Only the thickness is a length; all others are in units of the thickness r or dimensionless:
+ * scaling the input scales the output and changes nothing else.
  */
 struct Curve_flow_parameters
 {
-  /// The distance r that strands keep from the medial surface between them, in the input's unit.
-  /// 0 (default) stands for the `default_thickness()` of the input, in `fill()` for one that suits
-  /// the domain, see `Filling_parameters`.
+  /// The distance r that strands keep from the medial surface between them, in the input's unit. 0
+  /// (default) stands for the `default_thickness()` of the input and, in `fill()`, for a thickness
+  /// that suits the domain, see `Filling_parameters`.
   double thickness = 0;
 
   /// The number N of medial spheres per node.
@@ -110,46 +110,45 @@ struct Curve_flow_parameters
   double max_radius = 0.9;
 
   /// The least length of an edge, in units of r, at most 1: with longer edges a curve cannot bend
-  /// as it has to. Edges longer than twice that are split.
-  /// `untangle()` and `fill()` take longer edges on their way.
+  /// enough. Edges longer than twice this length are split. `untangle()` and `fill()` use longer
+  /// edges until the last stage.
   double spacing = 0.2;
 
   /// The weight lambda of `M` in the preconditioner, in units of 1 / r^2: the locality of the flow.
   double screening = 0.3;
 
   /// The weight alpha of the medial spheres in the energy, in units of 1 / r^2. With 3.36^2, the
-  /// value of the paper (section 3.3), the mean medial radius of a curve that fills a domain gets
-  /// to r while it grows, and settles at 0.93 r.
+  /// value of the paper (section 3.3), the mean medial radius of a curve that fills a domain
+  /// reaches r while the curve grows, and settles at 0.93 r.
   double medial_weight = 3.36 * 3.36;
 
   /// The weight beta of the coupling along medial spheres in the preconditioner, dimensionless;
-  /// only `Preconditioner::MEDIAL` has it.
+  /// only `Preconditioner::MEDIAL` uses it.
   double coupling = 0.01;
 
   /// The preconditioner. The default of `untangle()` is `Preconditioner::CONTACT`.
   Preconditioner preconditioner = Preconditioner::MEDIAL;
 
-  /// What the boundary of the domain is to the medial spheres, if there is a domain.
+  /// The way in which the boundary limits the medial spheres, if there is a domain.
   Wall wall = Wall::COVER;
 
-  /// The largest displacement of a node in a step, in units of r. `untangle()` goes 2.5 times as
-  /// far while edges are longer.
+  /// The largest displacement of a node in a step, in units of r. `untangle()` uses 2.5 times this
+  /// value while edges are longer.
   double max_displacement = 0.5;
 
-  /// The time step tau of the paper, dimensionless, instead of the adaptive step, which is taken if
-  /// this is 0 (default).
+  /// The time step tau of the paper, dimensionless. 0 (default) stands for an adaptive step.
   double time_step = 0;
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// What a `Curve_flow_3` has done so far.
+/// The work of a `Curve_flow_3` so far.
 struct Curve_flow_statistics
 {
   std::size_t iterations = 0;        ///< number of steps
-  std::size_t certified_changes = 0; ///< changes of a node that were certified and carried out
+  std::size_t certified_changes = 0; ///< changes of a node that were certified and made
   std::size_t refused_changes = 0;   ///< changes of a node that were refused
-  std::size_t shortened_steps = 0;   ///< steps that went only a part of the way, or nowhere
+  std::size_t shortened_steps = 0;   ///< steps that were shortened, or not made
   std::size_t refused_remeshing = 0; ///< collapses and splits that were refused
   double seconds_medial_spheres = 0; ///< time spent on medial spheres
   double seconds_direction = 0;      ///< time spent on the gradient and the preconditioner

@@ -18,22 +18,22 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  * \headerfile CGAL/Volume_filling_curves/Curve_network_3.h
  *
- * \brief The class `Curve_origin` tells from which place of the input a node of a result comes: an
- * edge of the input, and a number from 0 to 1 that tells where on it.
+ * \brief The class `Curve_origin` is the point of the input that a node of a result corresponds to:
+ * an edge of the input, and a position on it.
  *
- * The place is `(1 - parameter) * p + parameter * q` for the points `p` and `q` of the input with
- * the indices `source` and `target`. Colors, times, or whatever else is known along the input, are
- * carried over to the result in the same way.
+ * The point is `(1 - parameter) * p + parameter * q`, where `p` and `q` are the points of the input
+ * with the indices `source` and `target`. Colors, times and other data along the input can be
+ * interpolated at the result in the same way.
  */
 struct Curve_origin
 {
-  /// the index in the input of the node where the edge starts, see `Curve_network_3::origin()`
+  /// the index in the input of the edge's first node, see `Curve_network_3::origin()`
   std::size_t source;
 
-  /// the index in the input of the node where the edge ends
+  /// the index in the input of the edge's second node
   std::size_t target;
 
-  /// how far from `source` to `target`
+  /// the position on the edge, from 0 at `source` to 1 at `target`
   double parameter;
 };
 

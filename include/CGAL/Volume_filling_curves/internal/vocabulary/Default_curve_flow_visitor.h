@@ -18,7 +18,7 @@ namespace Volume_filling_curves {
 /// \ingroup PkgVolumeFillingCurvesTraits
 /// \headerfile CGAL/Volume_filling_curves/Curve_flow_3.h
 ///
-/// A visitor that does nothing, to derive from.
+/// A visitor that does nothing; a base class for other visitors.
 ///
 /// \cgalModels{CurveFlowVisitor}
 struct Default_curve_flow_visitor
@@ -33,7 +33,7 @@ struct Default_curve_flow_visitor
   void on_iteration(const Flow&)
   {}
 
-  /// is called before each step; the run ends, with a valid curve, if it returns `false`.
+  /// is called before each step. If it returns `false`, the run ends with a valid curve.
   template <typename Flow>
   bool go_further(const Flow&)
   {
@@ -44,7 +44,8 @@ struct Default_curve_flow_visitor
   /// thickness.
   void on_thin_domain(const Thickness_fit&) {}
 
-  /// is called every few milliseconds of a search; the run ends, likewise, if it returns `false`.
+  /// is called every few milliseconds of a search. If it returns `false`, the run ends with a valid
+  /// curve.
   bool on_search(const Search_progress&) { return true; }
 };
 

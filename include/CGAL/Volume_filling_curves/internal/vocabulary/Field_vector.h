@@ -32,7 +32,7 @@ struct Field_vector : std::array<double, 3>
 
   static Array to_array(const Array& v, ...) { return v; }
 
-  // from what one of these functions takes
+  // from any argument of to_array()
   template <typename Vector_3, typename = decltype(to_array(std::declval<const Vector_3&>(), 0))>
   Field_vector(const Vector_3& v) : Array(to_array(v, 0))
   {}

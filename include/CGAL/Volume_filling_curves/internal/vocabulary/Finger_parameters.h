@@ -27,38 +27,37 @@ namespace Volume_filling_curves {
  * \brief The parameters of `grow_fingers()`.
  *
  * Each member can be set by the named parameter of the same name; the named parameter `thickness`
- * takes a function, too, and sets `thickness_field` then.
+ * also takes a function, which sets `thickness_field`.
  *
  * \tparam Point_3 the type of points
  */
 template <typename Point_3 = Curve_flow_traits_3<>::Point_3>
 struct Finger_parameters
 {
-  /// The thickness r that the curves are to fill the domain with, in the input's unit. There is no
-  /// default.
+  /// The thickness r of the filling, in the input's unit. There is no default.
   double thickness = 0;
 
   /// A thickness that varies in space, instead of `thickness`: a function of the point, which must
   /// be positive. None by default.
   std::function<double(const Point_3&)> thickness_field;
 
-  /// A direction field that the curve is to follow: a function of the point that returns a vector,
-  /// a `std::array<double, 3>` or any type with members `x()`, `y()` and `z()`. Neither its sign
-  /// nor its length matters; zero stands for no preference. It must be finite. None by default.
+  /// A direction field for the fingers to follow: a function of the point that returns a vector, a
+  /// `std::array<double, 3>` or any type with members `x()`, `y()` and `z()`. Neither its sign nor
+  /// its length matters; zero stands for no preference. It must be finite. None by default.
   std::function<internal::Field_vector(const Point_3&)> direction_field;
 
-  /// The weight of a `direction_field`, dimensionless: of two places that are as far, the tree
-  /// prefers the one along it. The same as that of `Filling_parameters`.
+  /// The weight of a `direction_field`, dimensionless, as in `Filling_parameters`: among points at
+  /// the same distance, the tree prefers those along the field.
   double direction_weight = 0.2;
 
   /// The seed of the points and of the tree.
   std::size_t random_seed = 0;
 
-  /// The longest time to grow, in seconds. Infinite by default.
+  /// The time limit, in seconds. Infinite by default.
   double time_limit = std::numeric_limits<double>::infinity();
 
-  /// Is called every few milliseconds, as `Curve_run_parameters::progress`; if it returns `false`,
-  /// no further fingers grow.
+  /// Is called every few milliseconds, like `Curve_run_parameters::progress`; if it returns
+  /// `false`, no further fingers grow.
   std::function<bool(const Run_progress&)> progress;
 };
 

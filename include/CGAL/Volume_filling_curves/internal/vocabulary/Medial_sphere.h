@@ -17,13 +17,13 @@ namespace Volume_filling_curves {
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/Curve_flow_3.h
 ///
-/// A sphere that touches a curve at a node and holds no other node.
+/// A sphere that touches a curve at a node and contains no other node.
 template <typename Point_3>
 struct Medial_sphere
 {
   Point_3 center;           ///< the center, in the plane orthogonal to the curve at the node
   double radius;            ///< the radius, in the input's unit
-  std::size_t touched_node; ///< the node that limits the radius, `null_node()` if the cap does
+  std::size_t touched_node; ///< the node that limits the radius, or `null_node()` if the cap does
 };
 
 } // namespace Volume_filling_curves

@@ -17,15 +17,15 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief tells which polylines are closed curves.
+ * \brief determines which polylines are closed curves.
  *
- * The value of the named parameter `closure`, wherever polylines go in, and of a parameter of
- * `IO::read_curve_network()`, which says what that means for a file. A last point that repeats the
- * first is no new node of a closed curve.
+ * This is the type of the named parameter `closure` of all functions that take polylines, and of a
+ * parameter of `IO::read_curve_network()`, which documents its effect on files. In a closed curve,
+ * a last point that repeats the first is not a new node.
  */
 enum class Closure
 {
-  IF_REPEATED, ///< those whose last point repeats the first, by \cgal's habit
+  IF_REPEATED, ///< those whose last point repeats the first, as usual in \cgal
   CLOSED,      ///< all of them, whether or not the last point repeats the first
   OPEN         ///< none of them
 };
@@ -33,14 +33,15 @@ enum class Closure
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief tells whether a curve network may have junctions, that is, nodes with more than two edges.
+ * \brief determines whether a curve network may have junctions, that is, nodes with more than two
+ * edges.
  *
- * The value of the named parameter `junctions`, wherever polylines go in.
+ * This is the type of the named parameter `junctions` of all functions that take polylines.
  */
 enum class Junctions
 {
   FORBIDDEN, ///< every component is a closed curve or an arc
-  ALLOWED    ///< any graph is welcome; equal end points of polylines are one node
+  ALLOWED    ///< any graph is allowed; equal end points of polylines are one node
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef

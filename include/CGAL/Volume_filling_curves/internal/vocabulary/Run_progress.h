@@ -18,14 +18,14 @@ namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// The stages of a run, in their order; no run has them all.
+/// The stages of a run, in order; no run has all of them.
 enum class Run_stage
 {
-  PREPARING,   ///< the input is checked, a domain surveyed
-  SEARCHING,   ///< a polygon with few edges is searched
-  BRANCHING,   ///< fingers grow all over a domain
+  PREPARING,   ///< the input is checked, and a domain surveyed
+  SEARCHING,   ///< a random search looks for a polygon with few edges
+  BRANCHING,   ///< fingers grow through a domain
   FLOWING,     ///< the curve flows, iteration by iteration
-  TIGHTENING,  ///< a closed curve is pulled tight at a constant radius
+  TIGHTENING,  ///< a closed curve is tightened at a constant radius
   SIMPLIFYING, ///< nodes are removed
   MEASURING,   ///< the result is measured
   VERIFYING    ///< a certificate is verified
@@ -68,42 +68,43 @@ inline std::ostream& operator<<(std::ostream& out, Run_stage stage)
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
-/// How far a run has come. The function that is passed as the parameter `progress` receives it at
-/// the beginning of each stage, after each iteration, and every few milliseconds in between, always
-/// in the thread that started the run; the run ends if the function returns `false`.
+/// The progress of a run. The function passed as the parameter `progress` receives it at the
+/// beginning of each stage, after each iteration, and every few milliseconds in between, always in
+/// the thread that started the run. If the function returns `false`, the run ends.
 struct Run_progress
 {
-  Run_stage stage = Run_stage::PREPARING; ///< the stage that the run is in
+  Run_stage stage = Run_stage::PREPARING; ///< the current stage
 
-  /// how much of the stage is done, from 0 to 1; estimated, and 0 where no estimate is known
+  /// the completed fraction of the stage, from 0 to 1; an estimate, or 0 if there is none
   double fraction = 0;
 
   /// iterations of the flow, or sweeps of the search, so far
   std::size_t iterations = 0;
 
-  std::size_t nodes = 0;    ///< of the curve, when it was last measured
-  double length = 0;        ///< likewise, in the input's unit
-  double gradient_norm = 0; ///< likewise, see `Curve_flow_3::gradient_norm()`
-  double seconds = 0;       ///< since the run began
+  std::size_t nodes = 0;    ///< nodes of the curve when last measured
+  double length = 0;        ///< length of the curve when last measured, in the input's unit
+  double gradient_norm = 0; ///< `Curve_flow_3::gradient_norm()` when last measured
+  double seconds = 0;       ///< seconds since the start of the run
 
-  double thickness = 0; ///< of a filling, in the input's unit; 0 until it is known
+  double thickness = 0; ///< thickness of a filling, in the input's unit; 0 until it is known
 
-  /// the thickness that a filling would have by default, if it takes a larger one in its place; 0
-  /// otherwise. See `Filling_parameters`
+  /// the default thickness of a filling that uses a larger one instead; 0 otherwise. See
+  /// `Filling_parameters`
   double default_thickness = 0;
 
-  double expected_length = 0;     ///< of the filling, in the input's unit; 0 until it is known
+  double expected_length = 0;     ///< expected length of the filling, in the input's unit; 0 until
+                                  ///< it is known
   std::size_t expected_nodes = 0; ///< likewise
 
-  /// likewise, of the whole run with one thread, on a recent machine
+  /// expected time of the whole run with one thread, on a recent machine; 0 until it is known
   double expected_seconds = 0;
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
-/// Is thrown by functions that return a measure or a verdict, and have no status, if the function
-/// that was passed as the named parameter `progress` returns `false`.
+/// The exception of functions that return no status, such as measures, if the function passed as
+/// the named parameter `progress` returns `false`.
 class Run_interrupted : public std::runtime_error
 {
 public:

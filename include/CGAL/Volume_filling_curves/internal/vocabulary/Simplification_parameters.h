@@ -29,19 +29,19 @@ class Isotopy_certificate;
  */
 struct Simplification_parameters
 {
-  /// The largest Fréchet distance between an edge of the result and the part of the input that it
-  /// stands for, in the input's unit. Infinite by default.
+  /// The largest Fréchet distance between an edge of the result and the section of the input that
+  /// it replaces, in the input's unit. Infinite by default.
   double max_distance = std::numeric_limits<double>::infinity();
 
   /// The distance that edges without a common node keep, see `Isotopy_guard_3::set_clearance()`, in
   /// the input's unit. 0 (default) for none.
   double clearance = 0;
 
-  /// Receives the record of the run, as `Curve_run_parameters::certificate`.
+  /// Receives the record of the run, like `Curve_run_parameters::certificate`.
   Isotopy_certificate* certificate = nullptr;
 
-  /// Is called as `Curve_run_parameters::progress`. If it returns `false`, the nodes that have been
-  /// removed by then stay removed, and the others stay.
+  /// Is called like `Curve_run_parameters::progress`. If it returns `false`, no further nodes are
+  /// removed.
   std::function<bool(const Run_progress&)> progress;
 };
 

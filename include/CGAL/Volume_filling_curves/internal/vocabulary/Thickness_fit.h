@@ -16,22 +16,23 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  * \headerfile CGAL/Volume_filling_curves/fill.h
  *
- * \brief Whether the walls of a domain are wide enough for a thickness.
+ * \brief The fit of a thickness to a domain: whether the domain is wide enough for it.
  *
- * A place is too thin for r if no ball of radius 0.8 r that lies inside has its center within r of
- * it: a curve of that thickness draws back from there. Estimated with 300 samples; not a number if
- * there was no time for it.
+ * A domain is too thin for r at a point if no ball of radius 0.8 r inside the domain has its center
+ * within r of the point: a curve of that thickness withdraws from it. Estimated from 300 samples;
+ * NaN if there was no time for it.
  */
 struct Thickness_fit
 {
-  /// the thickness r, in the input's unit; the mean in the domain if it varies
+  /// the thickness r, in the input's unit; if it varies, the mean in the domain
   double thickness = 0;
 
-  /// the share of the volume that is too thin for r
+  /// the share of the volume where the domain is too thin for r
   double thin_fraction = 0;
 
-  /// the r for which at most 1 % of the volume is too thin, found to a factor of 0.71: r itself if
-  /// that fits; if r varies, it is to be multiplied by the ratio
+  /// the thickness for which at most 1 % of the volume is too thin, to within a factor of 0.71, in
+  /// the input's unit; r itself if it fits. If r varies, multiply it by the ratio of this value to
+  /// `thickness`
   double fitting_thickness = 0;
 };
 

@@ -22,7 +22,7 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesDomains
  * \headerfile CGAL/Volume_filling_curves/Isotopy_guard_3.h
  *
- * \brief The class `Unbounded_domain_3` is the whole space, in which untangling takes place.
+ * \brief The class `Unbounded_domain_3` is the whole space.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *

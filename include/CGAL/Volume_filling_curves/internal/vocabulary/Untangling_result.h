@@ -20,16 +20,16 @@ namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// How an untangling ended.
+/// The outcome of untangling.
 enum class Untangling_status
 {
-  CONVERGED, ///< the gradient got below the tolerance, and contacts and bends resist the pull of
-             ///< the length; the curve is tight, not necessarily simple, and does not look like an
-             ///< unknot by its Alexander polynomial
-  UNKNOTTED, ///< every component is a proved unknot and, if there are several, the link is trivial
-  LIMIT,     ///< the limit of iterations or of time was reached
-  STALLED,   ///< the length, or the gradient, or what looks like an unknot got nowhere any more, or
-             ///< the thickness is too small, see `Untangling_result::fitting_thickness`
+  CONVERGED,  ///< the gradient is below the tolerance, and contacts and bends resist the tension;
+              ///< the curve is tight, not necessarily simple, and its Alexander polynomial does not
+              ///< suggest an unknot
+  UNKNOTTED,  ///< every component is a proved unknot and, if there are several, the link is trivial
+  LIMIT,      ///< the limit of iterations or of time was reached
+  STALLED,    ///< the length, the gradient, or a suspected unknot stopped making progress, or the
+              ///< thickness is too small, see `Untangling_result::fitting_thickness`
   INTERRUPTED ///< the visitor asked to stop
 };
 
@@ -63,10 +63,10 @@ inline std::ostream& operator<<(std::ostream& out, Untangling_status status)
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// Why a closed component is known to be an unknot.
+/// The proof that a closed component is an unknot.
 enum class Unknot_proof
 {
-  NONE,           ///< it is not known
+  NONE,           ///< no proof
   EDGES,          ///< it has at most 5 edges
   TOTAL_CURVATURE ///< its total curvature is below 4 pi
 };
@@ -97,13 +97,13 @@ inline std::ostream& operator<<(std::ostream& out, Unknot_proof proof)
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// What is known about a link.
+/// The linking of the components of a curve.
 enum class Link_status
 {
-  NOT_A_LINK, ///< there is a single component, or one that is not closed
-  TRIVIAL,    ///< it is proved that the link is trivial: an unlink of unknots
+  NOT_A_LINK, ///< there is only one component, or a component that is not closed
+  TRIVIAL,    ///< the link is proved to be trivial: unlinked unknots
   LINKED,     ///< two components have a nonzero linking number
-  UNDECIDED   ///< neither was found
+  UNDECIDED   ///< neither is proved
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -135,32 +135,32 @@ inline std::ostream& operator<<(std::ostream& out, Link_status status)
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
-/// What `untangle()` returns. Whatever the status, the curve is ambient isotopic to the input.
+/// The result of `untangle()`. Whatever the status, the curve is ambient isotopic to the input.
 struct Untangling_result
 {
   Untangling_status status = Untangling_status::LIMIT; ///< how the run ended
   std::vector<Unknot_proof> proofs;                    ///< one per component
   Link_status link = Link_status::NOT_A_LINK;          ///< whether the components are linked
-  bool is_round = false; ///< whether the curve is a regular polygon now
-  /// Whether the ropelength was lowered until it hardly fell any more, which may have been at once;
-  /// it may also have been lowered, but not that far. See
-  /// `Untangling_parameters::lower_ropelength`.
+  bool is_round = false;                               ///< whether the curve is a regular polygon
+  /// Whether the ropelength was lowered until it no longer fell noticeably. If `false`, it may have
+  /// been lowered less far. See `Untangling_parameters::lower_ropelength`.
   bool is_ropelength_lowered = false;
-  bool is_input = false; ///< whether it is the input, which is tighter than what was found
-  /// Whether every open component with pinned ends, closed as `untangle()` says, is known to have
-  /// the knot type that it had. It is after a run that has converged; at a limit, strands may still
-  /// be in the way of the closing lines.
+  bool is_input = false; ///< whether the result is the input, because the input is tighter
+  /// Whether the closure of every open component with pinned ends, as defined by `untangle()`, is
+  /// known to have kept its knot type. This holds after a run that has converged; at a limit,
+  /// strands may still block the closing rays.
   bool is_closure_kept = true;
   double thickness = 0; ///< r, in the input's unit
-  /// A thickness that suits the curve, in the input's unit, where the flow has stalled since the
-  /// given one is too small: the curve is smooth on that scale, but not tight. Otherwise 0.
+  /// A thickness that suits the curve, in the input's unit, if the flow has stalled because the
+  /// given one is too small: the curve is then smooth on that scale, but not tight. Otherwise 0.
   double fitting_thickness = 0;
-  /// At the end, see `Curve_flow_3::gradient_norm()`; larger again where the ropelength was
-  /// lowered. NaN if the run was stopped before it was known.
+  /// The final `Curve_flow_3::gradient_norm()`, which grows while the ropelength is lowered. NaN if
+  /// the run stopped before it was known.
   double gradient_norm = 0;
-  Curve_flow_statistics statistics; ///< the work; of all flows if there were several
-  std::size_t searches = 0;         ///< for few edges: how often; after each jam once more
-  std::size_t sweeps = 0;           ///< of all searches, see `Search_progress`
+  Curve_flow_statistics statistics; ///< the work of all flows
+  std::size_t searches = 0;         ///< the number of searches for few edges; each jam starts
+                                    ///< another
+  std::size_t sweeps = 0;           ///< the sweeps of all searches, see `Search_progress`
 };
 
 } // namespace Volume_filling_curves

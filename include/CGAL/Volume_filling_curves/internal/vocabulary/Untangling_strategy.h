@@ -17,12 +17,12 @@ namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
-/// How curves are untangled.
+/// The method of untangling.
 enum class Untangling_strategy
 {
-  FLOW,   ///< by the flow alone, a continuous motion of all nodes: a film
-  SEARCH, ///< by a random search for a polygon with as few edges as possible: an answer
-  AUTO    ///< by the search first, and then by the flow to an even, smooth shape
+  FLOW,   ///< the flow alone, a continuous motion of all nodes
+  SEARCH, ///< a random search for a polygon with as few edges as possible
+  AUTO    ///< the search first, and then the flow to an even, smooth shape
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -52,11 +52,11 @@ inline std::ostream& operator<<(std::ostream& out, Untangling_strategy strategy)
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
-/// How far a random search has got.
+/// The progress of a random search.
 struct Search_progress
 {
-  std::size_t sweeps = 0; ///< the number of times that a hundred moves per edge were tried
-  std::size_t moves = 0;  ///< the number of moves that were tried
+  std::size_t sweeps = 0; ///< the number of sweeps, which are a hundred attempted moves per edge
+  std::size_t moves = 0;  ///< the number of attempted moves
   std::size_t edges = 0;  ///< the fewest edges found so far
 };
 

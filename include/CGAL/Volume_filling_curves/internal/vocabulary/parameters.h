@@ -13,13 +13,13 @@
 
 #include <type_traits>
 
-// The named parameters of this package and those of CGAL that its functions take, in one chain in
-// any order: `parameters::thickness(0.1).visitor(my_visitor).tolerance(1e-3)`. CGAL's class of
-// parameters knows CGAL's names only; this one derives from it and adds ours, so that CGAL's
-// machinery finds both. What they mean is said at the members of the structs that they fill, such
-// as Untangling_parameters.
+// Named parameters of this package, and those of CGAL that its functions take, in one chain in any
+// order: `parameters::thickness(0.1).visitor(my_visitor).tolerance(1e-3)`. CGAL's class of
+// parameters has only CGAL's names; this one derives from it and adds ours, and CGAL's functions
+// find both. The members of the structs that they fill, such as Untangling_parameters, document
+// them.
 
-// Applies a macro to the name of each parameter: of those that are this package's, and of all.
+// Applies a macro to the name of each parameter: this package's own ones, and all.
 #define CGAL_VFC_OWN_PARAMETERS(X) \
   X(build_name)                    \
   X(certificate)                   \
@@ -80,7 +80,7 @@ using CGAL::internal_np::random_seed_t;
 using vertex_point_map_t = CGAL::internal_np::vertex_point_t;
 using CGAL::internal_np::visitor_t;
 
-// The name that a message gives a parameter, at run time and at compile time.
+// The name of a parameter in messages, at run time and at compile time.
 #define CGAL_VFC_PARAMETER(name)                                                       \
   constexpr const char* name_of(name##_t)                                              \
   {                                                                                    \
@@ -139,13 +139,13 @@ CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns two sequences of named parameters as one, which can be continued.
+ * \brief combines two sequences of named parameters into one, which can be continued.
  *
- * A sequence that begins with a function of the namespace `CGAL::parameters` continues with \cgal's
- * parameters only. This function appends those of this package:
+ * A sequence that starts in the namespace `CGAL::parameters` can only continue with \cgal's
+ * parameters. This function appends parameters of this package:
  * `combine(CGAL::parameters::vertex_point_map(map), parameters::thickness(0.1)).time_limit(60)`.
- * All parameters that a function takes are also in this namespace, in which they continue one
- * another in any order.
+ * All parameters of the package's functions are also in this namespace, and can follow one another
+ * in any order.
  *
  * \tparam First a sequence of named parameters, of \cgal or of this package
  *
