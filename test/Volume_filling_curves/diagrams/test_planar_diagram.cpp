@@ -64,8 +64,8 @@ TEST(Planar_diagram, Components_include_free_loops)
 
 TEST(Planar_diagram, Arcs_lead_from_crossing_to_crossing)
 {
-  for(const auto& diagram : {trefoil, figure_eight, hopf_link, negative_loop, positive_loop,
-                             circle_on_circle}) {
+  for(const auto& diagram :
+      {trefoil, figure_eight, hopf_link, negative_loop, positive_loop, circle_on_circle}) {
     const Diagram_strands strands(diagram);
     for(std::size_t arc = 0; arc < 2 * diagram.crossings.size(); ++arc) {
       const auto target = strands.target(arc), source = strands.source(strands.next(arc));

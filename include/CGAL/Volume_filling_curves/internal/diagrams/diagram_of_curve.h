@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_DIAGRAM_OF_CURVE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_DIAGRAM_OF_CURVE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Polygon_projection.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Nodes of closed curves in their order.
+// \throws std::invalid_argument if a component is open or branches
+template <typename Network>
+Closed_polygons closed_polygons(const Network& curve)
+{
+  Closed_polygons polygons;
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c) {
+    if(!curve.is_closed(c) || has_junction(curve, c))
+      throw std::invalid_argument("component " + std::to_string(c) +
+                                  " is not a closed curve, and has no diagram");
+    for(const std::size_t e : edges_along(curve, c))
+      polygons.points.push_back(to_vector(curve.point(curve.source(e))));
+    polygons.close();
+  }
+  return polygons;
+}
+
+// The k-th of a sequence of directions, uniform on the sphere and without symmetries.
+inline Viewing_direction viewing_direction(std::size_t k)
+{
+  constexpr double scale = 1 << 20; // two directions differ by 1e-6 or are the same
+  const Vector d = Random_source(k).direction() * scale;
+  return {int(std::lround(d.x())), int(std::lround(d.y())), int(std::lround(d.z()))};
+}
+
+// The diagram with the fewest crossings of several directions, the first one if there are many.
+// \throws std::invalid_argument if the polygons meet, so that no direction is generic
+// \throws Run_stopped if the watch, if there is one, says so
+inline Planar_diagram best_diagram(const Closed_polygons& polygons,
+                                   std::size_t number_of_directions,
+                                   Run_watch* watch = nullptr)
+{
+  // Of 10,000 directions none is refused for a curve that does not meet itself, on a lattice or
+  // not.
+  constexpr std::size_t max_refused = 20;
+  std::optional<Planar_diagram> best;
+  std::size_t seen = 0, refused = 0;
+  while(seen < number_of_directions || !best) {
+    auto diagram = Polygon_projection(polygons, viewing_direction(seen + refused), watch)();
+    if(diagram) {
+      ++seen;
+      if(!best || diagram->crossings.size() < best->crossings.size()) best = std::move(diagram);
+    } else if(++refused == max_refused)
+      throw std::invalid_argument("the curve has no generic projection: it meets itself");
+  }
+  return std::move(*best);
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_DIAGRAM_OF_CURVE_H
