@@ -44,7 +44,8 @@ inline Diagram plain_diagram(const Planar_diagram& diagram)
 inline Planar_diagram braid_diagram(const std::string& word, std::size_t direction = 0)
 {
   namespace VFC = CGAL::Volume_filling_curves;
-  const auto curve = VFC::make_closed_braid(VFC::parse_braid_word(word), 200, 0, 1);
+  const auto curve =
+      VFC::make_closed_braid(VFC::parse_braid_word(word), 50 + 20 * word.size(), 0, 1);
   const auto polygons = VFC::internal::closed_polygons(curve);
   return *VFC::internal::Polygon_projection(polygons,
                                             VFC::internal::viewing_direction(direction))();

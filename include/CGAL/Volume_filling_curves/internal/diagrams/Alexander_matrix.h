@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_ALEXANDER_MATRIX_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_ALEXANDER_MATRIX_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/diagrams/Diagram_faces.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Prime_field.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Sparse_determinant.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The Alexander polynomial of a link at places of prime fields: the determinant of the matrix with
+// a row for each crossing and a column for each face, but for two faces side by side (Alexander
+// 1928). Its value is the polynomial's times a unit, plus or minus a power of t, which depends on
+// the diagram only. Of a split link it is 0.
+class Alexander_matrix
+{
+public:
+  using Number = Prime_field::Number;
+
+  // \pre is_planar_diagram(diagram)
+  explicit Alexander_matrix(const Planar_diagram& diagram, Run_watch* watch = nullptr)
+      : m_faces(diagram),
+        m_size(diagram.crossings.size()),
+        m_is_split(m_faces.number_of_parts() + diagram.number_of_free_loops > 1),
+        m_watch(watch)
+  {
+    for(std::size_t face = 0, column = 0; face < m_faces.number_of_faces(); ++face) {
+      const bool is_left_out = face == m_faces.face(0, 0) || face == m_faces.face(0, 1);
+      m_columns.push_back(is_left_out ? none : column++);
+    }
+  }
+
+  // the degree of the polynomial in t that value() is, at most
+  std::size_t max_degree() const { return m_size; }
+
+  // \throws Run_stopped if the watch, if there is one, says so
+  Number value(Number t, const Prime_field& field) const
+  {
+    if(m_is_split) return 0;
+    Sparse_determinant determinant(m_size, field, m_watch);
+    const Number coefficients[4] = {1, field.negative(1), t, field.negative(t)}; // of the corners
+    for(std::size_t c = 0; c < m_size; ++c)
+      for(std::size_t k = 0; k < 4; ++k) {
+        const std::size_t column = m_columns[m_faces.face(c, k)];
+        if(column != none) determinant.add(c, column, coefficients[k]);
+      }
+    return determinant();
+  }
+
+  // Its value at t times that at 1 / t, which depends on the link only. \pre t is not 0
+  Number squared_norm(Number t, const Prime_field& field) const
+  {
+    return field.product(value(t, field), value(field.inverse(t), field));
+  }
+
+private:
+  static constexpr std::size_t none = ~std::size_t(0);
+
+  Diagram_faces m_faces;
+  std::size_t m_size;
+  bool m_is_split;
+  Run_watch* m_watch;                 // none if null
+  std::vector<std::size_t> m_columns; // of each face; none for two
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_ALEXANDER_MATRIX_H
