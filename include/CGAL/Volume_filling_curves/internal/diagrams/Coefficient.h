@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_COEFFICIENT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_COEFFICIENT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Coefficients of polynomials: integers of 64 bits, with an exception instead of an overflow.
+using Coefficient = std::int64_t;
+
+// Thrown by computations that would exceed 64 bits, or the work that they may take.
+struct Polynomial_limit : std::runtime_error
+{
+  Polynomial_limit() : std::runtime_error("a polynomial exceeds the limits") {}
+};
+
+// Operations on terms that a polynomial may take unless the caller says otherwise: about a second.
+constexpr std::size_t default_work = 25'000'000;
+
+// half of the range: sums of two such numbers are in the range
+constexpr Coefficient max_coefficient = std::numeric_limits<Coefficient>::max() / 2;
+
+inline Coefficient checked(Coefficient c)
+{
+  if(c > max_coefficient || c < -max_coefficient) throw Polynomial_limit();
+  return c;
+}
+
+inline Coefficient checked_product(Coefficient c, Coefficient d)
+{
+  const auto size = [](Coefficient x) { return x < 0 ? -x : x; };
+  if(d != 0 && size(c) > max_coefficient / size(d)) throw Polynomial_limit();
+  return c * d;
+}
+
+// Writes the coefficient of a term behind the terms before it: "- 2 " in "1 - 2 x".
+inline void write_coefficient(std::ostream& out, Coefficient c, bool is_first, bool is_constant)
+{
+  out << (c < 0 ? (is_first ? "-" : " - ") : (is_first ? "" : " + "));
+  const Coefficient size = c < 0 ? -c : c;
+  if(is_constant)
+    out << size;
+  else if(size != 1)
+    out << size << ' ';
+}
+
+inline void write_power(std::ostream& out, const char* variable, int exponent)
+{
+  out << variable;
+  if(exponent != 1) out << '^' << exponent;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_COEFFICIENT_H
