@@ -18,6 +18,8 @@
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -161,23 +164,31 @@ private:
     return true;
   }
 
-  // along the polygons; returns false if there are two at the same place
+  // along the polygons; returns false if there are two at the same place. Doubles order nearly all of
+  // them, exact comparisons the rest.
   bool sort_passes()
   {
-    std::sort(m_passes.begin(), m_passes.end(), [this](const Pass& a, const Pass& b) {
-      return a.edge != b.edge ? a.edge < b.edge : is_before(a, b);
+    std::sort(m_passes.begin(), m_passes.end(), [](const Pass& a, const Pass& b) {
+      return std::tie(a.edge, a.place.value, a.crossing) <
+             std::tie(b.edge, b.place.value, b.crossing);
     });
-    for(std::size_t k = 1; k < m_passes.size(); ++k)
-      if(m_passes[k - 1].edge == m_passes[k].edge && !is_before(m_passes[k - 1], m_passes[k]))
-        return false;
+    for(std::size_t i = 1; i < m_passes.size(); ++i)
+      for(std::size_t k = i; k > 0 && m_passes[k - 1].edge == m_passes[k].edge; --k) {
+        const Sign sign = compare(m_passes[k - 1], m_passes[k]);
+        if(sign == ZERO) return false;
+        if(sign == NEGATIVE) break;
+        std::swap(m_passes[k - 1], m_passes[k]);
+      }
     return true;
   }
 
-  bool is_before(const Pass& a, const Pass& b) const
+  // whether a comes before b on their edge
+  Sign compare(const Pass& a, const Pass& b) const
   {
-    const double distance = b.place.value - a.place.value;
-    if(std::abs(distance) > a.place.error + b.place.error) return distance > 0;
-    return a.crossing != b.crossing && exact_place(a) < exact_place(b);
+    const double distance = a.place.value - b.place.value;
+    if(std::abs(distance) > a.place.error + b.place.error)
+      return distance > 0 ? POSITIVE : NEGATIVE;
+    return CGAL::compare(exact_place(a), exact_place(b));
   }
 
   Exact_rational exact_place(const Pass& pass) const

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/looks_unknotted.h>
 
 #include <cstddef>
 #include <limits>

@@ -8,7 +8,7 @@
 #include "support/knot_invariants.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/internal/knots/looks_unknotted.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/looks_unknotted.h>
 
 #include <gtest/gtest.h>
 

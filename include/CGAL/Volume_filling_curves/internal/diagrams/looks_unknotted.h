@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LOOKS_UNKNOTTED_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LOOKS_UNKNOTTED_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/diagrams/Alexander_matrix.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Prime_field.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/diagram_of_curve.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Whether a link has the Alexander polynomial of the unknot, up to an accident at two places of a
+// prime field. If not, that proves that it is knotted or linked; if so, it proves nothing, although
+// no nontrivial knot of up to 10 crossings has that polynomial.
+// \throws Run_stopped if the watch, if there is one, says so
+inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
+                                             Run_watch* watch = nullptr)
+{
+  const Alexander_matrix matrix(diagram, watch);
+  const Prime_field field;
+  for(const std::uint64_t t : {1234567u, 271828182u}) // no roots of unity of small order
+    if(matrix.squared_norm(t, field) != 1) return false;
+  return true;
+}
+
+// Whether a knot is likely to be an unknot by its Alexander polynomial. Very large curves do not
+// look unknotted, since the answer would take longer than a second.
+// \pre the curve is a single closed component, and has no garbage
+template <typename Network>
+bool looks_unknotted(const Network& curve)
+{
+  constexpr std::size_t max_nodes = 10000, max_crossings = 1000;
+  if(curve.number_of_nodes() > max_nodes) return false;
+  const Planar_diagram diagram = best_diagram(closed_polygons(curve), 1);
+  return diagram.crossings.size() <= max_crossings && has_trivial_alexander_polynomial(diagram);
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LOOKS_UNKNOTTED_H
