@@ -111,7 +111,7 @@ bool read_option(Options& options, const vfc_benchmark::Words& words, std::size_
   internal::Search_parameters& p = options.search;
   const std::map<std::string, double*> reals = {
       {"--time-limit", &options.time_limit}, {"--temperature", &p.temperature},
-      {"--clearance", &p.clearance},         {"--step", &p.largest_step},
+      {"--clearance", &p.clearance},         {"--step", &p.max_step},
       {"--removal", &p.removal_rate},        {"--insertion", &p.insertion_rate},
       {"--smoothing", &p.smoothing_rate},    {"--patience", &p.patience_factor}};
   const std::map<std::string, std::size_t*> integers = {

@@ -51,9 +51,9 @@ class Runs:
 class Session:
     """Programs, of which the first is the one to be judged, on cases."""
 
-    def __init__(self, runs, programs, settings, folder, tell):
+    def __init__(self, runs, programs, settings, folder, report):
         self.runs, self.programs, self.settings = runs, programs, settings
-        self.folder, self.tell = folder, tell
+        self.folder, self.report = folder, report
         self.surroundings = machine()
         self.last_of_series = {}
 
@@ -76,7 +76,7 @@ class Session:
         foreseen = seconds * (case.size / size) ** GROWTH if size else 0
         if foreseen <= self.settings.most_seconds:
             return False
-        self.tell(f"{case.suite}: {case.name}: {program.name}: left out, as it would take about "
+        self.report(f"{case.suite}: {case.name}: {program.name}: left out, as it would take about "
                   f"{foreseen:.0f} CPU seconds")
         return True
 
@@ -90,7 +90,7 @@ class Session:
         if case.series:
             self.last_of_series[program.name, case.suite, case.series] = case.size, line["cpu_seconds"]
         end = line.get("error") or line["report"].get("status") or "done"
-        self.tell(f"{case.suite}: {case.name}: {program.name}: {line['cpu_seconds']:.2f} s, {end}")
+        self.report(f"{case.suite}: {case.name}: {program.name}: {line['cpu_seconds']:.2f} s, {end}")
         return line
 
     def asked(self, program, case, turn):

@@ -96,7 +96,7 @@ private:
 
   void add_error(const std::string& kind, std::size_t line, const std::string& message)
   {
-    m_defects.emplace_back(kind, true, m_file, Mesh_place{line}, message);
+    m_defects.emplace_back(kind, true, m_file, Mesh_location{line}, message);
   }
 
   std::string m_file, m_folder;

@@ -89,8 +89,8 @@ std::string inflated(std::string_view block, std::size_t size)
 Vtk_encoding::Vtk_encoding(std::string_view header_type,
                            std::string_view byte_order,
                            std::string_view compressor,
-                           std::size_t most_bytes)
-    : m_most_bytes(most_bytes),
+                           std::size_t max_bytes)
+    : m_max_bytes(max_bytes),
       m_is_big_endian(byte_order == "BigEndian"),
       m_is_compressed(!compressor.empty())
 {
@@ -104,9 +104,9 @@ Vtk_encoding::Vtk_encoding(std::string_view header_type,
                          ", which is not read; save without compression, or by zlib");
 }
 
-std::uint64_t Vtk_encoding::size_at(std::string_view sizes, std::size_t place) const
+std::uint64_t Vtk_encoding::size_at(std::string_view sizes, std::size_t index) const
 {
-  return bits_of(sizes.substr(place * m_bytes_of_size, m_bytes_of_size), m_is_big_endian);
+  return bits_of(sizes.substr(index * m_bytes_of_size, m_bytes_of_size), m_is_big_endian);
 }
 
 std::string Vtk_encoding::bytes(std::string_view data, bool is_base64) const
@@ -136,8 +136,8 @@ std::string Vtk_encoding::inflated_blocks(std::string_view sizes, std::string_vi
   for(std::size_t i = 0; i < number; ++i) {
     const std::uint64_t length = size_at(sizes, 3 + i);
     const std::uint64_t size_of_block = i + 1 == number && last > 0 ? last : size;
-    if(size_of_block > m_most_bytes - bytes.size())
-      throw Encoding_error("a compressed array has more than " + std::to_string(m_most_bytes) +
+    if(size_of_block > m_max_bytes - bytes.size())
+      throw Encoding_error("a compressed array has more than " + std::to_string(m_max_bytes) +
                            " bytes, which a file of this size is not expected to hold");
     bytes += inflated(blocks.substr(0, length), size_of_block);
     blocks.remove_prefix(length);

@@ -32,7 +32,7 @@ public:
   Vtk_encoding(std::string_view header_type,
                std::string_view byte_order,
                std::string_view compressor,
-               std::size_t most_bytes);
+               std::size_t max_bytes);
 
   // Returns an array that stands at the beginning of `data`. \throws Encoding_error
   std::string bytes(std::string_view data, bool is_base64) const;
@@ -42,10 +42,10 @@ public:
   void append_numbers(std::string& text, std::string_view bytes, std::string_view type) const;
 
 private:
-  std::uint64_t size_at(std::string_view sizes, std::size_t place) const;
+  std::uint64_t size_at(std::string_view sizes, std::size_t index) const;
   std::string inflated_blocks(std::string_view sizes, std::string_view blocks) const;
 
-  std::size_t m_bytes_of_size = 4, m_most_bytes;
+  std::size_t m_bytes_of_size = 4, m_max_bytes;
   bool m_is_big_endian;
   bool m_is_compressed;
 };

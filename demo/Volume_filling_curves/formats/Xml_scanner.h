@@ -48,16 +48,16 @@ public:
   // returns the value of an attribute, which is empty if it is absent
   std::string_view attribute(std::string_view key) const
   {
-    for(std::size_t place = m_tag.find('='); place != std::string_view::npos;) {
-      const std::string_view before = trimmed(m_tag.substr(0, place));
-      const std::size_t open = m_tag.find_first_not_of(blanks, place + 1);
+    for(std::size_t position = m_tag.find('='); position != std::string_view::npos;) {
+      const std::string_view before = trimmed(m_tag.substr(0, position));
+      const std::size_t open = m_tag.find_first_not_of(blanks, position + 1);
       if(open == std::string_view::npos || (m_tag[open] != '"' && m_tag[open] != '\'')) return {};
       const std::size_t close = m_tag.find(m_tag[open], open + 1);
       if(close == std::string_view::npos) return {};
       const std::size_t blank = before.find_last_of(blanks);
       if(before.substr(blank == std::string_view::npos ? 0 : blank + 1) == key)
         return m_tag.substr(open + 1, close - open - 1);
-      place = m_tag.find('=', close);
+      position = m_tag.find('=', close);
     }
     return {};
   }

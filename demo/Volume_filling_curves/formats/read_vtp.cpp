@@ -29,10 +29,10 @@ using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
 
 // The most bytes that an array of a file is believed to have. Coordinates shrink to a third,
 // indices in order to a twentieth; zeros to a thousandth, but there are few more than points.
-std::size_t most_inflated(std::size_t size_of_file)
+std::size_t max_inflated(std::size_t size_of_file)
 {
-  constexpr std::size_t most_times = 100, free = 1 << 20;
-  return free + most_times * size_of_file;
+  constexpr std::size_t max_times = 100, free = 1 << 20;
+  return free + max_times * size_of_file;
 }
 
 std::string without_blanks(std::string_view text)
@@ -201,7 +201,7 @@ private:
   {
     const Xml_scanner array = std::exchange(m_tags, m_file_tag);
     m_encoding.emplace(m_tags.attribute("header_type"), m_tags.attribute("byte_order"),
-                       m_tags.attribute("compressor"), most_inflated(m_text.size()));
+                       m_tags.attribute("compressor"), max_inflated(m_text.size()));
     m_tags = array;
   }
 

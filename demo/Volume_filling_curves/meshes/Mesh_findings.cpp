@@ -12,7 +12,7 @@
 namespace vfc {
 namespace {
 
-constexpr std::size_t most_listed = 1000;
+constexpr std::size_t max_listed = 1000;
 
 // What repair_mesh() does about errors.
 struct Remedy
@@ -42,28 +42,28 @@ const Remedy* remedy_of(const std::string& kind)
 
 void Mesh_findings::add_error(const std::string& kind,
                               const std::string& message,
-                              const Mesh_place& place)
+                              const Mesh_location& location)
 {
   m_has_error = true;
-  add({kind, true, m_file, place, message});
+  add({kind, true, m_file, location, message});
 }
 
-void Mesh_findings::add_error(const Fault& fault, const Mesh_place& place)
+void Mesh_findings::add_error(const Fault& fault, const Mesh_location& location)
 {
-  add_error(fault.kind, fault.message, place);
+  add_error(fault.kind, fault.message, location);
 }
 
 void Mesh_findings::add_warning(const std::string& kind,
                                 const std::string& message,
-                                const Mesh_place& place)
+                                const Mesh_location& location)
 {
-  add({kind, false, m_file, place, message});
+  add({kind, false, m_file, location, message});
 }
 
 void Mesh_findings::add(const Defect& defect)
 {
   const auto [it, is_new] = m_kinds.insert({defect.kind, {0, m_defects.size(), defect.is_error}});
-  if(++it->second.number <= most_listed) m_defects.push_back(defect);
+  if(++it->second.number <= max_listed) m_defects.push_back(defect);
 }
 
 bool Mesh_findings::is_mendable() const
@@ -75,17 +75,17 @@ bool Mesh_findings::is_mendable() const
 
 std::string Mesh_findings::to_text(std::size_t number)
 {
-  return (number < most_counted ? "" : "at least ") + std::to_string(number);
+  return (number < max_counted ? "" : "at least ") + std::to_string(number);
 }
 
 Defects Mesh_findings::list() const
 {
   Defects result = m_defects;
   for(const auto& [name, kind] : m_kinds)
-    if(kind.number > most_listed)
-      result.push_back({name, kind.is_error, m_file, Mesh_place(),
+    if(kind.number > max_listed)
+      result.push_back({name, kind.is_error, m_file, Mesh_location(),
                         to_text(kind.number) + " of this kind in total, the first " +
-                            std::to_string(most_listed) + " are listed"});
+                            std::to_string(max_listed) + " are listed"});
   return result;
 }
 

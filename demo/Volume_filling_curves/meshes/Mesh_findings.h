@@ -27,11 +27,13 @@ public:
 
   using Fault = CGAL::Volume_filling_curves::internal::Mesh_fault;
 
-  void add_error(const std::string& kind, const std::string& message, const Mesh_place& place = {});
-  void add_error(const Fault& fault, const Mesh_place& place = {});
+  void add_error(const std::string& kind,
+                 const std::string& message,
+                 const Mesh_location& location = {});
+  void add_error(const Fault& fault, const Mesh_location& location = {});
   void add_warning(const std::string& kind,
                    const std::string& message,
-                   const Mesh_place& place = {});
+                   const Mesh_location& location = {});
 
   const std::string& file() const { return m_file; }
 
@@ -47,7 +49,7 @@ public:
   // what would mend it
   Defects summary() const;
 
-  static constexpr std::size_t most_counted = 1000000;
+  static constexpr std::size_t max_counted = 1000000;
 
 private:
   void add(const Defect& defect);

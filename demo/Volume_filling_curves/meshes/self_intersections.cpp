@@ -12,7 +12,7 @@ namespace vfc {
 
 namespace curves = CGAL::Volume_filling_curves;
 
-static_assert(curves::internal::most_pairs_of_faces == Mesh_findings::most_counted);
+static_assert(curves::internal::max_pairs_of_faces == Mesh_findings::max_counted);
 
 std::vector<Face_pair> intersecting_faces(const Mesh& mesh, Work_watch& watch)
 {

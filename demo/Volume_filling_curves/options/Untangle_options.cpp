@@ -14,7 +14,7 @@ using CGAL::Volume_filling_curves::Untangling_strategy;
 
 void add_untangle_options(CLI::App& command, Untangle_options& options)
 {
-  constexpr std::size_t most_chains = 1024;
+  constexpr std::size_t max_chains = 1024;
   auto& parameters = options.parameters;
   add_curve(command, options.file);
   add_curve_output(command, options.output);
@@ -54,7 +54,7 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
   command
       .add_option("--chains", parameters.number_of_chains,
                   "independent random searches, of which the fastest wins; they share the threads")
-      ->check(CLI::Range(std::size_t(1), most_chains).description(""))
+      ->check(CLI::Range(std::size_t(1), max_chains).description(""))
       ->capture_default_str()
       ->type_name("N");
   add_seed_option(command, parameters.random_seed, "of the random search");

@@ -76,9 +76,9 @@ void add_seed_option(CLI::App& command, std::size_t& seed, const std::string& de
 
 void add_flow_options(CLI::App& command, Curve_flow_parameters& parameters)
 {
-  const std::size_t most_directions = 1024;
+  const std::size_t max_directions = 1024;
   add_whole_number(command, "--directions", parameters.number_of_directions,
-                   "medial spheres per node", 1, most_directions)
+                   "medial spheres per node", 1, max_directions)
       .capture_default_str();
   add_number(command, "--rmax", parameters.max_radius, "largest medial radius, in units of r",
              positive_ratio)

@@ -82,9 +82,9 @@ double step_of(double range)
 Color scale_color(double share)
 {
   static const std::vector<Color> colors = even_colors(257);
-  const double place = std::clamp(share, 0., 1.) * static_cast<double>(colors.size() - 1);
-  const std::size_t i = (std::min)(static_cast<std::size_t>(place), colors.size() - 2);
-  return mix(colors[i], colors[i + 1], place - static_cast<double>(i));
+  const double position = std::clamp(share, 0., 1.) * static_cast<double>(colors.size() - 1);
+  const std::size_t i = (std::min)(static_cast<std::size_t>(position), colors.size() - 2);
+  return mix(colors[i], colors[i + 1], position - static_cast<double>(i));
 }
 
 Color_scale::Color_scale(std::vector<double> numbers)
@@ -95,8 +95,8 @@ Color_scale::Color_scale(std::vector<double> numbers)
   least = numbers[rank];
   largest = numbers[numbers.size() - 1 - rank];
   const double size = (std::max)(std::abs(least), std::abs(largest));
-  constexpr double least_width = 1e-3; // of the numbers, below which they count as the same
-  if(largest - least > least_width * size) return;
+  constexpr double min_width = 1e-3; // of the numbers, below which they count as the same
+  if(largest - least > min_width * size) return;
   least -= size > 0 ? size / 20 : 0;
   largest += size > 0 ? size / 20 : 1;
 }

@@ -31,8 +31,8 @@ Tube_colors::Tube_colors(Coloring coloring, const Edge_values& values)
 
 Color Tube_colors::color(double value, double nearness) const
 {
-  constexpr double least_of_component = 0.4, least_of_scale = 0.85;
-  const double least = m_scale ? least_of_scale : least_of_component;
+  constexpr double min_of_component = 0.4, min_of_scale = 0.85;
+  const double least = m_scale ? min_of_scale : min_of_component;
   const Color full = m_scale ? scale_color(m_scale->share(value))
                              : component_color(static_cast<std::size_t>(value));
   return mix(fog_color, full, least + (1 - least) * nearness);

@@ -18,7 +18,7 @@ namespace {
 // 40 degrees: an icosahedron, with 42, has creases, and a round surface meshed with more than nine
 // edges around it none
 constexpr double crease_cosine = 0.766;
-constexpr std::size_t most_creases = 500;
+constexpr std::size_t max_creases = 500;
 
 using Edge = std::pair<std::size_t, std::size_t>;
 
@@ -49,7 +49,7 @@ Crease_paths crease_paths(const Triangle_soup& surface)
     const auto& [v, w] = edge;
     const auto other = v < w ? normals.find({w, v}) : normals.end();
     if(other == normals.end() || !is_crease(normal, other->second)) continue;
-    if(++count > most_creases) return {};
+    if(++count > max_creases) return {};
     std::string& path = normal.z() < 0 ? paths.front : paths.back; // y points downwards
     path += 'M' + svg_coordinates(surface.points[v]) + 'L' + svg_coordinates(surface.points[w]);
   }

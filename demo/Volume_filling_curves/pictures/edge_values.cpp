@@ -86,7 +86,7 @@ Edge_values edge_values(const Curve& curve, Coloring coloring)
     return capped_radii(curve, [&](double cap) { return curves::medial_radii<Tag>(curve, cap); });
   case Coloring::THICKNESS:
     return capped_radii(curve,
-                        [&](double cap) { return curves::least_medial_radii<Tag>(curve, cap); });
+                        [&](double cap) { return curves::min_medial_radii<Tag>(curve, cap); });
   }
   return {};
 }

@@ -30,8 +30,8 @@ using CGAL::Volume_filling_curves::internal::holes_of;
 
 using Polygon = std::vector<std::size_t>; // of points of a soup
 
-constexpr std::size_t most_edges = 2000;       // of a hole that is closed at all
-constexpr std::size_t most_for_all_ways = 250; // among which to choose takes cubic time
+constexpr std::size_t max_edges = 2000;       // of a hole that is closed at all
+constexpr std::size_t max_for_all_ways = 250; // among which to choose takes cubic time
 
 // Asks the watch at each step of a search.
 struct Watching_search : PMP::Hole_filling::Default_visitor
@@ -69,14 +69,14 @@ std::vector<Polygon> without_repeated_points(const Polygon& border, const Mesh_s
 // Adds triangles to the soup that close a hole, and returns whether there are any.
 bool close(const Polygon& hole, Mesh_soup& soup, Work_watch& watch)
 {
-  if(hole.size() < 3 || hole.size() > most_edges) return false;
+  if(hole.size() < 3 || hole.size() > max_edges) return false;
   std::vector<Mesh_soup::Point> points;
   for(const std::size_t v : hole) points.push_back(soup.points[v]);
   std::vector<CGAL::Triple<int, int, int>> patch;
   const Watching_search search(watch);
-  PMP::triangulate_hole_polyline(points, std::back_inserter(patch),
-                                 CGAL::parameters::visitor(search).do_not_use_cubic_algorithm(
-                                     hole.size() > most_for_all_ways));
+  PMP::triangulate_hole_polyline(
+      points, std::back_inserter(patch),
+      CGAL::parameters::visitor(search).do_not_use_cubic_algorithm(hole.size() > max_for_all_ways));
   const auto vertex = [&](int i) { return hole[static_cast<std::size_t>(i)]; };
   for(const auto& [i, j, k] : patch) soup.faces.push_back({vertex(i), vertex(j), vertex(k)});
   return !patch.empty();

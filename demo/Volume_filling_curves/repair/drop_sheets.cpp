@@ -18,7 +18,7 @@
 namespace vfc {
 namespace {
 
-constexpr double most_area = 0.01; // of sheets; the area of all faces is 1
+constexpr double max_area = 0.01; // of sheets; the area of all faces is 1
 
 double area(const std::vector<Mesh>& parts)
 {
@@ -36,7 +36,7 @@ std::string drop_sheets(Mesh& mesh, Work_watch& watch)
   const auto end = std::stable_partition(parts.begin(), parts.end(),
                                          [](const Mesh& part) { return CGAL::is_closed(part); });
   const std::vector<Mesh> sheets(end, parts.end());
-  if(sheets.empty() || area(sheets) > most_area * area(parts)) return "";
+  if(sheets.empty() || area(sheets) > max_area * area(parts)) return "";
   parts.erase(end, parts.end());
   mesh = shells_together(parts);
   return counted(sheets.size(), "sheet that encloses", "sheets that enclose") + " nothing dropped";

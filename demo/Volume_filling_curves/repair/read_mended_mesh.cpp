@@ -38,7 +38,7 @@ bool has_common_size(const Mesh_soup& soup)
   return largest >= least && largest <= most;
 }
 
-void tell(Session& session, const std::string& file, const Mending& mending)
+void report_mending(Session& session, const std::string& file, const Mending& mending)
 {
   Report::Json& report = session.report()["mending"];
   report = {{"steps", mending.steps},
@@ -119,7 +119,7 @@ Mesh_and_defects read_mended_mesh(Session& session,
   Mended_mesh mended = mend_in_time(session.console(), file, options);
   session.end_stage(mended.mending ? "mending" : "reading");
   if(mended.mending)
-    tell(session, file, *mended.mending);
+    report_mending(session, file, *mended.mending);
   else {
     accept(session, mended.findings);
     session.console().note(file + ": there is nothing to mend");

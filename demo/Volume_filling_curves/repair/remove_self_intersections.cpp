@@ -30,13 +30,13 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-constexpr std::size_t most_rings = 7;        // of faces around those that intersect
-constexpr std::size_t most_smoothings = 10;  // of noise; 3 do if it is as long as edges
-constexpr double most_area_of_scraps = 0.01; // each; the area of the shell is 1
+constexpr std::size_t max_rings = 7;        // of faces around those that intersect
+constexpr std::size_t max_smoothings = 10;  // of noise; 3 do if it is as long as edges
+constexpr double max_area_of_scraps = 0.01; // each; the area of the shell is 1
 
 // Beyond these a shell is no longer what it was, and a wrap is closer to it.
-constexpr double least_area = 0.5;    // of the shell's
-constexpr double most_distance = 0.1; // of the shell's diagonal
+constexpr double min_area = 0.5;     // of the shell's
+constexpr double max_distance = 0.1; // of the shell's diagonal
 
 // returns the faces that are not selected, without the scraps among them
 Mesh rest_of(const Mesh& shell, const Face_selection& selection)
@@ -49,7 +49,7 @@ Mesh rest_of(const Mesh& shell, const Face_selection& selection)
   Mesh mesh;
   assemble_faces(rest, mesh);
   std::vector<Mesh> parts = shells_apart(mesh);
-  const double scrap = most_area_of_scraps * PMP::area(shell);
+  const double scrap = max_area_of_scraps * PMP::area(shell);
   const auto is_scrap = [&](const Mesh& part) { return PMP::area(part) < scrap; };
   parts.erase(std::remove_if(parts.begin(), parts.end(), is_scrap), parts.end());
   return shells_together(parts);
@@ -59,7 +59,7 @@ Mesh rest_of(const Mesh& shell, const Face_selection& selection)
 // more around them.
 void cut_out(Mesh& shell, Work_watch& watch)
 {
-  for(std::size_t rings = 0; rings < most_rings; ++rings) {
+  for(std::size_t rings = 0; rings < max_rings; ++rings) {
     Face_selection selection(shell, watch);
     if(selection.is_empty()) return;
     for(std::size_t i = 0; i < rings; ++i) selection.add_ring(shell);
@@ -83,7 +83,7 @@ void smooth(Mesh& shell, const std::vector<Mesh::Vertex_index>& vertices)
 
 void smooth_out(Mesh& shell, Work_watch& watch)
 {
-  for(std::size_t i = 0; i < most_smoothings; ++i) {
+  for(std::size_t i = 0; i < max_smoothings; ++i) {
     Face_selection selection(shell, watch);
     if(selection.is_empty()) return;
     selection.add_ring(shell);
@@ -94,8 +94,8 @@ void smooth_out(Mesh& shell, Work_watch& watch)
 bool is_mended(const Mesh& mesh, const Mesh& shell, Work_watch& watch)
 {
   return !mesh.is_empty() && CGAL::is_closed(mesh) && Face_selection(mesh, watch).is_empty() &&
-         PMP::area(mesh) > least_area * PMP::area(shell) &&
-         surface_distance(mesh, shell, watch) < most_distance * diagonal(shell);
+         PMP::area(mesh) > min_area * PMP::area(shell) &&
+         surface_distance(mesh, shell, watch) < max_distance * diagonal(shell);
 }
 
 // returns whether the shell had some and has none after this; else it is as it was

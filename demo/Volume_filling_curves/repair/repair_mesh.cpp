@@ -22,7 +22,7 @@ namespace vfc {
 namespace {
 
 // Closing a hole may let faces intersect, and cutting these out may leave flat ones.
-constexpr int most_rounds = 3;
+constexpr int max_rounds = 3;
 constexpr double default_alpha = 0.02; // of the diagonal
 
 struct Step
@@ -80,7 +80,7 @@ Mending repair_mesh(const Mesh_soup& soup, double alpha, Mesh& mesh, Work_watch&
   note(assemble_faces(soup, mesh));
   if(!has_area(mesh)) return mending;
   const Mesh assembled = mesh;
-  for(int round = 0; round < most_rounds && !is_mended(); ++round) {
+  for(int round = 0; round < max_rounds && !is_mended(); ++round) {
     const std::size_t number_of_steps = mending.steps.size();
     mend_by_parts(mesh, mending.steps, watch);
     if(mending.steps.size() == number_of_steps) break;

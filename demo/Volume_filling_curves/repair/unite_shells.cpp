@@ -12,7 +12,7 @@
 #include "repair/combined_shells.h"
 #include "repair/shells_apart.h"
 
-#include <CGAL/Volume_filling_curves/internal/domain/shell_places.h>
+#include <CGAL/Volume_filling_curves/internal/domain/shell_nesting.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -59,11 +59,11 @@ void group_nested(const Mesh& mesh, const Shells& shells, Groups& groups)
   if(std::count(shells.are_sound.begin(), shells.are_sound.end(), false) > 0) return;
   std::vector<std::vector<Mesh::Face_index>> faces(shells.shells.size());
   for(const Mesh::Face_index f : mesh.faces()) faces[shells.of_face[f]].push_back(f);
-  const auto places = rules::Shell_places<Mesh>::find(mesh, faces);
-  for(std::size_t i = 0; i < places.size(); ++i)
-    for(const std::size_t j : places[i].around)
-      if(places[j].around.size() + 1 == places[i].around.size() &&
-         places[i].is_outward == places[j].is_outward)
+  const auto nestings = rules::Shell_nesting_search<Mesh>::find(mesh, faces);
+  for(std::size_t i = 0; i < nestings.size(); ++i)
+    for(const std::size_t j : nestings[i].around)
+      if(nestings[j].around.size() + 1 == nestings[i].around.size() &&
+         nestings[i].is_outward == nestings[j].is_outward)
         groups.unite(i, j);
 }
 

@@ -17,12 +17,12 @@ namespace curves = CGAL::Volume_filling_curves;
 // returns " (nodes 1 2 3)", with at most ten of the numbers
 std::string list(const char* one, const char* many, const std::vector<std::size_t>& numbers)
 {
-  constexpr std::size_t most_listed = 10;
+  constexpr std::size_t max_listed = 10;
   if(numbers.empty()) return "";
   std::string text = std::string(" (") + (numbers.size() == 1 ? one : many);
-  for(std::size_t i = 0; i < (std::min)(numbers.size(), most_listed); ++i)
+  for(std::size_t i = 0; i < (std::min)(numbers.size(), max_listed); ++i)
     text += ' ' + std::to_string(numbers[i]);
-  return text + (numbers.size() > most_listed ? " ...)" : ")");
+  return text + (numbers.size() > max_listed ? " ...)" : ")");
 }
 
 } // namespace
@@ -41,15 +41,15 @@ Defect::Defect(const curves::Curve_defect& defect, const std::string& file_name)
 Defect::Defect(const std::string& kind_name,
                bool is_an_error,
                const std::string& file_name,
-               const Mesh_place& place,
+               const Mesh_location& location,
                const std::string& what)
     : kind(kind_name),
       is_error(is_an_error),
       file(file_name),
-      line(place.line),
-      nodes(place.vertices),
-      faces(place.faces),
-      component(place.shell),
+      line(location.line),
+      nodes(location.vertices),
+      faces(location.faces),
+      component(location.shell),
       message(what),
       text(file_name + (line > 0 ? ':' + std::to_string(line) : "") +
            (is_error ? ": error: " : ": warning: ") + kind_name + ": " + what +

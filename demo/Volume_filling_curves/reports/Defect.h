@@ -15,8 +15,8 @@
 
 namespace vfc {
 
-// The place of a defect in a mesh file. Numbers count from 1; what is unknown is 0 or empty.
-struct Mesh_place
+// The location of a defect in a mesh file. Numbers count from 1; what is unknown is 0 or empty.
+struct Mesh_location
 {
   std::size_t line = 0;
   std::vector<std::size_t> vertices = {}, faces = {};
@@ -42,7 +42,7 @@ struct Defect
   Defect(const std::string& kind,
          bool is_error,
          const std::string& file,
-         const Mesh_place& place,
+         const Mesh_location& location,
          const std::string& message);
 
   // An error of a curve that does not stand in its file, such as a node outside of a mesh.

@@ -215,8 +215,8 @@ private:
       const auto original = std::find_if(copies.begin(), copies.end(),
                                          [&](const auto& pair) { return pair.second == v; });
       const auto all = vertices(mesh);
-      const auto place = std::find(all.begin(), all.end(), original->first);
-      return static_cast<std::size_t>(std::distance(all.begin(), place));
+      const auto position = std::find(all.begin(), all.end(), original->first);
+      return static_cast<std::size_t>(std::distance(all.begin(), position));
     };
     internal::check_run(); // each of these takes 0.2 s with a million faces
     const internal::Mesh_check check(copy, number_of);

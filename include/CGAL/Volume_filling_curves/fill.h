@@ -243,7 +243,7 @@ Filling_result<Point_3> fill(Curve_network_3<Traits>& curves,
 /// The result of `grow_fingers()`.
 struct Finger_growth
 {
-  std::size_t number_of_places = 0;  ///< well-spaced points to reach
+  std::size_t number_of_points = 0;  ///< well-spaced points to reach
   std::size_t number_of_fingers = 0; ///< points that a finger reached
 };
 

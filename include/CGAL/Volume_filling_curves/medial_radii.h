@@ -97,7 +97,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename Traits,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-[[nodiscard]] std::vector<double> least_medial_radii(
+[[nodiscard]] std::vector<double> min_medial_radii(
     const Curve_network_3<Traits>& curve,
     double largest,
     std::size_t number_of_directions = 16,

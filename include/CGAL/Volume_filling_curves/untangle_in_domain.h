@@ -28,7 +28,7 @@ namespace internal {
 // The inside of a domain as the surroundings of an Untangling_run: the curves flow, without closing
 // rays.
 template <typename Traits, typename Domain, typename ConcurrencyTag>
-struct Place_in_domain
+struct Domain_surroundings
 {
   using Guard = Isotopy_guard_3<Traits, Domain>;
   using Network = typename Guard::Curve_network;
@@ -196,9 +196,9 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
 {
   const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  const internal::Place_in_domain<Traits, std::decay_t<decltype(inside)>, ConcurrencyTag> place{
-      inside};
-  return internal::Untangling_run(curves, place, parameters, internal::unwrapped(visitor))();
+  const internal::Domain_surroundings<Traits, std::decay_t<decltype(inside)>, ConcurrencyTag>
+      surroundings{inside};
+  return internal::Untangling_run(curves, surroundings, parameters, internal::unwrapped(visitor))();
 }
 
 } // namespace Volume_filling_curves

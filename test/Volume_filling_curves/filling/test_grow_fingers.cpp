@@ -51,8 +51,8 @@ TEST(Grow_fingers, reaches_all_over_a_ball_by_isotopy)
   Isotopy_guard_3 guard(curve, ball);
   guard.start_recording();
   const Finger_growth growth = grow_fingers(guard, np::thickness(0.1));
-  EXPECT_GT(growth.number_of_places, 100u);
-  EXPECT_GE(growth.number_of_fingers, growth.number_of_places * 99 / 100);
+  EXPECT_GT(growth.number_of_points, 100u);
+  EXPECT_GE(growth.number_of_fingers, growth.number_of_points * 99 / 100);
   EXPECT_GE(curve.number_of_nodes(), 3 + 3 * growth.number_of_fingers);
   EXPECT_FALSE(curve.has_garbage());
   EXPECT_TRUE(is_embedded(curve));
@@ -66,7 +66,7 @@ TEST(Grow_fingers, reaches_around_a_wall_of_a_mesh)
   const Triangle_mesh_domain_3<> legs(meshes::to_mesh(exact_surface::two_legs(0.1)));
   Network curve = triangle(Point(0.4, 2.5, 0.5), 0.1);
   const Finger_growth growth = grow(curve, legs, np::thickness(0.1));
-  EXPECT_GE(growth.number_of_fingers, growth.number_of_places * 95 / 100);
+  EXPECT_GE(growth.number_of_fingers, growth.number_of_points * 95 / 100);
   double deepest = 0; // in the other leg
   for(const Point& p : curve.points())
     if(p.x() > 1.1) deepest = (std::max)(deepest, p.y());
@@ -86,8 +86,8 @@ TEST(Grow_fingers, gets_through_a_neck_by_isotopy)
     Isotopy_guard_3 guard(curve, chambers);
     guard.start_recording();
     const Finger_growth growth = grow_fingers(guard, np::thickness(0.2).random_seed(seed));
-    EXPECT_GT(growth.number_of_places, 8u);
-    EXPECT_EQ(growth.number_of_fingers, growth.number_of_places) << seed;
+    EXPECT_GT(growth.number_of_points, 8u);
+    EXPECT_EQ(growth.number_of_fingers, growth.number_of_points) << seed;
     EXPECT_TRUE(is_embedded(curve));
     EXPECT_TRUE(verify_certificate(guard.certificate(), start, curve, mesh).is_valid);
   }
@@ -114,7 +114,7 @@ TEST(Grow_fingers, keeps_pinned_ends_and_long_edges_useful)
   Network curve({a, b}, {{0, 1}});
   curve.pin_ends();
   const Finger_growth growth = grow(curve, box, np::thickness(0.08));
-  EXPECT_GE(growth.number_of_fingers, growth.number_of_places * 95 / 100);
+  EXPECT_GE(growth.number_of_fingers, growth.number_of_points * 95 / 100);
   EXPECT_EQ(curve.point(0), a);
   EXPECT_EQ(curve.point(curve.number_of_nodes() - 1), b);
 }

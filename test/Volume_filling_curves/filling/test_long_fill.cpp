@@ -96,14 +96,14 @@ TEST(Fill, keeps_clear_of_the_wall_on_request)
   Curve covering, clear;
   vfc::fill(covering, ball, np::thickness(0.15).number_of_iterations(120));
   vfc::fill(clear, ball, np::thickness(0.15).wall(vfc::Wall::KEEP_CLEAR).number_of_iterations(120));
-  const auto least_distance = [&](const Curve& curve) {
+  const auto min_distance = [&](const Curve& curve) {
     double least = 1;
     for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
       least = (std::min)(least, ball.distance(curve.point(v)));
     return least;
   };
-  EXPECT_GT(least_distance(clear), 1.5 * 0.15);
-  EXPECT_LT(least_distance(covering), 1.2 * 0.15);
+  EXPECT_GT(min_distance(clear), 1.5 * 0.15);
+  EXPECT_LT(min_distance(covering), 1.2 * 0.15);
 }
 
 TEST(Fill, reproduces_a_thickness_that_varies)

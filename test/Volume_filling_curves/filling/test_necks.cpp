@@ -32,13 +32,13 @@ class Narrow_neck : public testing::TestWithParam<std::tuple<double, Filling_sta
 
 TEST_P(Narrow_neck, is_no_obstacle_to_a_filling)
 {
-  const auto [r, start, most_iterations] = GetParam();
+  const auto [r, start, max_iterations] = GetParam();
   const Soup soup = exact_surface::two_chambers();
   const Mesh_domain domain(meshes::to_mesh(soup));
   Network curve;
   const auto result = fill(curve, domain, parameters::thickness(r).start(start));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
-  EXPECT_LE(result.statistics.iterations, most_iterations);
+  EXPECT_LE(result.statistics.iterations, max_iterations);
   EXPECT_TRUE(result.empty_regions.empty());
   const Domain_samples_3 samples(domain, 20000, 1);
   const std::vector<double> distances = sample_distances(curve, samples);

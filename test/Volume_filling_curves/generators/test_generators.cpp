@@ -59,7 +59,7 @@ std::uint64_t hash(const Polygons& polygons)
 
 // The least number of nodes that a generator accepts, by its error message.
 template <typename Generate>
-std::size_t least_number_of_nodes(const Generate& generate)
+std::size_t min_number_of_nodes(const Generate& generate)
 {
   try {
     generate(1);
@@ -168,7 +168,7 @@ TEST(Torus_knot, keeps_its_type_with_the_fewest_nodes)
 {
   for(int p = 1; p <= 6; ++p)
     for(int q : {-7, -3, 1, 2, 3, 4, 5, 6, 9}) {
-      const std::size_t n = least_number_of_nodes(
+      const std::size_t n = min_number_of_nodes(
           [&](std::size_t nodes) { return generators::torus_knot(p, q, nodes); });
       EXPECT_EQ(invariants(generators::torus_knot(p, q, n)),
                 invariants(generators::torus_knot(p, q, 500)))
@@ -216,7 +216,7 @@ TEST(Braid_closure, keeps_its_type_with_the_fewest_nodes)
   for(const char* text : {"1 1 1", "1 -2 1 -2", "1 1 -2 1 -2", "1 2 1 2 1 2 1 2", "-1 -1 -1 -1 -1",
                           "1 1 1 2 -1 2", "1 3 2 2 1 3", "1 -2 3 -2 1 -3 -3"}) {
     const auto word = generators::parse_braid_word(text);
-    const std::size_t n = least_number_of_nodes(
+    const std::size_t n = min_number_of_nodes(
         [&](std::size_t nodes) { return generators::braid_closure(word, nodes); });
     EXPECT_EQ(invariants(generators::braid_closure(word, n)),
               invariants(generators::braid_closure(word, 800)))

@@ -129,13 +129,12 @@ std::map<std::pair<int, bool>, int> compare_with_brute_force(int number_of_motio
       for(std::size_t i = 0; i < 3; ++i)
         targets(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(i)) =
             static_cast<double>(unscaled.points[v][i] + way[v][i]);
-    const Integer least_divisor = k % 2 == 0 ? 1 : 4;
+    const Integer min_divisor = k % 2 == 0 ? 1 : 4;
     Integer divisor = 1;
     std::pair<int, bool> expected = way_to(start, way, divisor);
-    while(expected.first == 0 && divisor < least_divisor)
-      expected = way_to(start, way, divisor *= 2);
+    while(expected.first == 0 && divisor < min_divisor) expected = way_to(start, way, divisor *= 2);
     ++count[expected];
-    const double least_fraction = 1 / static_cast<double>(least_divisor);
+    const double least_fraction = 1 / static_cast<double>(min_divisor);
     const double fraction = expected.first > 0 ? 1 / static_cast<double>(divisor) : 0;
     EXPECT_EQ(fraction_by_all_pairs(network, targets, least_fraction), fraction);
     Network after = network;

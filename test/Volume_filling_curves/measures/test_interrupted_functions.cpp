@@ -64,7 +64,7 @@ std::vector<std::pair<std::string, std::function<void(const Progress&)>>> functi
       {"default_thickness", [&](const auto& f) { (void)default_thickness(c, 8, p::progress(f)); }},
       {"mean", [&](const auto& f) { (void)mean_medial_radius(c, 1, 8, p::progress(f)); }},
       {"radii", [&](const auto& f) { (void)medial_radii(c, 1, 8, p::progress(f)); }},
-      {"least", [&](const auto& f) { (void)least_medial_radii(c, 1, 8, p::progress(f)); }},
+      {"least", [&](const auto& f) { (void)min_medial_radii(c, 1, 8, p::progress(f)); }},
       {"distances", [&](const auto& f) { (void)sample_distances(c, b.samples, p::progress(f)); }},
       {"regions",
        [&](const auto& f) { (void)empty_regions(c, b.samples, b.distances, 0.1, p::progress(f)); }},

@@ -7,7 +7,7 @@
 #include "support/exact_surface.h"
 #include "support/mesh_file_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/domain/shell_places.h>
+#include <CGAL/Volume_filling_curves/internal/domain/shell_nesting.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace test_shells {
 
 using namespace mesh_file_test;
 using CGAL::Volume_filling_curves::internal::Random_source;
-using CGAL::Volume_filling_curves::internal::Shell_places;
+using CGAL::Volume_filling_curves::internal::Shell_nesting_search;
 
 using Shells = Mesh_file;
 
@@ -114,15 +114,15 @@ TEST_F(Shells, have_the_places_that_brute_force_finds_at_every_scale)
         faces.emplace_back(mesh.faces().begin() + static_cast<std::ptrdiff_t>(first),
                            mesh.faces().end());
       }
-      const auto places = Shell_places<vfc::Mesh>::find(mesh, faces);
+      const auto nestings = Shell_nesting_search<vfc::Mesh>::find(mesh, faces);
       for(std::size_t i = 0; i < faces.size(); ++i) {
         const Soup& inner = nest.shells[i];
         const Point middle = CGAL::midpoint(inner.points[0], inner.points[1]);
         Numbers around;
         for(std::size_t j = 0; j < faces.size(); ++j)
           if(j != i && surfaces[j].is_inside(middle)) around.push_back(j);
-        EXPECT_EQ(places[i].around, around);
-        EXPECT_EQ(places[i].is_outward, are_outward[i]);
+        EXPECT_EQ(nestings[i].around, around);
+        EXPECT_EQ(nestings[i].is_outward, are_outward[i]);
         nested += around.size();
       }
     }

@@ -305,7 +305,7 @@ TEST(Untangling_strategy, auto_makes_unknots_smooth_and_of_the_former_length)
   const double length = internal::total_length(curve);
   const Untangling_result result = untangle(curve, parameters::random_seed(1).keep_length(true));
   EXPECT_EQ(result.status, Untangling_status::UNKNOTTED);
-  EXPECT_LT(internal::largest_turning_angle(curve), 1.01);
+  EXPECT_LT(internal::max_turning_angle(curve), 1.01);
   EXPECT_NEAR(internal::total_length(curve) / length, 1, 1e-9);
 }
 

@@ -69,7 +69,7 @@ TEST(Search_limits, has_more_patience_where_it_helps)
 TEST(Search_limits, remembers_no_more_operations_than_it_may)
 {
   Search_parameters parameters;
-  parameters.most_operations = 3000;
+  parameters.max_operations = 3000;
   const Network curve = alternating_braid();
   Search_chain search = chain(curve, parameters);
   for(std::size_t moves = 1000; !search.has_ended(); moves += 1000) {

@@ -55,7 +55,7 @@ std::vector<Known_knot> known_knots()
 struct Descent_visitor : Default_curve_flow_visitor
 {
   std::function<void()> on_motion = [] {};
-  std::size_t most_motions = 1000;
+  std::size_t max_motions = 1000;
   std::size_t number_of_steps = 0; // of the flow, after which the descent begins
   std::size_t number_of_motions = 0;
 
@@ -70,7 +70,7 @@ struct Descent_visitor : Default_curve_flow_visitor
   template <typename Flow>
   bool go_further(const Flow&)
   {
-    return number_of_motions < most_motions;
+    return number_of_motions < max_motions;
   }
 };
 
@@ -151,7 +151,7 @@ TEST(Ropelength_descent, never_ends_worse_than_it_began)
   for(std::size_t motions = 1; motions < whole.number_of_motions; ++motions) {
     Descent_visitor visitor;
     visitor.number_of_steps = steps;
-    visitor.most_motions = motions;
+    visitor.max_motions = motions;
     Network curve = start;
     Isotopy_certificate certificate;
     const Untangling_result result =

@@ -112,12 +112,12 @@ TEST(Box_tree, finds_all_overlapping_pairs_once)
       for(std::size_t j = i + 1; j < boxes.size(); ++j)
         if(do_overlap(boxes[i], boxes[j])) expected.push_back({i, j});
     const Box_tree tree(boxes);
-    for(std::size_t most_runs : {1u, 2u, 7u, 1000u}) {
+    for(std::size_t max_runs : {1u, 2u, 7u, 1000u}) {
       Pairs pairs;
       const Overlapping_boxes query(tree, [&](std::size_t i, std::size_t j) {
         pairs.push_back({i, j});
       });
-      Nearest_pair_descent(tree, query, most_runs).run();
+      Nearest_pair_descent(tree, query, max_runs).run();
       std::sort(pairs.begin(), pairs.end());
       ASSERT_EQ(pairs, expected) << boxes.size() << " boxes";
     }

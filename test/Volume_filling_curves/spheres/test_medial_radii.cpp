@@ -68,7 +68,7 @@ TEST(Least_medial_radii, are_those_of_the_largest_empty_spheres)
               (std::min)(expected[circle.node], d.squaredNorm() / (2 * direction.dot(d)));
       }
     }
-  const std::vector<double> radii = least_medial_radii(curve, cap, directions);
+  const std::vector<double> radii = min_medial_radii(curve, cap, directions);
   ASSERT_EQ(radii.size(), expected.size());
   for(std::size_t v = 0; v < radii.size(); ++v) EXPECT_NEAR(radii[v], expected[v], 1e-12) << v;
 }
@@ -77,17 +77,16 @@ TEST(Medial_radii, are_the_cap_where_nothing_is_near_and_none_of_nothing)
 {
   for(const double radius : medial_radii(path({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}), 7))
     EXPECT_NEAR(radius, 7, 1e-12);
-  for(const double radius : least_medial_radii(path({{0, 0, 0}, {1, 0, 0}}), 7))
-    EXPECT_EQ(radius, 7);
+  for(const double radius : min_medial_radii(path({{0, 0, 0}, {1, 0, 0}}), 7)) EXPECT_EQ(radius, 7);
   EXPECT_TRUE(medial_radii(Network(), 7).empty());
-  EXPECT_TRUE(least_medial_radii(Network(), 7).empty());
+  EXPECT_TRUE(min_medial_radii(Network(), 7).empty());
 }
 
 TEST(Least_medial_radii, are_at_least_the_thickness_of_the_curve)
 {
   const Network knot = make_torus_knot(2, 3, 400);
   const double thickness = polygonal_thickness(knot);
-  const std::vector<double> radii = least_medial_radii(knot, 2 * thickness, 64);
+  const std::vector<double> radii = min_medial_radii(knot, 2 * thickness, 64);
   EXPECT_NEAR(*std::min_element(radii.begin(), radii.end()), thickness, 0.01 * thickness);
 }
 

@@ -42,7 +42,7 @@ namespace internal = CGAL::Volume_filling_curves::internal;
 const std::vector<std::string> unknots = {
     "freedman_he_wang", "goeritz", "thistlethwaite", "ochiai1", "ochiai2", "ochiai3", "ochiai4"};
 const std::vector<std::string> knot_sets = {"knot128", "trefoil100", "trefoil_hard"};
-constexpr std::size_t most_iterations = 450;
+constexpr std::size_t max_iterations = 450;
 
 class Shared_curves : public shared_curves::Shared_data_test
 {};
@@ -93,7 +93,7 @@ TEST_F(Shared_curves, unknots_of_the_paper_are_proved_unknotted)
     Network curve = read_of_paper(name);
     const Untangling_result result = flow(curve);
     EXPECT_EQ(result.status, Untangling_status::UNKNOTTED) << name;
-    EXPECT_LE(result.statistics.iterations, most_iterations) << name;
+    EXPECT_LE(result.statistics.iterations, max_iterations) << name;
   }
 }
 
@@ -103,7 +103,7 @@ TEST_F(Shared_curves, trefoil_of_the_paper_becomes_tight)
   const knot_test::Invariants expected = knot_test::invariants_of(knot_test::loops_of(curve));
   const Untangling_result result = flow(curve);
   EXPECT_EQ(result.status, Untangling_status::CONVERGED);
-  EXPECT_LE(result.statistics.iterations, most_iterations);
+  EXPECT_LE(result.statistics.iterations, max_iterations);
   EXPECT_EQ(knot_test::invariants_of(knot_test::loops_of(curve)), expected);
   EXPECT_EQ(std::abs(expected.signature), 2);
   EXPECT_EQ(expected.determinant, 3u);

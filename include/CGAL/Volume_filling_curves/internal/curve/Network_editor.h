@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Changes points and edges of a network, whether or not that is an isotopy: Isotopy_guard_3 owns an
-// editor and asks first. All others edit copies of their own. Observers are called after every
-// change. (After mutation_manager of geometry-central, where everything that belongs to a mesh
-// registers with the one object that changes it.) Constant time for changes of one node.
+// Editor of the points and edges of a network, which does not test for isotopy: Isotopy_guard_3
+// owns an editor and certifies each change first. Other code only edits its own copies. Observers
+// are called after every change, as in the mutation manager of geometry-central. Constant time for
+// changes of one node.
 template <typename Network>
 class Network_editor
 {
@@ -56,14 +56,14 @@ public:
   void move_node(std::size_t v, const Point_3& target)
   {
     m_network.m_points[v] = target;
-    tell([&](Observer& observer) { observer.on_move(v); });
+    notify([&](Observer& observer) { observer.on_move(v); });
   }
 
   // \pre there is a round, and each of them has a position per node
   void move_nodes(const typename Observer::Rounds& rounds)
   {
     const std::vector<Point_3> before = std::exchange(m_network.m_points, rounds.positions.back());
-    tell([&](Observer& observer) { observer.on_motion(before, rounds); });
+    notify([&](Observer& observer) { observer.on_motion(before, rounds); });
   }
 
   // Splits edge e = (a, c) into e = (a, b) and a new last edge (b, c); b is the new last node.
@@ -71,14 +71,14 @@ public:
   {
     const std::size_t v = m_network.m_topology.insert_node(e);
     m_network.m_points.push_back(b);
-    tell([&](Observer& observer) { observer.on_insertion(v); });
+    notify([&](Observer& observer) { observer.on_insertion(v); });
   }
 
   // Joins the neighbors of node v by an edge. \pre it has two that are not joined yet
   void remove_node(std::size_t v)
   {
     const std::size_t e = m_network.m_topology.remove_node(v);
-    tell([&](Observer& observer) { observer.on_removal(v, e); });
+    notify([&](Observer& observer) { observer.on_removal(v, e); });
   }
 
   // Lengthens a strand at its end by an edge to a new last node, which is pinned.
@@ -87,7 +87,7 @@ public:
     const std::size_t v = m_network.m_topology.add_leaf(end);
     m_network.m_points.push_back(position);
     set_pinned(v, true);
-    tell([&](Observer& observer) { observer.on_new_ray(v); });
+    notify([&](Observer& observer) { observer.on_new_ray(v); });
   }
 
   // Removes a node with one edge, and this edge. \pre its neighbor has another one
@@ -95,7 +95,7 @@ public:
   {
     const std::size_t e = m_network.incident_edge(v, 0);
     m_network.m_topology.remove_leaf(v);
-    tell([&](Observer& observer) { observer.on_shorter_ray(v, e); });
+    notify([&](Observer& observer) { observer.on_shorter_ray(v, e); });
   }
 
   void set_pinned(std::size_t v, bool is_pinned) { m_network.set_pinned(v, is_pinned); }
@@ -125,13 +125,13 @@ public:
     points.reserve(former.size());
     for(const std::uint32_t v : former) points.push_back(m_network.m_points[v]);
     m_network.m_points = std::move(points);
-    tell([&](Observer& observer) { observer.on_renumbering(former); });
+    notify([&](Observer& observer) { observer.on_renumbering(former); });
     return former;
   }
 
 private:
   template <typename Message>
-  void tell(const Message& message) const
+  void notify(const Message& message) const
   {
     for(Observer* observer : m_observers) message(*observer);
   }

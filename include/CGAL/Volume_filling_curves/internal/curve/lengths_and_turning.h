@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Lengths of curves, summed in one order everywhere, so that they have the same bits wherever they
-// are computed. Linear time.
+// Lengths of curves, summed in a fixed order, which makes all callers get the same bits. Linear
+// time.
 
 template <typename Network>
 std::vector<double> lengths_of_components(const Network& curve)
@@ -83,7 +83,7 @@ double least_bend_radius(const Network& curve)
 
 // The largest turning angle at a node of a closed component.
 template <typename Network>
-double largest_turning_angle(const Network& curve)
+double max_turning_angle(const Network& curve)
 {
   double largest = 0;
   for(std::size_t c = 0; c < curve.number_of_components(); ++c)

@@ -24,11 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Looks for arcs that were perhaps meant to be closed. Rings in lists of points often do not repeat
-// their first point, and such a list has no other way to say that it is a ring: taken for an arc,
-// it would untangle to a segment. Where the format cannot say, nearly closed arcs are errors;
-// elsewhere only those whose ends are as close as neighbors are worth a warning. Linear time for
-// each arc whose ends are close.
+// Check for arcs that were probably meant to be closed. Rings in lists of points often do not
+// repeat their first point, and the format has no other mark for them; read as an arc, a ring would
+// untangle to a segment. Nearly closed arcs are errors in such formats; in others, only arcs whose
+// ends are as close as neighbors get a warning. Linear time for each arc with close ends.
 class Arc_checker
 {
   using Traits = Curve_flow_traits_3<>;
@@ -64,14 +63,14 @@ private:
   };
 
   // The ends of a ring that is not closed are neighbors, of which samplings may leave out a few.
-  static constexpr double largest_gap = 3; // in longest edges
+  static constexpr double max_gap = 3; // in longest edges
 
   // Of the length of an arc: the legs of a right angle are an arc (0.71), two sides of an
   // equilateral triangle (0.5) may be a ring.
   static constexpr double largest_share = 2. / 3;
 
-  static constexpr double closeness = 1.5;      // in mean edge lengths
-  static constexpr std::size_t least_edges = 8; // an arc of fewer is close to itself anyway
+  static constexpr double closeness = 1.5;    // in mean edge lengths
+  static constexpr std::size_t min_edges = 8; // an arc of fewer is close to itself anyway
 
   double distance(std::size_t v, std::size_t w) const
   {
@@ -100,12 +99,12 @@ private:
 
   bool may_be_ring(const Arc& arc) const
   {
-    return gap(arc) < largest_gap * arc.longest_edge && gap(arc) < largest_share * arc.length;
+    return gap(arc) < max_gap * arc.longest_edge && gap(arc) < largest_share * arc.length;
   }
 
   bool has_ends_like_neighbors(const Arc& arc) const
   {
-    return arc.number_of_edges >= least_edges &&
+    return arc.number_of_edges >= min_edges &&
            gap(arc) < closeness * arc.length / static_cast<double>(arc.number_of_edges);
   }
 

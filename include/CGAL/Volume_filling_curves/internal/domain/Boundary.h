@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The distance of a point inside a domain from the boundary, 0 outside.
+// Distance from a point inside a domain to the boundary, 0 outside.
 template <typename Domain>
 double depth(const Domain& domain, const typename Domain::Point_3& p)
 {
@@ -153,10 +153,10 @@ private:
     std::size_t k = 0;
     Vector center;
     for(int i = 2; i >= 0; --i) {
-      const double place = std::floor((x[i] - m_low[i]) / m_cell);
+      const double index = std::floor((x[i] - m_low[i]) / m_cell);
       const std::size_t last = m_size[i] - 1;
       const std::size_t c =
-          !(place > 0) ? 0 : (std::min)(static_cast<std::size_t>((std::min)(place, 1e6)), last);
+          !(index > 0) ? 0 : (std::min)(static_cast<std::size_t>((std::min)(index, 1e6)), last);
       k = k * m_size[i] + c;
       center[i] = m_low[i] + (static_cast<double>(c) + 0.5) * m_cell;
     }

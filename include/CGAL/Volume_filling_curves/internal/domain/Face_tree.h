@@ -36,11 +36,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The faces of a surface in a tree; inside and outside need a closed one. Whether a triangle meets
-// the surface is decided exactly; distances are computed in double. For both the corners of
-// the faces are kept in the order of the tree's leaves, since a query spends most of its time
-// waiting for memory. Logarithmic time per query near the surface, more near the medial axis, where
-// many faces are equally far.
+// Tree of the faces of a surface, which must be closed for inside tests. Intersections with
+// triangles are decided exactly; distances are computed in double. The corners of the faces are
+// stored in the order of the tree's leaves, since queries spend most of their time waiting for
+// memory. Logarithmic time per query near the surface, more near the medial axis, where many faces
+// are at equal distances.
 template <typename Kernel>
 class Face_tree
 {

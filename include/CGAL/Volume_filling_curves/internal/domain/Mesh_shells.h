@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The shells of a triangle mesh: its faces, connected across edges. Shells that share a vertex only
-// are two. Near linear.
+// Shells of a triangle mesh: its faces, connected across edges. Shells that only share a vertex are
+// distinct. Near-linear time.
 template <typename Mesh>
 class Mesh_shells
 {

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Rays from a point in directions of a plane, each up to some length, in one array per coordinate.
+// Rays from a point in directions of a plane, each with a length, in one array per coordinate.
 struct Planar_rays
 {
   Vector source, normal;

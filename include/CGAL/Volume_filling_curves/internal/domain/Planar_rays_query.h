@@ -26,11 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Shortens rays of a plane to where they meet triangles, in a single descent of the triangles'
-// tree: near the source few triangles meet the plane, and most that one ray would ask for are asked
-// for by the others, too. The rays' own box keeps those away that lie beyond rays shortened before,
-// though other rays are longer: on the bunny a third (2026-11-23). Lengths come out as ray by ray,
-// to the last bit.
+// Query that shortens the rays of a plane to their first intersections with triangles, in a single
+// descent of the triangles' tree: near the source few triangles meet the plane, and the rays need
+// mostly the same ones. The box of the rays excludes triangles beyond rays that are already
+// shortened, a third on the bunny (2026-11-23). Lengths have the same bits as ray by ray.
 class Planar_rays_query
 {
 public:

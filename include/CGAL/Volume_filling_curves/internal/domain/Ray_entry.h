@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The point where a ray enters a box: it is clipped by three pairs of planes (the slab method; Kay
-// and Kajiya 1986). The boxes are widened by the error of this computation, so that nothing inside
-// is missed.
+// Entry point of a ray into a box, by clipping with three pairs of planes (the slab method; Kay and
+// Kajiya 1986). The boxes are widened by the rounding error, which ensures that nothing inside is
+// missed.
 class Ray_entry
 {
 public:

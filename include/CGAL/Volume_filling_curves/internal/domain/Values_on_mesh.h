@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Values at the vertices of a triangle mesh, which is copied, and what of them counts at a point:
-// those at the corners of the closest face, with the barycentric coordinates of the closest point.
+// Values at the vertices of a triangle mesh, which is copied, and their weights at a point: the
+// barycentric coordinates of the closest point in its face.
 template <typename Kernel, typename Value>
 class Values_on_mesh
 {
@@ -57,10 +57,10 @@ public:
     Mesh copy;
     CGAL::copy_face_graph(
         mesh, copy, CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(pairs)));
-    std::unordered_map<Vertex, typename Mesh::Vertex_index> place(pairs.begin(), pairs.end());
+    std::unordered_map<Vertex, typename Mesh::Vertex_index> position(pairs.begin(), pairs.end());
     m_values.resize(values.size());
     std::size_t i = 0;
-    for(const Vertex v : vertices(mesh)) m_values[place.at(v)] = values[i++];
+    for(const Vertex v : vertices(mesh)) m_values[position.at(v)] = values[i++];
     m_faces = std::make_unique<Faces>(std::move(copy));
   }
 

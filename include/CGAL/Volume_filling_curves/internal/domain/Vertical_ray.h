@@ -21,12 +21,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Is a point strictly inside of a closed surface? It is if it is not on it and the ray upwards from
-// it crosses it an odd number of times. Exact: where the ray meets an edge or a vertex, or runs
-// along a face, it counts as moved by (e, e^2, 0) with an infinitely small e (Edelsbrunner and
-// Muecke 1990), which is decided by signs. CGAL's Side_of_triangle_mesh takes random rays there,
-// whose ends are rounded: from coordinates of 2^52 times the size of the faces on it errs or never
-// ends.
+// Inside test for a closed surface: a point is strictly inside if it is not on the surface and the
+// ray upwards from it crosses the surface an odd number of times. Exact: a ray that meets an edge
+// or a vertex, or runs along a face, counts as moved by (e, e^2, 0) with an infinitesimal e
+// (Edelsbrunner and Muecke 1990), which is decided by signs. CGAL's Side_of_triangle_mesh takes
+// random rays in such cases, with rounded ends; for coordinates beyond 2^52 times the size of the
+// faces, it errs or never ends.
 template <typename Kernel>
 class Vertical_ray
 {

@@ -26,10 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What refuses a mesh that bounds no domain: a fault of the first kind that there is, with the
-// number of others of that kind. Vertices and faces are numbered from 0, in the order of the mesh
-// of which this one is a copy; that of the vertices gets lost in copying. A Function returns the
-// number of a vertex. \pre all faces are triangles
+// Check of a mesh that should bound a domain, which reports the first kind of fault found and the
+// number of its faults. Vertices and faces are numbered from 0, in the order of the original of
+// this copy. Copying changes the order of vertices; the Function returns the original number of a
+// vertex. \pre all faces are triangles
 template <typename Mesh, typename Function>
 class Mesh_check
 {
@@ -97,12 +97,12 @@ private:
                           const std::vector<Index>& indices,
                           const Number& number_of)
   {
-    constexpr std::size_t most_listed = 10;
+    constexpr std::size_t max_listed = 10;
     if(indices.empty()) return "";
     std::string text = std::string(" (") + (indices.size() == 1 ? one : many);
-    for(std::size_t i = 0; i < (std::min)(indices.size(), most_listed); ++i)
+    for(std::size_t i = 0; i < (std::min)(indices.size(), max_listed); ++i)
       text += ' ' + std::to_string(number_of(indices[i]));
-    return text + (indices.size() > most_listed ? " ...)" : ")");
+    return text + (indices.size() > max_listed ? " ...)" : ")");
   }
 
   [[noreturn]] void refuse(const Mesh_fault& fault,

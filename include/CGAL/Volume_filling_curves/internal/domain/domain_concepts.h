@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Which concept a domain is a model of, told by its members.
+// Traits that detect the concepts of a domain by its members.
 
 // `VolumeFillingDomain_3`: a domain, and not a mesh
 template <typename Domain, typename = void>

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Which faces of a mesh meet elsewhere than in a common vertex or edge, by CGAL's search for
-// intersecting boxes and exact predicates. O(n log^2 n) unless many boxes intersect: 23 ms for
+// Search for faces of a mesh that meet elsewhere than in a common vertex or edge, by CGAL's search
+// for intersecting boxes and exact predicates. O(n log^2 n) unless many boxes intersect: 23 ms for
 // 20,000 faces.
 
 template <typename Mesh>
@@ -97,7 +97,7 @@ private:
 };
 
 // there can be quadratically many pairs
-constexpr std::size_t most_pairs_of_faces = 1000000;
+constexpr std::size_t max_pairs_of_faces = 1000000;
 
 struct Enough_pairs_of_faces
 {};
@@ -111,7 +111,7 @@ std::vector<Face_pair<Mesh>> intersecting_faces(const Mesh& mesh, const Points& 
   const auto add = [&](const Face_pair<Mesh>& pair) {
     if(!share_a_vertex(mesh, pair) && do_only_touch(mesh, pair)) return;
     pairs.push_back(std::minmax(pair.first, pair.second));
-    if(pairs.size() == most_pairs_of_faces) throw Enough_pairs_of_faces();
+    if(pairs.size() == max_pairs_of_faces) throw Enough_pairs_of_faces();
   };
   try {
     CGAL::Polygon_mesh_processing::self_intersections(mesh,

@@ -24,16 +24,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Why a mesh bounds no domain, in one set of words for the library, which throws the first of
-// them, and for programs, which list all: what is wrong with single points and faces here, and in
-// mesh_holes.h, intersecting_faces.h and nested_shells.h with the surface.
+// Faults of meshes that bound no domain, with the same wording for the library, which throws the
+// first one, and for programs, which list all. This file has the faults of single points and faces;
+// mesh_holes.h, intersecting_faces.h and nested_shells.h have those of the surface.
 struct Mesh_fault
 {
   std::string kind, message;
 };
 
 // The volume, a sum of products of three coordinates, stays in the range of double.
-constexpr double largest_mesh_coordinate = 1e100, least_mesh_size = 1e-100;
+constexpr double max_mesh_coordinate = 1e100, min_mesh_size = 1e-100;
 
 template <typename Point_3>
 std::string near_text(const Point_3& p)
@@ -49,7 +49,7 @@ std::optional<Mesh_fault> coordinate_fault(const Point_3& p)
     if(!std::isfinite(x)) return Mesh_fault{"non-finite coordinate", "a coordinate is not finite"};
     largest = (std::max)(largest, std::abs(x));
   }
-  if(largest <= largest_mesh_coordinate) return std::nullopt;
+  if(largest <= max_mesh_coordinate) return std::nullopt;
   return Mesh_fault{"coordinate too large", "a coordinate is beyond 1e100"};
 }
 
@@ -72,7 +72,7 @@ std::optional<Mesh_fault> size_fault(const Points& points)
 {
   CGAL::Bbox_3 box;
   for(const auto& p : points) box += p.bbox();
-  if((std::max)({box.x_span(), box.y_span(), box.z_span()}) < least_mesh_size)
+  if((std::max)({box.x_span(), box.y_span(), box.z_span()}) < min_mesh_size)
     return Mesh_fault{"size too small", "the size of the mesh is below 1e-100"};
   if(are_coplanar(points)) return Mesh_fault{"zero volume", "all vertices lie in a plane"};
   return std::nullopt;

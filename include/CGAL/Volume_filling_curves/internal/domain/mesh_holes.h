@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A cycle of edges that have one face only.
+// Hole: a cycle of edges with a single face.
 template <typename Mesh>
 struct Mesh_hole
 {

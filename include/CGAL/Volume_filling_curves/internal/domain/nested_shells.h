@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/domain/Mesh_shells.h>
 #include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
-#include <CGAL/Volume_filling_curves/internal/domain/shell_places.h>
+#include <CGAL/Volume_filling_curves/internal/domain/shell_nesting.h>
 
 #include <cstddef>
 #include <optional>
@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A shell of a closed surface: one within an odd number of others bounds a cavity and should be
-// turned inward, all others outward.
+// Shell of a closed surface. A shell within an odd number of others bounds a cavity and should be
+// oriented inward, all others outward.
 template <typename Mesh>
 struct Nested_shell
 {
@@ -40,13 +40,13 @@ std::vector<Nested_shell<Mesh>> nested_shells(const Mesh& mesh)
   const Mesh_shells<Mesh> components(mesh);
   std::vector<std::vector<typename Mesh::Face_index>> faces(components.number());
   for(const auto f : mesh.faces()) faces[components.shell(f)].push_back(f);
-  const std::vector<Shell_place> places = Shell_places<Mesh>::find(mesh, faces);
-  const auto depth = [&](std::size_t shell) { return places[shell].around.size(); };
+  const std::vector<Shell_nesting> nestings = Shell_nesting_search<Mesh>::find(mesh, faces);
+  const auto depth = [&](std::size_t shell) { return nestings[shell].around.size(); };
   std::vector<Nested_shell<Mesh>> shells;
   for(std::size_t i = 0; i < faces.size(); ++i) {
     shells.push_back({faces[i]});
-    shells[i].is_right = places[i].is_outward == (depth(i) % 2 == 0);
-    for(const std::size_t outer : places[i].around)
+    shells[i].is_right = nestings[i].is_outward == (depth(i) % 2 == 0);
+    for(const std::size_t outer : nestings[i].around)
       if(depth(outer) + 1 == depth(i)) shells[i].parent = outer;
   }
   return shells;

@@ -24,9 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Tangles a curve inside the unit ball by certified random moves, so that its type is known. It
-// starts coarse, with edges as long as the ball, where every move leads around many other strands;
-// then the edges are halved and tangled on at half the scale, until there are enough nodes.
+// Generator that tangles a curve inside the unit ball by certified random moves, which keep its
+// type. The curve starts coarse, with edges as long as the ball, where every move passes many other
+// strands; then edges are halved, and moves continue at half the scale, until there are enough
+// nodes.
 template <typename Traits>
 class Random_tangler
 {
@@ -74,11 +75,11 @@ inline Polygons hard_unknot(std::size_t number_of_nodes,
                             std::size_t number_of_moves,
                             std::uint64_t seed)
 {
-  constexpr std::size_t most_coarse_nodes = 32;
+  constexpr std::size_t max_coarse_nodes = 32;
   constexpr double radius = 0.5; // of the circle
   if(number_of_nodes < 3) throw std::invalid_argument("an unknot needs at least 3 nodes");
   std::size_t coarse_nodes = number_of_nodes, number_of_levels = 1;
-  for(; coarse_nodes > most_coarse_nodes; coarse_nodes = (coarse_nodes + 1) / 2) ++number_of_levels;
+  for(; coarse_nodes > max_coarse_nodes; coarse_nodes = (coarse_nodes + 1) / 2) ++number_of_levels;
   Curve_network_3<> curve = closed_network({regular_polygon(coarse_nodes, radius)});
   Isotopy_guard_3<> guard(curve);
   Random_tangler<Curve_flow_traits_3<>> tangler(guard, seed);

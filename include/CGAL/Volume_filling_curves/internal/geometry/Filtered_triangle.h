@@ -21,11 +21,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Do segments meet a closed triangle? Exact, but nearly always decided by a few products: both ends
-// are clearly on the same side of the triangle's plane, or the segment clearly passes by. The signs
-// of 3 x 3 determinants are trusted if they exceed an error bound (Shewchuk 1997; CGAL's filters
-// are alike but prepare nothing), and what is left goes to the exact predicates of the traits.
-// Constant time, no allocation.
+// Filtered tests of segments against a closed triangle. Exact, but nearly always decided by a few
+// products: both ends are clearly on the same side of the triangle's plane, or the segment clearly
+// misses the triangle. The signs of 3 x 3 determinants are trusted if they exceed an error bound
+// (Shewchuk 1997; similar to CGAL's filters, with precomputed terms); the remaining cases use the
+// exact predicates of the traits. Constant time, no allocation.
 template <typename Traits>
 class Filtered_triangle
 {
@@ -103,7 +103,7 @@ private:
   // the six together at most 6e-15 times the product of the largest differences; the rest is
   // margin.
   static constexpr double error_bound = 1e-14;
-  static constexpr double least_extent = 1e-97; // so that products of two do not underflow
+  static constexpr double min_extent = 1e-97; // so that products of two do not underflow
 
   // A determinant that is larger, or no number, says nothing: something on the way to it
   // overflowed.
@@ -119,8 +119,8 @@ private:
 
   static double bound(const Vector& extent)
   {
-    return extent.minCoeff() < least_extent ? std::numeric_limits<double>::infinity()
-                                            : error_bound * (extent.x() * extent.y() * extent.z());
+    return extent.minCoeff() < min_extent ? std::numeric_limits<double>::infinity()
+                                          : error_bound * (extent.x() * extent.y() * extent.z());
   }
 
   // For a line through p and q that crosses the plane: 1 if it meets the triangle, 0 if not, and -1

@@ -29,12 +29,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The length of the shortest doubly critical chord: at both of its ends the distance to the other
-// end turns from growing to shrinking or back (Rawdon 1998; Ashton, Cantarella, Rawdon 2005). Such
-// a chord and the curve between its ends form a loop, which turns by 2 pi at least, by at most a
-// right angle at either end of the chord; so the curve between turns by pi or more, and all pairs
-// of edges with less in between are passed over. Near linear if the curve turns by pi within few
-// edges or chords below `bound` are few.
+// Length of the shortest doubly critical chord: at both of its ends the distance to the other end
+// turns from growing to shrinking or back (Rawdon 1998; Ashton, Cantarella, Rawdon 2005). The chord
+// and the curve between its ends form a loop with a total turning of at least 2 pi, of which at
+// most a right angle is at each end of the chord. Hence the curve between the ends turns by at
+// least pi, and pairs of edges with less turning in between are skipped. Near-linear time if the
+// curve turns by pi within few edges, or if few chords are shorter than `bound`.
 template <typename Network>
 class Doubly_critical_distance
 {
@@ -59,15 +59,15 @@ public:
     const auto distance = [&](std::size_t e, std::size_t f) {
       const Curve_interval &a = m_spans.of_edge[e], &b = m_spans.of_edge[f];
       if(share_a_node(m_curve, e, f)) return infinity;
-      if(a.is_comparable(b) && m_spans.reach(a, b) < least_turning) return infinity;
+      if(a.is_comparable(b) && m_spans.reach(a, b) < min_turning) return infinity;
       return shortest_critical_chord(e, f);
     };
-    return pairs.least(m_unit * bound, least_turning, distance, watch) / m_unit;
+    return pairs.least(m_unit * bound, min_turning, distance, watch) / m_unit;
   }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double least_turning = CGAL_PI * (1 - 1e-9); // sums of angles are rounded
+  static constexpr double min_turning = CGAL_PI * (1 - 1e-9); // sums of angles are rounded
 
   // A chord counts as orthogonal to an edge within this sine: otherwise the chords of two parallel
   // edges, orthogonal to both, would count or not by chance of rounding.

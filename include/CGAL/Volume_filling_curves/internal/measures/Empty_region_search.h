@@ -26,11 +26,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Regions that the curve has not reached. The samples farther than 2 r from it, joined where they
-// are close and the straight way between them lies inside, make regions. From the sample of a
-// region with the most room, its ball ascends to where it is largest, never leaving the last ball;
-// samples in the ball belong to the region, too. A region counts if its ball has at least the
-// radius r / 2. Linear in the number of samples, and near linear in that of empty ones.
+// Search for regions that the curve has not reached. Samples farther than 2 r from the curve form
+// regions, joined where they are close and the segment between them lies inside. From the sample
+// with the largest clearance, a ball ascends to its largest radius without leaving the previous
+// ball; the samples in it also belong to the region. A region counts if its ball has a radius of at
+// least r / 2. Linear in the number of samples, and near-linear in the number of empty ones.
 template <typename Traits, typename Domain, typename BoundaryDistance, typename Thickness>
 class Empty_region_search
 {
@@ -115,14 +115,14 @@ private:
   std::vector<std::vector<std::size_t>> sets()
   {
     std::vector<std::vector<std::size_t>> result;
-    std::vector<std::size_t> place(m_empty.size());
+    std::vector<std::size_t> position(m_empty.size());
     for(std::size_t k = 0; k < m_empty.size(); ++k) {
       const std::size_t root = m_sets.find(k);
       if(root == k) {
-        place[k] = result.size();
+        position[k] = result.size();
         result.emplace_back();
       }
-      result[place[root]].push_back(k);
+      result[position[root]].push_back(k);
     }
     return result;
   }

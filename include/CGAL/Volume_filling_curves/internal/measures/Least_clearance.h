@@ -28,10 +28,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The least distance of two edges that are not neighbors. Neighbors share a node or are less than
-// `neighborhood` apart along their component. Along a curve that is a difference of arc lengths; in
-// a component with junctions it is the shortest way through the network, which a search from every
-// edge finds that ends at `neighborhood` (Dijkstra). Near linear for curves (Least_pair_distance).
+// Least distance between two edges that are not neighbors. Neighbors share a node or are less than
+// `neighborhood` apart along their component. Along a curve this is a difference of arc lengths; in
+// a component with junctions it is the shortest path through the network, which Dijkstra's
+// algorithm finds from every edge, up to `neighborhood`. Near-linear time for curves
+// (Least_pair_distance).
 template <typename Network>
 class Least_clearance
 {
@@ -85,13 +86,13 @@ private:
     queue.push({0., m_curve.source(e)});
     queue.push({0., m_curve.target(e)});
     while(!queue.empty()) {
-      const auto [way, v] = queue.top();
+      const auto [path, v] = queue.top();
       queue.pop();
-      if(!reached.insert({v, way}).second) continue;
+      if(!reached.insert({v, path}).second) continue;
       for(std::size_t k = 0; k < m_curve.degree(v); ++k) {
         const std::size_t f = m_curve.incident_edge(v, k);
         edges.push_back(f);
-        const double next = way + edge_vector(m_curve, f).norm();
+        const double next = path + edge_vector(m_curve, f).norm();
         if(next < m_neighborhood) queue.push({next, m_curve.neighbor(v, k)});
       }
     }

@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The clearance of a search, which must hand over a curve that can move: edges without a common
-// node get no closer than a distance, unless they were closer, and corners get no sharper than 2
-// degrees, unless they were sharper. Stricter than Clearance_rule, whose halves add up over
-// millions of moves. In double arithmetic, and no part of any proof.
+// Clearance rule of the search, which must pass on a curve that can move: edges without a common
+// node get no closer than a given distance, and corners no sharper than 2 degrees, unless they
+// already were. Stricter than Clearance_rule, whose repeated halving would add up over millions of
+// moves. In double arithmetic, and not part of any proof.
 class Search_clearance
 {
 public:
@@ -68,9 +68,9 @@ public:
 private:
   static bool is_sharp(const Vector& a, const Vector& b, const Vector& c)
   {
-    constexpr double least_tangent = 0.035; // of 2 degrees
+    constexpr double min_tangent = 0.035; // of 2 degrees
     const Vector u = a - b, v = c - b;
-    const double dot = u.dot(v), bound = least_tangent * dot;
+    const double dot = u.dot(v), bound = min_tangent * dot;
     return dot > 0 && u.cross(v).squaredNorm() < bound * bound;
   }
 

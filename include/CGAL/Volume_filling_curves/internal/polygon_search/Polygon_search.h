@@ -26,12 +26,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Brings a curve to few edges: independent searches with seeds of their own run at the same time,
-// and what the best of them did is done again through a guard, which certifies it once more. The
-// first to reach the goal, counted in moves, is the best; if none does, the one that gets to the
-// fewest edges. Hence the result depends on the seed, but not on threads and their timing. The time
-// that a search takes has a heavy ray, so that several of them end earlier than one does, on
-// threads of their own.
+// Reduction of a curve to few edges: independent searches with different seeds run concurrently,
+// and a guard replays and certifies the moves of the best one. The best search reaches the goal
+// with the fewest moves or, if none does, has the fewest edges. Hence the result depends on the
+// seed, but not on threads and their timing. The run time of a search has a heavy tail: several
+// searches on their own threads end earlier than one.
 template <typename Guard, typename ConcurrencyTag>
 class Polygon_search
 {
@@ -145,15 +144,15 @@ private:
   // A search that others have overtaken may stop: it cannot be the first one any more.
   void run_round(std::size_t limit)
   {
-    std::atomic<std::size_t> least_moves(limit);
+    std::atomic<std::size_t> min_moves(limit);
     for_each_block<ConcurrencyTag>(m_searches.size(), 1, [&](std::size_t k, std::size_t) {
       Search_chain& search = m_searches[k];
-      while(!search.has_ended() && search.moves() < least_moves)
+      while(!search.has_ended() && search.moves() < min_moves)
         search.run((std::min)(search.moves() + moves_between_looks, limit));
       search.record();
-      std::size_t least = least_moves;
+      std::size_t least = min_moves;
       while(search.has_reached_goal() && search.moves() < least &&
-            !least_moves.compare_exchange_weak(least, search.moves())) {
+            !min_moves.compare_exchange_weak(least, search.moves())) {
       }
     });
   }

@@ -23,11 +23,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A random walk among the polygons of a knot type: certified random changes of single nodes, where
-// shorter curves are always welcome and longer ones now and then (Metropolis et al. 1953), from
-// time to time a node more, and nodes less wherever that is possible. The polygon stays coarse,
-// hence the moves are long, and what a flow cannot untie comes undone. About half a microsecond per
-// move for a hundred edges.
+// Random walk among the polygons of a knot type: certified random changes of single nodes. Shorter
+// curves are always accepted, longer ones sometimes (Metropolis et al. 1953); nodes are inserted
+// occasionally and removed wherever possible. The polygon stays coarse, hence moves are long and
+// untie knots that a flow cannot. About half a microsecond per move for a hundred edges.
 class Polygon_walk
 {
   using Index = Search_polygon::Index;
@@ -160,7 +159,7 @@ private:
   // uniform in a cube, of a size that is small as often as large
   Vector displaced(const Vector& x)
   {
-    double size = 2 * m_parameters.largest_step * m_mean_length;
+    double size = 2 * m_parameters.max_step * m_mean_length;
     for(std::size_t k = m_random.index(m_parameters.number_of_step_sizes); k > 0; --k) size /= 2;
     const double dx = m_random.real(), dy = m_random.real(), dz = m_random.real();
     return x + size * Vector(dx - 0.5, dy - 0.5, dz - 0.5);

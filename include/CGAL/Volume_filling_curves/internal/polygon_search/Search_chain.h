@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A search for the fewest edges of a curve: a random walk, which starts again where it started when
-// it gets nowhere, until it has done so several times or for long in vain, or the goal is reached.
-// The chain remembers the changes that led to the fewest edges, in bounded memory.
+// Search for a curve with few edges: a random walk that restarts from its first curve when it stops
+// making progress. It ends at the goal, after several restarts, or after a long time without
+// progress. The chain stores the changes that led to the fewest edges, in bounded memory.
 class Search_chain
 {
   using Operations = Polygon_walk::Operations;
@@ -114,7 +114,7 @@ private:
   bool is_attempt_over() const
   {
     return m_moves - m_progress.moves > m_parameters.patience(m_progress.edges) ||
-           m_walk.operations().size() - m_number_of_reductions >= m_parameters.most_operations;
+           m_walk.operations().size() - m_number_of_reductions >= m_parameters.max_operations;
   }
 
   void look_for_goal()
@@ -143,7 +143,7 @@ private:
   void give_up()
   {
     m_attempts_in_vain = record() ? 0 : m_attempts_in_vain + 1;
-    m_has_given_up = m_moves - m_moves_to_best > m_parameters.most_moves_in_vain();
+    m_has_given_up = m_moves - m_moves_to_best > m_parameters.max_moves_in_vain();
     m_walk.return_to(m_reduced, m_number_of_reductions);
     note_best();
     m_progress = m_best_of_attempt;

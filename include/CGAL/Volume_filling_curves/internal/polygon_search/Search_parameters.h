@@ -16,16 +16,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The parameters of a Search_chain and its walk. Lengths are in units of the mean length of an
-// edge, and rates are probabilities per move; the moves that are left over shake a node. Found with
-// benchmark_search on Haken's, Ochiai's and Petronio and Zanellati's unknots, 2026-11-21: rates may
-// vary by a factor of two. In first trials, with other rates and 6 seeds, one search for Ochiai's
-// fourth unknot got stuck without a clearance, and with 0.01 Haken's took four times as long.
+// Parameters of a Search_chain and its walk. Lengths are in units of the mean edge length, and
+// rates are probabilities per move; all other moves shake a node. Found with benchmark_search on
+// the unknots of Haken, Ochiai, and Petronio and Zanellati, 2026-11-21: rates may vary by a factor
+// of two. In earlier trials with other rates and 6 seeds, one search for Ochiai's fourth unknot got
+// stuck without a clearance, and with 0.01 Haken's took four times as long.
 struct Search_parameters
 {
   double temperature = 0.8; // how much longer a curve may get at a time
   double clearance = 1e-3;  // of edges without a common node
-  double largest_step = 1;
+  double max_step = 1;
   std::size_t number_of_step_sizes = 5; // each half of the one before
   double removal_rate = 0.05;
   double insertion_rate = 0.01;
@@ -38,7 +38,7 @@ struct Search_parameters
 
   // The number of changes that an attempt remembers, and ends with: 12 MB. Petronio and Zanellati's
   // PZ120 takes up to 280,000 (5 seeds, 2026-11-22), all other unknots take less.
-  std::size_t most_operations = 300'000;
+  std::size_t max_operations = 300'000;
 
   // Progress is a fall to this share of the edges; up to 20 edges, a single one.
   static constexpr double progress = 0.95;
@@ -56,7 +56,7 @@ struct Search_parameters
   }
 
   // The number of moves since the fewest edges were reached after which no attempt starts any more.
-  std::size_t most_moves_in_vain() const
+  std::size_t max_moves_in_vain() const
   {
     return static_cast<std::size_t>(patience_factor * 1.5e5);
   }

@@ -22,10 +22,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The working copy of a curve for a search that makes millions of small changes: flat arrays of
-// doubles, no allocation per change, and the boxes of the edges. Nodes with two edges that are not
-// pinned are free to change; all others stay. Whether a change is allowed is for Polygon_guard to
-// decide.
+// Working copy of a curve for a search that makes millions of small changes: flat arrays of doubles
+// and the boxes of the edges, without allocation per change. Unpinned nodes with two edges can
+// change; all others stay. Polygon_guard decides whether a change is allowed.
 class Search_polygon
 {
 public:
@@ -109,9 +108,9 @@ public:
     m_unused_nodes.push_back(v);
     --m_edges_of_component[node.component];
     --m_number_of_edges;
-    const Index last = m_free.back(), place = node.place;
-    m_free[place] = last;
-    m_nodes[last].place = place;
+    const Index last = m_free.back(), free_index = node.free_index;
+    m_free[free_index] = last;
+    m_nodes[last].free_index = free_index;
     m_free.pop_back();
   }
 
@@ -126,7 +125,7 @@ public:
     node.component = m_nodes[a].component;
     node.is_fixed = false;
     node.edges = {e, f};
-    node.place = static_cast<Index>(m_free.size());
+    node.free_index = static_cast<Index>(m_free.size());
     m_free.push_back(v);
     m_edges[e] = {a, v};
     m_edges[f] = {v, c};
@@ -147,7 +146,7 @@ public:
       if(m_nodes[v].edges[0] != null)
         for(Index& e : m_nodes[v].edges) e = edge_numbers[e];
       if(m_nodes[v].is_fixed) continue;
-      m_nodes[v].place = static_cast<Index>(m_free.size());
+      m_nodes[v].free_index = static_cast<Index>(m_free.size());
       m_free.push_back(v);
     }
     collect_boxes();
@@ -157,8 +156,8 @@ private:
   struct Node
   {
     Vector position;
-    std::array<Index, 2> edges = {null, null}; // only of nodes with two
-    Index name = 0, component = 0, place = 0;  // place: in the list of free nodes
+    std::array<Index, 2> edges = {null, null};     // only of nodes with two
+    Index name = 0, component = 0, free_index = 0; // free_index: in m_free
     bool is_fixed = false;
   };
 

@@ -22,12 +22,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Finds boxes that overlap a box while the boxes change, however uneven they are: a tree whose
-// nodes have 32 children, in the order of the indices, which along a curve is an order in space.
-// Boxes are kept as integers of 16 bits, so that the compiler tests eight of them at once: rounding
-// down is monotone, hence boxes that overlap still do after it, and a box too many is no harm.
-// A query visits a part of the tree; among a few hundred boxes it takes tens of nanoseconds.
-// A change takes logarithmic time and no allocation, unless there are more boxes than ever.
+// Tree of changing boxes of any sizes, for overlap queries: nodes have 32 children in the order of
+// the indices, which along a curve is a spatial order. Boxes are stored as 16-bit integers, of
+// which the compiler tests eight at once; rounding down is monotone, hence boxes that overlap still
+// do, and extra boxes do no harm. A query among a few hundred boxes takes tens of nanoseconds. A
+// change takes logarithmic time, and allocates only if the number of boxes reaches a new maximum.
 class Dynamic_box_tree
 {
 public:
@@ -38,7 +37,7 @@ public:
   {
     const double side = frame.sizes().maxCoeff();
     // an infinite scale would turn differences of zero into NaN
-    m_scale = side > least_side ? number_of_steps / side : 0;
+    m_scale = side > min_side ? number_of_steps / side : 0;
   }
 
   // for the boxes box_of(k), k < n, within `frame`
@@ -77,7 +76,7 @@ private:
   static constexpr std::size_t width = 32; // children of a node
   static constexpr std::int32_t half_of_steps = 32766;
   static constexpr double number_of_steps = 2 * half_of_steps;
-  static constexpr double least_side = 1e-290;
+  static constexpr double min_side = 1e-290;
 
   // the least x, y, z and the largest x, y, z
   using Rounded_box = std::array<Integer, 6>;

@@ -18,23 +18,22 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Visits the pairs of boxes of a tree, by descending into pairs of its parts at once, the nearer
-// one first, and leaves whatever cannot be nearer than the best so far. (CGAL's AABB tree answers
-// one query after the other: asking for every box visits all pairs twice and finds the way down to
-// each box anew.)
+// Traversal of the pairs of boxes of a tree, which descends into pairs of subtrees, the nearer one
+// first, and skips pairs that cannot be nearer than the best so far. (CGAL's AABB tree answers
+// single queries: one query per box visits all pairs twice and descends to each box anew.)
 //
 // Query: `double entry(const Part& a, const Part& b) const` is a lower bound for all pairs of a box
-// of a and one of b, or of two in a = b; `double bound() const` is the best so far; and
-// `void visit(const Part& a, const Part& b)`, where a precedes b or is b, may lower it.
+// of a and one of b, or of two in a = b; `double bound() const` is the best so far; and `void
+// visit(const Part& a, const Part& b)`, where a precedes or equals b, may lower it.
 template <typename Query>
 class Nearest_pair_descent
 {
   using Part = Box_tree::Part;
 
 public:
-  // Pairs of parts are visited as soon as both have at most `most_runs` runs.
-  Nearest_pair_descent(const Box_tree& tree, Query& query, std::size_t most_runs = 1)
-      : m_tree(tree), m_query(query), m_most_runs(most_runs)
+  // Pairs of parts are visited as soon as both have at most `max_runs` runs.
+  Nearest_pair_descent(const Box_tree& tree, Query& query, std::size_t max_runs = 1)
+      : m_tree(tree), m_query(query), m_max_runs(max_runs)
   {}
 
   void run() const
@@ -55,7 +54,7 @@ private:
   void descend_within(const Part& a) const
   {
     if(!(m_query.entry(a, a) < m_query.bound())) return;
-    if(a.number_of_runs() <= m_most_runs) return m_query.visit(a, a);
+    if(a.number_of_runs() <= m_max_runs) return m_query.visit(a, a);
     const auto [left, right] = m_tree.children(a);
     descend_within(left);
     descend_within(right);
@@ -65,7 +64,7 @@ private:
   void descend(const Part& a, const Part& b, double entry) const
   {
     if(!(entry < m_query.bound())) return;
-    if(a.number_of_runs() <= m_most_runs && b.number_of_runs() <= m_most_runs)
+    if(a.number_of_runs() <= m_max_runs && b.number_of_runs() <= m_max_runs)
       return m_query.visit(a, b);
     if(a.number_of_runs() >= b.number_of_runs()) {
       const auto [left, right] = m_tree.children(a);
@@ -87,7 +86,7 @@ private:
 
   const Box_tree& m_tree;
   Query& m_query;
-  std::size_t m_most_runs;
+  std::size_t m_max_runs;
 };
 
 // The common part of queries for pairs of overlapping boxes.

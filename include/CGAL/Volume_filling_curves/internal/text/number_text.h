@@ -29,13 +29,13 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Doubles to text and back, independent of the locale. std::to_chars and std::from_chars do both,
-// but some standard libraries have them for integers only (libc++ before version 20). There the C
-// library takes their place, with its decimal point exchanged: the same text and the same bits.
+// Conversion of doubles to text and back, independent of the locale. Some standard libraries have
+// std::to_chars and std::from_chars for integers only (libc++ before version 20). There the C
+// library is used, with its decimal point replaced: the text and the bits are the same.
 //
-// `append_number()` writes a number with so many significant digits, as "%.*g" does, or with as few
-// as give back the same double. `number_from_text()` reads one as std::from_chars does; a number
-// that is out of range leaves `number` as it was.
+// `append_number()` writes a number with a given number of significant digits, like "%.*g", or with
+// the fewest digits that restore the same double. `number_from_text()` reads one like
+// std::from_chars; a number out of range leaves `number` unchanged.
 
 constexpr int fewest_digits = 0;
 
@@ -55,8 +55,8 @@ inline std::string print(const char* format, int number_of_digits, double number
   const int length = std::snprintf(text.data(), text.size(), format, number_of_digits, number);
   text.resize(static_cast<std::size_t>(length));
   const std::string point = decimal_point();
-  const std::size_t place = text.find(point);
-  if(place != std::string::npos) text.replace(place, point.size(), ".");
+  const std::size_t position = text.find(point);
+  if(position != std::string::npos) text.replace(position, point.size(), ".");
   return text;
 }
 

@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Files are read and written as a whole. Writing goes to a new file in the same folder, which takes
-// the place of the old one only after everything is on the disk: whoever looks sees the old file or
-// the new one, never a part. Errors are returned as the system reports them.
+// Reading and writing of whole files. A new file in the same folder replaces the old one only once
+// it is on the disk: others see the old file or the new one, never an incomplete one. Errors are
+// those of the system.
 
 inline std::error_code last_system_error()
 {
@@ -76,8 +76,8 @@ inline std::error_code write_and_close(std::FILE* file, std::string_view content
 inline std::filesystem::path behind_links(std::filesystem::path path, std::error_code& error)
 {
   namespace fs = std::filesystem;
-  const int most_links = 40; // as systems allow; more are a circle
-  for(int i = 0; i < most_links; ++i) {
+  const int max_links = 40; // as systems allow; more are a circle
+  for(int i = 0; i < max_links; ++i) {
     const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
     error.clear(); // a file that is missing is no error
     if(!is_link) return path;

@@ -33,13 +33,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A knot in an open curve lasts only if no strand slips off an end. While they flow, components
-// whose ends are all pinned therefore have rays: pinned nodes that run straight from each end to
-// beyond a sphere around everything. As long as the curve stays inside, the type of the curve,
-// closed outside of the sphere, cannot change. The usual closure of an open knot goes from the ends
-// away from the mean of the nodes, and so do the rays, at first and on request. They vanish with
-// this object. Components with a free end have none: there a strand can slip off anyway.
-// Near-linear.
+// Closing rays, which keep the knot of an open curve: without them a strand could slip off an end.
+// While components with pinned ends flow, pinned nodes run straight from each end to beyond a
+// sphere around all curves. As long as the curve stays inside the sphere, the type of the curve,
+// closed outside, cannot change. Like the usual closure of an open knot, the rays point away from
+// the mean of the nodes, at first and on request. They vanish with this object. Components with a
+// free end have none, since strands can slip off there anyway. Near-linear time.
 template <typename Guard>
 class Closing_rays
 {
@@ -70,7 +69,7 @@ public:
     if(!is_positive(parameters.thickness) || !is_positive(parameters.spacing)) return;
     set_ball(parameters.thickness);
     add_rays();
-    divide(largest_spacing * parameters.spacing * parameters.thickness);
+    divide(max_spacing * parameters.spacing * parameters.thickness);
     m_guard.collect_garbage();
   }
 
@@ -118,9 +117,9 @@ public:
 
 private:
   static constexpr double radius_over_size = 1.25, margin_over_thickness = 5;
-  static constexpr int max_attempts = 100; // to find a direction
-  static constexpr int halvings = 12;      // the first direction after a refusal is off by 2^-11
-  static constexpr double largest_spacing = 1.5; // in units of the flow's, which splits from 2 on
+  static constexpr int max_attempts = 100;   // to find a direction
+  static constexpr int halvings = 12;        // the first direction after a refusal is off by 2^-11
+  static constexpr double max_spacing = 1.5; // in units of the flow's, which splits from 2 on
 
   void find_ends()
   {
@@ -214,7 +213,7 @@ private:
 
   void turn(std::size_t tip, const Vector& center, Vector_field& x) const
   {
-    constexpr double largest_tangent = 0.05;
+    constexpr double max_tangent = 0.05;
     std::vector<std::size_t> nodes = nodes_from_tip(m_curve, tip);
     const Vector end = row(x, nodes.back());
     nodes.pop_back();
@@ -224,9 +223,9 @@ private:
     const Vector across = outwards - along * old_direction;
     const double tangent = across.norm() / along;
     const Vector direction =
-        along > 0 && tangent < largest_tangent
+        along > 0 && tangent < max_tangent
             ? outwards
-            : Vector((old_direction + largest_tangent * across.normalized()).normalized());
+            : Vector((old_direction + max_tangent * across.normalized()).normalized());
     for(const std::size_t v : nodes) set_row(x, v, end + (row(x, v) - end).norm() * direction);
   }
 

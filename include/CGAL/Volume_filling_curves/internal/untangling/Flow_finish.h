@@ -31,11 +31,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The last bit of the way of a simple loop: straight to a regular polygon of 64 nodes or more. The
-// flow takes long for that, since it is the lengths of edges that its preconditioner keeps, not
-// angles. The circle lies in the plane that sees the largest area, has the curve's length, and is
-// turned so that nodes move as little as possible. Nodes go as far as that is certified, a few
-// times.
+// Final motion of a simple loop: straight to a regular polygon of at least 64 nodes. The flow would
+// take long, since its preconditioner keeps lengths of edges, not angles. The circle lies in the
+// plane with the largest projected area, has the curve's length, and is rotated to minimize the
+// motion of the nodes. Nodes move as far as certified, in a few steps.
 template <typename Network>
 class Round_polygon
 {
@@ -115,8 +114,8 @@ void halve_long_edges(Guard& guard, double longest)
 template <typename Guard>
 bool move_to_circle(Guard& guard)
 {
-  constexpr int most_moves = 100;
-  for(int k = 0; k < most_moves; ++k) {
+  constexpr int max_moves = 100;
+  for(int k = 0; k < max_moves; ++k) {
     const double fraction =
         guard.move_nodes(Round_polygon<typename Guard::Curve_network>(guard.curve()).nodes(),
                          Step_size::least_fraction);
@@ -133,13 +132,13 @@ bool move_to_circle(Guard& guard)
 template <typename Guard>
 bool make_round(Guard& guard)
 {
-  constexpr std::size_t least_number_of_nodes = 64, most_nodes_at_once = 512;
+  constexpr std::size_t min_number_of_nodes = 64, max_nodes_at_once = 512;
   const auto& curve = guard.curve();
   const std::size_t wanted = curve.number_of_nodes();
   const auto edge = [&](std::size_t n) { return total_length(curve) / static_cast<double>(n); };
   const Clearance_scope<Guard> scope(guard, 0);
-  thin_out(guard, most_nodes_at_once);
-  halve_long_edges(guard, edge(least_number_of_nodes));
+  thin_out(guard, max_nodes_at_once);
+  halve_long_edges(guard, edge(min_number_of_nodes));
   bool is_round = move_to_circle(guard);
   const auto n = [&] { return curve.number_of_nodes(); };
   for(std::size_t before = 0; before != n() && 3 * n() < 2 * wanted;) {

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The place of a flow in a run.
+// Position of a flow in a run.
 struct Flow_start
 {
   double thickness;              // 0 if it is to be measured
@@ -145,7 +145,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_iterations_to_settle = 50;
+  static constexpr std::size_t max_iterations_to_settle = 50;
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
   // in this flow, and in those before
@@ -187,10 +187,10 @@ private:
 
   bool can_stop_at_proof()
   {
-    constexpr double largest_turn = 1; // at a node; curves that flow get hardly below 0.7
+    constexpr double max_turn = 1; // at a node; curves that flow get hardly below 0.7
     if(!is_settled()) return false;
     if(!m_run.parameters.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
-    return !m_start.follows_search || largest_turning_angle(m_flow.curve()) < largest_turn;
+    return !m_start.follows_search || max_turning_angle(m_flow.curve()) < max_turn;
   }
 
   // Where on its way a curve is proved to be an unknot depends on details, while its length falls
@@ -201,7 +201,7 @@ private:
     const std::size_t iterations = m_flow.statistics().iterations;
     if(m_iterations_to_proof == never) m_iterations_to_proof = iterations;
     return is_unknot_from_start() || m_flow.length() <= settled_length() ||
-           iterations - m_iterations_to_proof >= most_iterations_to_settle;
+           iterations - m_iterations_to_proof >= max_iterations_to_settle;
   }
 
   const Untangling_context<Guard, Visitor>& m_run;

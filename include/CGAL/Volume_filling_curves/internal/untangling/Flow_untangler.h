@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Runs the flow until the curve is proved simple, tight, or does not get anywhere. While it gets
-// shorter fast it flows coarsely. Rays turn outwards where they are in the way.
+// Flow until the curve is proved unknotted, is tight, or stops making progress, coarse while the
+// curve shrinks fast. Closing rays that block the curve turn outwards.
 template <typename Flow, typename Visitor>
 class Flow_untangler
 {
@@ -111,13 +111,13 @@ private:
   {
     if(m_coarse_phase.is_on() || m_flow.gradient_norm() >= m_run.parameters.tolerance) return false;
     if(!m_are_rays_turning) m_are_rays_turning = !m_run.rays.can_turn_outwards();
-    return !m_are_rays_turning || m_number_of_turns == most_turns;
+    return !m_are_rays_turning || m_number_of_turns == max_turns;
   }
 
   // Where the ends are close together, a knot settles around a ray.
   void turn_rays()
   {
-    if(!m_are_rays_turning || m_number_of_turns == most_turns) return;
+    if(!m_are_rays_turning || m_number_of_turns == max_turns) return;
     ++m_number_of_turns;
     if(m_run.rays.turn_outwards(clearance_of_rays * m_flow.thickness()))
       m_flow.set_parameters(m_flow.parameters()); // takes note of where the rays are
@@ -196,7 +196,7 @@ private:
     return result;
   }
 
-  static constexpr std::size_t most_turns = 300;
+  static constexpr std::size_t max_turns = 300;
   static constexpr double clearance_of_rays = 0.1; // in units of the thickness
   static constexpr double coarse_spacing = 0.5;    // likewise
   static constexpr double coarse_step = 2.5;       // of the largest displacement asked for

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Notices that a flow gets nowhere: over a window of iterations the length hardly changed and the
-// gradient hardly fell, or several steps running could not be freed by shortening them.
+// Monitor of stalled flows: within a window of iterations the length hardly changed and the
+// gradient hardly fell, or several steps in a row could not be certified, however short.
 class Stall_monitor
 {
 public:
@@ -35,8 +35,8 @@ public:
 
 private:
   static constexpr std::size_t window = 100;
-  static constexpr double least_change_of_length = 1e-3;
-  static constexpr double least_fall_of_gradient = 1e-2;
+  static constexpr double min_change_of_length = 1e-3;
+  static constexpr double min_fall_of_gradient = 1e-2;
 
   struct Sample
   {
@@ -53,8 +53,8 @@ private:
       most = (std::max)(most, sample.length);
       if(&sample != &oldest) gradient = (std::min)(gradient, sample.gradient_norm);
     }
-    return most - least < least_change_of_length * most &&
-           gradient > (1 - least_fall_of_gradient) * oldest.gradient_norm;
+    return most - least < min_change_of_length * most &&
+           gradient > (1 - min_fall_of_gradient) * oldest.gradient_norm;
   }
 
   std::array<Sample, window + 1> m_window = {}; // after the last steps, in turn

@@ -28,11 +28,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Untangles by the flow, by a random search, or by both: the search unties what no flow does, in
-// milliseconds where a flow would, too, but it ends with a coarse and crooked polygon; the flow
-// makes that even and smooth. Where the search finds nothing simpler the flow starts from the
-// input. If the flow jams, the search takes its turn again, with more patience, and the next flow
-// is thinner.
+// Untangling by the flow, by a random search, or by both. The search unties knots that no flow
+// does, and others within milliseconds, but ends with a coarse, irregular polygon; the flow makes
+// it even and smooth. If the search finds nothing simpler, the flow starts from the input. If the
+// flow jams, the search runs again, for longer, and the next flow is thinner.
 template <typename Flow, typename ConcurrencyTag, typename Visitor>
 class Strategic_untangler
 {
@@ -191,20 +190,20 @@ private:
   // widths long.
   bool is_simpler(const Search& polygon_search, const Network& coarse) const
   {
-    constexpr double most_crossings_left = 1. / 3;
+    constexpr double max_crossings_left = 1. / 3;
     constexpr std::size_t stride = 10; // of a hundred directions; 1 ms for a thousand nodes
     if(polygon_search.has_reached_goal()) return true;
     const Network found = polygon_search.uncertified_result(coarse);
     return average_crossing_number(found, stride) <
-               most_crossings_left * average_crossing_number(m_curve, stride) ||
+               max_crossings_left * average_crossing_number(m_curve, stride) ||
            is_far_shorter(found);
   }
 
   bool is_far_shorter(const Network& found) const
   {
-    constexpr double most_widths_left = 0.1;
+    constexpr double max_widths_left = 0.1;
     try {
-      return length_in_widths(found) < most_widths_left * length_in_widths(m_curve);
+      return length_in_widths(found) < max_widths_left * length_in_widths(m_curve);
     } catch(const Run_stopped&) { // it does not matter any more
       return false;
     }

@@ -36,24 +36,24 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A run of untangle(): checks the curves, lets a strategy untangle them by a guard, with rays where
-// they are open, and keeps the tighter curves of input and result. A `Place` says where that is, in
-// the whole space or in a domain: it checks the curves, makes their guard and has the strategies.
-template <typename Place, typename Visitor>
+// Run of untangle(): checks the curves, untangles them through a guard by a strategy, with closing
+// rays at open ends, and keeps the tighter one of input and result. The `Surroundings`, the whole
+// space or a domain, check the curves, make their guard and provide the strategies.
+template <typename Surroundings, typename Visitor>
 class Untangling_run
 {
-  static_assert(check_visitor<Visitor, typename Place::Flow>());
+  static_assert(check_visitor<Visitor, typename Surroundings::Flow>());
 
-  using Guard = typename Place::Guard;
+  using Guard = typename Surroundings::Guard;
   using Network = typename Guard::Curve_network;
 
 public:
   Untangling_run(Network& curves,
-                 const Place& place,
+                 const Surroundings& surroundings,
                  const Untangling_parameters& parameters,
                  Visitor& visitor)
       : m_curves(curves),
-        m_place(place),
+        m_surroundings(surroundings),
         m_parameters(parameters),
         m_visitor(visitor),
         m_watch(parameters.time_limit, parameters.progress, Run_watch::moment)
@@ -63,7 +63,7 @@ public:
   {
     m_watch.begin(Run_stage::PREPARING);
     if(!does_in_time(m_watch, [this] { check(); })) return unchecked();
-    m_place.check(m_curves, m_parameters);
+    m_surroundings.check(m_curves, m_parameters);
     Network input = m_curves;
     Untangling_result result = untangle(total_length(input));
     if(is_tighter_than_result(input, result)) keep(std::move(input), result);
@@ -83,7 +83,7 @@ private:
                      "node " + std::to_string(v) + " is pinned, so the curves cannot be scaled");
   }
 
-  // The result for curves whose check was cut short, and which hence stay as they are.
+  // Result for curves whose check was interrupted, and which are unchanged.
   Untangling_result unchecked() const
   {
     Untangling_result result;
@@ -98,13 +98,13 @@ private:
   {
     Run_saver saver(m_parameters, [this] { return fingerprint(); });
     const auto kept_curve = saver.keep_curve(
-        m_curves, [this](const Network& curves) { m_place.check(curves, m_parameters); });
-    Guard guard = m_place.guard(m_curves);
+        m_curves, [this](const Network& curves) { m_surroundings.check(curves, m_parameters); });
+    Guard guard = m_surroundings.guard(m_curves);
     guard.set_watch(&m_watch);
     if(m_parameters.certificate) guard.start_recording();
     const auto kept_guard = saver.keep_guard(guard);
     Untangling_result result = untangle_with_rays(guard, saver);
-    guard.set_watch(nullptr); // what is left is done as a whole
+    guard.set_watch(nullptr); // the rest cannot be interrupted
     if(m_parameters.keep_length) rescale(guard, length, result);
     result.statistics.certified_changes = guard.number_of_certified_changes();
     result.statistics.refused_changes = guard.number_of_refused_changes();
@@ -114,15 +114,15 @@ private:
 
   Untangling_result untangle_with_rays(Guard& guard, Run_saver& saver)
   {
-    Untangling_parameters parameters = m_parameters; // rays need the thickness first
+    Untangling_parameters parameters = m_parameters; // adding rays sets the thickness
     Closing_rays<Guard> rays(guard);
-    if(!saver.is_resuming()) m_place.add_rays(rays, parameters);
+    if(!saver.is_resuming()) m_surroundings.add_rays(rays, parameters);
     const auto kept = saver.keep([&](State_archive& archive) {
       archive(rays.sphere(), parameters.thickness);
       archive.require(parameters.thickness == 0 || is_positive(parameters.thickness));
     });
     const Untangling_context context{guard, rays, parameters, m_watch, m_visitor, saver};
-    Untangling_result result = m_place.untangle(context);
+    Untangling_result result = m_surroundings.untangle(context);
     result.is_closure_kept = rays.can_turn_outwards();
     return result;
   }
@@ -134,7 +134,7 @@ private:
     const std::string line = hash_line("curve", curve);
     if constexpr(Guard::Boundary::is_bounded)
       return run_fingerprint("untangle in a domain", m_parameters) + line +
-             domain_line(m_place.domain, m_curves.traits());
+             domain_line(m_surroundings.domain, m_curves.traits());
     else
       return run_fingerprint("untangle", m_parameters) + line;
   }
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  // Puts the input in the place of the result, with an empty record of changes.
+  // Replaces the result by the input, with an empty record of changes.
   void keep(Network&& input, Untangling_result& result)
   {
     m_curves = std::move(input);
@@ -173,7 +173,7 @@ private:
     result.thickness = 2 * tube_radius(m_curves); // the distance that strands keep
     if(result.status == Untangling_status::UNKNOTTED) result.proofs = unknot_proofs(m_curves);
     if(!m_parameters.certificate) return;
-    Guard guard = m_place.guard(m_curves);
+    Guard guard = m_surroundings.guard(m_curves);
     guard.start_recording();
     *m_parameters.certificate = guard.certificate();
   }
@@ -192,7 +192,7 @@ private:
   }
 
   Network& m_curves;
-  const Place m_place;
+  const Surroundings m_surroundings;
   const Untangling_parameters& m_parameters;
   Visitor& m_visitor;
   Run_watch m_watch;

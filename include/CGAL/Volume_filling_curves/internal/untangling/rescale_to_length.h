@@ -23,14 +23,15 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Scales a curve about its center to the given length, and returns the factor. In certified steps,
-// since coordinates are rounded; of many nodes they are short, so that few edges come near one
-// another. Stops early, with the factor reached, if not even a short step is possible, or if it
-// gets no closer because coordinates are rounded coarsely. A network without edges stays as it is.
+// Scaling of a curve about its center to a given length; returns the factor. The steps are
+// certified, since coordinates are rounded, and short if there are many nodes, which keeps the
+// number of close edges low. It stops early, with the factor reached, if even a short step is
+// refused, or if coarse rounding of coordinates prevents progress. A network without edges is
+// unchanged.
 template <typename Guard>
 double rescale_to_length(Guard& guard, double wanted)
 {
-  constexpr double least_step = 1.001;
+  constexpr double min_step = 1.001;
   constexpr double precision = 1e-12;
   const auto& curve = guard.curve();
   const double start = total_length(curve);
@@ -48,7 +49,7 @@ double rescale_to_length(Guard& guard, double wanted)
       set_row(x, v, factor * (row(x, v) - center) + center);
     if(guard.move_nodes(x) == 1) continue;
     step = std::sqrt(step);
-    if(step < least_step) break;
+    if(step < min_step) break;
   }
   return total_length(curve) / start;
 }

@@ -14,7 +14,7 @@
 #include <set>
 
 // The nodes that the spheres of a circle can touch.
-namespace test_node_sieve {
+namespace test_node_prefilter {
 
 using namespace flow_test;
 
@@ -38,14 +38,14 @@ TEST(Node_prefilter, keeps_what_spheres_touch_and_little_else)
       }
       nodes.push_back(k, p + size * d);
     }
-    internal::Node_prefilter sieve(nodes);
-    sieve.start(center, unit);
-    sieve.add(0, 1000);
-    sieve.add(1000, nodes.size());
-    internal::Node_list sifted;
-    sieve(p, normal, diameter, sifted);
+    internal::Node_prefilter prefilter(nodes);
+    prefilter.start(center, unit);
+    prefilter.add(0, 1000);
+    prefilter.add(1000, nodes.size());
+    internal::Node_list passed;
+    prefilter(p, normal, diameter, passed);
     std::set<std::size_t> kept;
-    for(std::size_t k = 0; k < sifted.size(); ++k) kept.insert(sifted.index(k));
+    for(std::size_t k = 0; k < passed.size(); ++k) kept.insert(passed.index(k));
     for(std::size_t k = 0; k < nodes.size(); k += 2) EXPECT_EQ(kept.count(k), 1u) << k;
     EXPECT_LT(kept.size(), 2100u);
   }
@@ -53,20 +53,20 @@ TEST(Node_prefilter, keeps_what_spheres_touch_and_little_else)
 
 TEST(Node_prefilter, leaves_nodes_out_that_are_not_in_the_ball)
 {
-  internal::Node_list nodes, sifted;
+  internal::Node_list nodes, passed;
   nodes.push_back(0, Vector(0.5, 0, 0));
   nodes.push_back(1, Vector(1.5, 0, 0));
-  internal::Node_prefilter sieve(nodes);
-  sieve.start(Vector(), 1);
-  sieve.add(0, 2);
-  sieve(Vector(), Vector(0, 0, 1), 1, sifted);
-  ASSERT_EQ(sifted.size(), 1u);
-  EXPECT_EQ(sifted.index(0), 0u);
-  sieve.start(Vector(1.2, 0, 0), 0.5);
-  sieve.add(0, 2);
-  sieve(Vector(1.2, 0, 0), Vector(0, 0, 1), 0.5, sifted);
-  ASSERT_EQ(sifted.size(), 1u);
-  EXPECT_EQ(sifted.index(0), 1u);
+  internal::Node_prefilter prefilter(nodes);
+  prefilter.start(Vector(), 1);
+  prefilter.add(0, 2);
+  prefilter(Vector(), Vector(0, 0, 1), 1, passed);
+  ASSERT_EQ(passed.size(), 1u);
+  EXPECT_EQ(passed.index(0), 0u);
+  prefilter.start(Vector(1.2, 0, 0), 0.5);
+  prefilter.add(0, 2);
+  prefilter(Vector(1.2, 0, 0), Vector(0, 0, 1), 0.5, passed);
+  ASSERT_EQ(passed.size(), 1u);
+  EXPECT_EQ(passed.index(0), 1u);
 }
 
-} // namespace test_node_sieve
+} // namespace test_node_prefilter

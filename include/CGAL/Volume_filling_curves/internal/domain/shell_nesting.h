@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_SHELL_PLACES_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_SHELL_PLACES_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_SHELL_NESTING_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_SHELL_NESTING_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The position of a shell, a component of a closed surface, among the others.
-struct Shell_place
+// Nesting of a shell, a component of a closed surface, among the others.
+struct Shell_nesting
 {
   bool is_outward = false;         // whether its normals point away from what it encloses
   std::vector<std::size_t> around; // the shells that enclose it, ascending
@@ -88,10 +88,10 @@ private:
   Triangle m_face;
 };
 
-// Finds the places of shells, which are given by their faces. Exact, from signs only, at any scale;
-// O(n log^3 n), plus the faces above one point of each shell.
+// Search for the nesting of shells, given by their faces. Exact, from signs only, at any scale; O(n
+// log^3 n), plus the faces above one point of each shell.
 template <typename Mesh>
-class Shell_places
+class Shell_nesting_search
 {
   using Face = typename Mesh::Face_index;
   using Point_3 = typename Mesh::Point;
@@ -99,14 +99,14 @@ class Shell_places
 
 public:
   // \pre the shells are closed and each is oriented; faces meet only in common vertices and edges
-  static std::vector<Shell_place> find(const Mesh& mesh,
-                                       const std::vector<std::vector<Face>>& shells)
+  static std::vector<Shell_nesting> find(const Mesh& mesh,
+                                         const std::vector<std::vector<Face>>& shells)
   {
-    return Shell_places(mesh, shells).places();
+    return Shell_nesting_search(mesh, shells).nestings();
   }
 
 private:
-  Shell_places(const Mesh& mesh, const std::vector<std::vector<Face>>& shells)
+  Shell_nesting_search(const Mesh& mesh, const std::vector<std::vector<Face>>& shells)
       : m_mesh(mesh), m_shell_of(mesh.number_of_faces())
   {
     for(std::size_t i = 0; i < shells.size(); ++i) {
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  std::vector<Shell_place> places()
+  std::vector<Shell_nesting> nestings()
   {
     std::set<std::pair<std::size_t, std::size_t>> odd; // a shell's ray crosses this one so often
     const auto count = [&](const Box& ray, const Box& face) {
@@ -129,7 +129,7 @@ private:
     };
     const auto rays = m_rays; // which are sorted by the search
     CGAL::box_intersection_d(m_rays.begin(), m_rays.end(), m_faces.begin(), m_faces.end(), count);
-    std::vector<Shell_place> result(rays.size());
+    std::vector<Shell_nesting> result(rays.size());
     for(const auto& [shell, crossed] : odd)
       if(crossed != shell) result[shell].around.push_back(crossed);
     for(std::size_t i = 0; i < rays.size(); ++i) {
@@ -169,4 +169,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_SHELL_PLACES_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_SHELL_NESTING_H
