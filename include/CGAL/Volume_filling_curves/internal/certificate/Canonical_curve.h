@@ -25,10 +25,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A curve in a form that depends neither on how its nodes are numbered nor on the file that it was
-// read from, and the hash of it: the nodes in the lexicographic order of their coordinates, and the
-// edges, without direction, in that of their nodes' ranks. Nodes that have been removed are left
-// out. O(n log n).
+// Canonical form of a curve, independent of the numbering of its nodes and of its file, and the
+// hash of this form: the nodes in lexicographic order of their coordinates, and the undirected
+// edges in lexicographic order of their nodes' ranks. Removed nodes are left out. O(n log n).
 class Canonical_curve
 {
 public:

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Decodes a certificate from its first byte to its last. Whatever the bytes are, it returns what
-// they stand for or throws a Certificate_format_error; every certificate has exactly one encoding.
-// Whether nodes exist and moves are safe is not decided here. Constant time per operation.
+// Decoder of certificates, from the first byte to the last. It accepts any bytes, and returns the
+// operations or throws a Certificate_format_error; every certificate has exactly one encoding. It
+// does not check whether nodes exist and moves are safe. Constant time per operation.
 class Certificate_reader
 {
   using Kind = Certificate_operation::Kind;

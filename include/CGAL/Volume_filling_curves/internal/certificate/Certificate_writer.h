@@ -20,10 +20,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Encodes a certificate: constant time per operation, 25 to 27 bytes for a node that moves. Most of
-// them are the coordinates, whose low bits are as good as random: storing only the bytes in which
-// they differ from the former ones would save an eighth (Freedman-He-Wang's unknot, 2026-11-21),
-// which is not worth a more complicated format.
+// Encoder of certificates: constant time per operation, 25 to 27 bytes per moved node. Most of
+// these are coordinates, whose low bits are nearly random: storing only the bytes that changed
+// would save an eighth (Freedman-He-Wang's unknot, 2026-11-21), not enough to justify a more
+// complicated format.
 class Certificate_writer
 {
   using Kind = Certificate_operation::Kind;

@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The hash function SHA-256 (FIPS 180-4) of a stream of bytes that arrives in pieces: blocks of 64
+// Hash function SHA-256 (FIPS 180-4) for a stream of bytes that arrives in pieces: blocks of 64
 // bytes are mixed into a state of eight words; the end is padded with the length of the message.
-// Boost has SHA-1 only. Linear time, some 200 MB per second.
+// Boost only has SHA-1. Linear time, some 200 MB per second.
 class Sha256
 {
 public:

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Numbers in bytes, the low ones first. Doubles have those of their IEEE representation.
+// Numbers as bytes, little-endian; doubles in their IEEE representation.
 
 inline void append_little_endian(std::string& bytes, std::uint64_t x, int size = 8)
 {

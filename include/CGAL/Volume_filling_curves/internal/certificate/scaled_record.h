@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The record of a motion with all coordinates multiplied by a power of two, which keeps the order
-// of the nodes. Takes the curves at the start and at the end, scaled likewise.
+// Record of a motion with all coordinates multiplied by a power of two, which keeps the order of
+// the nodes. The start and end curves passed must be scaled in the same way.
 template <typename Curve>
 std::string scaled_record(std::string_view bytes,
                           double factor,

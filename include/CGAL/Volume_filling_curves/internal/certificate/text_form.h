@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Certificates as text, one operation per line, and back: the same content, such that going to and
-// fro gives the same bytes. Linear time.
+// Conversion of certificates to text, one operation per line, and back, without loss: a round trip
+// restores the same bytes. Linear time.
 
 constexpr std::string_view text_form_magic = "VFC-CERT text";
 

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The components of a network: which of them are closed and which have junctions, none of which
-// ever changes, and the nodes that they have since these were numbered last.
+// Components of a network: whether they are closed and have junctions, which never changes, and
+// their nodes since the last numbering.
 class Curve_components
 {
 public:

@@ -27,10 +27,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The graph of a curve network, without coordinates: flat arrays with 32-bit indices. Inserting
-// and removing a node is local, takes constant time and leaves gaps; `compact()` closes them and
-// numbers the nodes along the curve again; components keep their order, orientation and, where it
-// survives, their first node.
+// Graph of a curve network, without coordinates: flat arrays with 32-bit indices. Inserting and
+// removing a node is local, takes constant time and leaves gaps. `compact()` closes the gaps and
+// renumbers the nodes along the curve; components keep their order, orientation and, if it still
+// exists, their first node.
 class Curve_topology
 {
 public:

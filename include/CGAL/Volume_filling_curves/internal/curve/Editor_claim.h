@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Whether a network has an editor. What a second one changed the first one's observers would not
-// hear of, and a guard would certify changes of a curve that is not there any more. A copy of a
-// network has no editor yet, and a network that is assigned to keeps its own.
+// Claim of the only editor of a network. The observers of one editor would miss the changes of
+// another, and a guard would certify changes of an outdated curve. A copy of a network has no
+// editor, and an assigned network keeps its own.
 class Editor_claim
 {
 public:

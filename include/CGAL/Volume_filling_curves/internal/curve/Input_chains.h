@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The memory of the input, from which every node of a result has an origin. A chain consists of
-// the input's nodes from one end or junction to the next, in their order. A component
-// without junctions is one chain, closed or open. 4 bytes per node.
+// Chains of the input, from which the origins of a result's nodes are found. A chain consists of
+// the input's nodes from one end or junction to the next, in order. A component without junctions
+// is one chain, closed or open. 4 bytes per node.
 class Input_chains
 {
 public:

@@ -23,10 +23,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Finds the place in the input that each node of a curve comes from. Places are numbers along a
-// chain of the input: 2.5 is the middle of its third edge. Nodes of the input that are still there
-// have the places that they had; between two of them, places are interpolated by the arc length of
-// the curve as it is, hence they never run backwards. Linear time.
+// Origins of the nodes of a curve in its input, as numbers along a chain of the input: 2.5 is the
+// middle of its third edge. Remaining nodes of the input keep their numbers; between two of them,
+// numbers are interpolated by the present arc length, hence they never run backwards. Linear time.
 template <typename Network>
 class Origin_interpolation
 {

@@ -32,9 +32,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A polyline, or a container of polylines, as a network on which an algorithm works, until they are
-// replaced by the result. The ends of open polylines are pinned, so that they stay ends of the same
-// knot. Items of polylines are points, or hold a point that the point map reads and writes.
+// Network made from one or more polylines, which the result of an algorithm replaces. The ends of
+// open polylines are pinned, which keeps their knots. Items of polylines are points, or objects
+// with a point that the point map reads and writes.
 template <typename Polylines, typename NamedParameters>
 class Polylines_in_place
 {

@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The pairs of edges that keep a curve network from being embedded: edges without a common node
-// that meet, and edges with a common node that meet in more than this node. Decided exactly, after
-// a broad phase with boxes: O(n log^2 n + k) for k pairs of edges with intersecting boxes.
+// Contacts that violate embeddedness: pairs of edges without a common node that meet, and pairs
+// with a common node that meet elsewhere. Decided exactly, after a broad phase with boxes: O(n
+// log^2 n + k) for k pairs of edges with intersecting boxes.
 template <typename Traits>
 class Self_contacts
 {

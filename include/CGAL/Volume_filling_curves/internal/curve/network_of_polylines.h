@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Whether points are those of a kernel.
+// Test whether a point type belongs to a kernel.
 template <typename Point, typename = void>
 struct Is_kernel_point : std::false_type
 {};

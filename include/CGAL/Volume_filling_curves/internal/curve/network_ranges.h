@@ -24,8 +24,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The ranges that a network gives out: of indices, of indices without those of removed elements,
-// and of the points of nodes.
+// Ranges of a network: of indices, of indices without removed elements, and of the points of nodes.
 
 using Index_range = Iterator_range<boost::counting_iterator<std::size_t>>;
 

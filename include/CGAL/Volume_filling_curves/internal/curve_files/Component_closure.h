@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Closes the arcs of a file, or opens its closed curves, as the user asks. An arc gets an edge from
-// its last node to its first, after its last edge in the file; a closed curve loses its last edge
-// in the file, which is the one that closes a polyline. Components with junctions stay as they are.
-// The new edges are checked with all others, later. Linear time.
+// Closing of the arcs of a file, or opening of its closed curves, at the user's request. An arc
+// gets an edge from its last node to its first, after its last edge in the file; a closed curve
+// loses its last edge in the file, which closes a polyline. Components with junctions are
+// unchanged. New edges are checked later, with all others. Linear time.
 class Component_closure
 {
 public:

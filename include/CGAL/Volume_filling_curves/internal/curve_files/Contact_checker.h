@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Says where the repaired edges of a file meet elsewhere than in a common node, which is decided
-// exactly. O(n log^2 n) unless many edges have intersecting bounding boxes.
+// Check for edges of a repaired file that meet elsewhere than in a common node, decided exactly.
+// O(n log^2 n) unless many edges have intersecting bounding boxes.
 class Contact_checker
 {
   using Traits = Curve_flow_traits_3<>;

@@ -26,9 +26,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Says what keeps the repaired edges of a file from being a curve that can be computed with, but
-// for contacts of edges and ends of arcs: these are for `Contact_checker` and `Arc_checker`, which
-// take exact predicates. Linear time.
+// Check of the repaired edges of a file for all defects of a curve except contacts of edges and
+// nearly closed arcs, which `Contact_checker` and `Arc_checker` find. Linear time.
 class Curve_checker
 {
 public:

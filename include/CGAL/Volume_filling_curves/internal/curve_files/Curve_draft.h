@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A list of defects that stays short: of every kind only the first 1000 are kept, since a wrong
-// file tends to be wrong in every line. The others are counted.
+// Short list of defects: of each kind only the first 1000 are kept, since a wrong file tends to be
+// wrong in every line. The others are counted.
 class Defect_list
 {
 public:

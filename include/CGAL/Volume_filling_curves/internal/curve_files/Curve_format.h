@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A format of curve files: its extension in lower case, and how it is read and written.
+// Format of curve files: its extension in lower case, its reader and its writer.
 struct Curve_format
 {
   std::string_view extension;

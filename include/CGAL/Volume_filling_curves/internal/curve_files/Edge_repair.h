@@ -24,11 +24,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Repairs the edges of a file where that is harmless, with a warning: an edge that is given twice
-// is dropped, an edge of length zero is contracted to the first of its nodes. A repair must not
-// change the curve: a loop that would become an arc or a point is an error, and so is a line that
-// runs straight back. Afterwards the edges are no loops, not parallel, and longer than zero.
-// O(n log n).
+// Harmless repairs of the edges of a file, each with a warning: an edge that occurs twice is
+// dropped, and an edge of length zero is contracted to its first node. A repair must not change the
+// curve: a loop that would become an arc or a point is an error, and so is a line that runs
+// straight back. Afterwards no edge is a loop, parallel to another edge, or of length zero. O(n log
+// n).
 class Edge_repair
 {
 public:

@@ -25,10 +25,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Reads the curves of a Wavefront OBJ file: vertices `v`, polylines `l`, and the pinned vertices
+// Reader of curves in Wavefront OBJ files: vertices `v`, polylines `l`, and the pinned vertices
 // `fixed`, a record of the authors of "Medial Sphere Preconditioning for Knot Untangling and
-// Volume-Filling Curves" (2025). An `l` may stand before its vertices, so indices are looked up
-// when all records are known. Everything else that OBJ knows is ignored. Linear time.
+// Volume-Filling Curves" (2025). An `l` may precede its vertices; indices are resolved at the end
+// of the file. All other records are ignored. Linear time.
 class Obj_curve_reader
 {
 public:

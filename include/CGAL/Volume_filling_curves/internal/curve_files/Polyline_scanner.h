@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The common part of readers of files that list points, polyline by polyline: the words of
-// the file, and the curve as far as it is read.
+// Common base of readers of files that list points, polyline by polyline: the words of the file,
+// and the curve read so far.
 class Polyline_scanner
 {
 public:

@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Turns polylines into vertices and edges. A last point that repeats the first is no new vertex of
-// a closed polyline. Where junctions are allowed, equal end points of polylines are one vertex as
-// well. Vertices are numbered as they appear first, which is the numbering of an OBJ file with the
-// same curves. O(n + k log k) for k polylines with n points.
+// Conversion of polylines to vertices and edges. In a closed polyline, a last point that repeats
+// the first is not a new vertex. If junctions are allowed, equal end points of polylines are also
+// one vertex. Vertices are numbered by first occurrence, as in an OBJ file with the same curves.
+// O(n + k log k) for k polylines with n points.
 class Polylines_to_curve_draft
 {
 public:

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Reads CGAL's `.polylines.txt`: per line a polyline `n x0 y0 z0 x1 y1 z1 ...`. The numbers may
-// continue on the next lines, as readers that use stream operators allow. Linear time.
+// Reader of CGAL's `.polylines.txt` files: one polyline `n x0 y0 z0 x1 y1 z1 ...` per line. The
+// numbers may continue on the next lines, as in readers based on stream operators. Linear time.
 class Polylines_txt_reader
 {
 public:

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Writers of curves compose the whole text in memory. Linear time.
+// Writers of curves, which compose the whole text in memory. Linear time.
 
 inline void append(std::string& text, const std::array<double, 3>& point)
 {

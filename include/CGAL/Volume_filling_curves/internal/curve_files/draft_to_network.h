@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The way from a file to a network: what was read is repaired and checked and, if there is no
-// error, made a network.
+// Conversion of the contents of a file to a network: repairs, checks and, if there is no error,
+// construction.
 
 // If there is no error, the edges of the file are those of the curve.
 inline void repair_and_check(Curve_draft& file, Junctions junctions)

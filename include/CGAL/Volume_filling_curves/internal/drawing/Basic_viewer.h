@@ -32,7 +32,7 @@ namespace internal {
 
 #ifdef CGAL_USE_BASIC_VIEWER
 
-// Has `add(scene)` fill a scene, and shows it in a window until this is closed.
+// Calls `add(scene)` to fill a scene, and shows the scene in a window until the window is closed.
 
 #ifdef CGAL_VOLUME_FILLING_CURVES_HAS_GRAPHICS_SCENE
 

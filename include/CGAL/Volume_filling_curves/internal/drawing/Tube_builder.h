@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Adds tubes to a mesh: the polygons of the sections, joined by triangles, and caps at open ends.
-// All faces are oriented to the outside.
+// Builder that adds tubes to a mesh: the polygons of the sections, joined by triangles, and caps at
+// open ends. All faces are oriented outward.
 template <typename Mesh, typename PointMap>
 class Tube_builder
 {

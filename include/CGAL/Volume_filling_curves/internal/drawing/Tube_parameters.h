@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The parameters of tube_mesh(): named ones, and a radius in one of several forms.
+// Parameters of tube_mesh(): the named ones, and a radius in one of several forms.
 
 struct Tube_parameters
 {

@@ -25,16 +25,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The sections of a tube around a curve without junctions: at each node a regular polygon in the
-// plane that bisects the corner, whose corners are on the circle of the tube's radius around the
-// node. These are circles, not the ellipses in which two cylinders meet, so that all of the tube is
-// within its radius r of the curve, also outside of a corner, and stays away from other strands.
-// The discs at the ends of an edge of length l do not meet if r tan(a/2) < l/2 at both, a being the
-// turning angle there: if r is below the bend radius (Rawdon's MinRad).
+// Sections of a tube around a curve without junctions: at each node a regular polygon in the plane
+// that bisects the corner, with its corners on the circle of the tube's radius around the node.
+// With circles instead of the ellipses in which two cylinders meet, the whole tube stays within its
+// radius r of the curve, even outside a corner, and keeps away from other strands. The discs at the
+// ends of an edge of length l do not meet if r tan(a/2) < l/2 at both, where a is the turning
+// angle: if r is below the bend radius (Rawdon's MinRad).
 //
-// From section to section the polygon is carried along without a twist (parallel transport: each
-// edge is reached by the least rotation). Around a closed curve it comes back turned; what is left
-// of that after whole sides of the polygon is spread evenly over the length. Linear time.
+// Parallel transport carries the polygon from section to section by the least rotation. Around a
+// closed curve it returns rotated; the rotation modulo whole sides of the polygon is distributed
+// evenly over the length. Linear time.
 class Tube_sections
 {
 public:

@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A curve as points and segments of a scene, which is a viewer of CGAL 5 or a scene of CGAL 6.
+// Conversion of a curve to points and segments of a scene, which is a viewer in CGAL 5 and a
+// graphics scene in CGAL 6.
 
 // Hues that differ by the golden angle: those of any first few components are far apart.
 inline IO::Color component_color(std::size_t component)

@@ -26,10 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Distances of points inside a domain from its boundary. They are measured up to a limit, since of
-// most points no more has to be known, and those of the bunny then take a fifth of the time; beyond
-// the limit the domain is asked again. Once the run is to stop, the distances are left at 0, but
-// for that of the first point. Throws std::invalid_argument if one is negative or not finite.
+// Distances from points inside a domain to its boundary. They are measured up to a limit, which
+// suffices for most points and takes a fifth of the time on the bunny; beyond the limit the domain
+// is queried again. Once the run is to stop, all distances but the first are left at 0. Throws
+// std::invalid_argument if one is negative or not finite.
 template <typename Domain>
 class Boundary_distances
 {

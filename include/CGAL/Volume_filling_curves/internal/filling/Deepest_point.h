@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Which of some points inside a domain is farthest from the boundary? Distances are known up to a
-// limit; those of points beyond it are asked for along a space-filling curve, on which most of them
-// are passed over: from one point to the next the distance grows no faster than the point moves. Of
-// the 14,000 such samples of the bunny 400 are asked for.
+// Search for the point of a set inside a domain that is farthest from the boundary. Distances are
+// known up to a limit; points beyond it are visited along a space-filling curve, and most are
+// skipped, since the distance cannot grow faster than the point moves. On the bunny, 400 of 14,000
+// such samples are queried.
 template <typename Domain>
 class Deepest_point
 {

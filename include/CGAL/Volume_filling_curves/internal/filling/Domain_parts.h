@@ -32,12 +32,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The connected parts of the inside of a domain, and a wide ball in each. A domain that knows its
-// parts, as a mesh does by its shells, is asked, also for parts so small that they hold no sample.
-// For other domains, parts are the connected components of nearby samples; an isolated cluster is
-// merged with the samples in the largest ball reached from it by ascent. So samples of one part are
-// connected for certain; where a passage is thinner than the samples are dense, one part may count
-// as two. Near linear in the number of samples.
+// Connected parts of the inside of a domain, and a wide ball in each. A domain with a surface knows
+// its parts, as a mesh does by its shells, including parts too small to hold a sample. For other
+// domains, parts are the connected components of nearby samples; an isolated cluster is merged with
+// the samples in the largest ball reached from it by ascent. Hence samples of one part are
+// certainly connected; a part with a passage narrower than the distance between samples may count
+// as two. Near-linear in the number of samples.
 template <typename Traits, typename Domain>
 class Domain_parts
 {

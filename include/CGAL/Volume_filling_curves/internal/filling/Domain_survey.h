@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The survey of a domain before a curve grows in it: its connected parts, the start in each, and
+// Survey of a domain before a curve grows in it: its connected parts, the start in each, and
 // whether the domain is wide enough for the thickness.
 template <typename Traits, typename Domain, typename ConcurrencyTag>
 class Domain_survey

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Lets fingers reach out from a curve all over the domain, and returns whether any did. They end by
+// Grows fingers from a curve through the whole domain, and returns whether any grew. They end by
 // themselves.
 template <typename Guard, typename Survey>
 bool reach_out(Guard& guard, const Survey& survey)
@@ -93,7 +93,7 @@ private:
   static constexpr double excess_to_open_for = 0.05;
   static constexpr int max_corrections_of_thickness = 8;
   static constexpr double kept_thinness = 0.5;
-  // Regions are driven at before they count as empty: with 0.9 a spike of the anapsidea (seed 2)
+  // Regions are pushed into before they count as empty: with 0.9 a spike of the anapsidea (seed 2)
   // stays 4.1 r from the curve, with 0.8 it is 2.8 r; with 0.7, which ordinary gaps get near to,
   // the bunny (seed 3) is thinned in many places, and the curve an eighth longer (2026-11-23).
   static constexpr double pushed_share = 0.8;

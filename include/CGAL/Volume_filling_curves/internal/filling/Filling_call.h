@@ -38,8 +38,8 @@ inline double diagonal(const CGAL::Bbox_3& box)
   return stable_norm(Vector(box.x_span(), box.y_span(), box.z_span()));
 }
 
-// A call of fill(): makes the domain, checks what is asked for, and runs in a unit of length that
-// suits the domain.
+// Call of fill(): makes the domain, checks the parameters, and runs in a unit of length that suits
+// the domain.
 template <typename Traits, typename ConcurrencyTag, typename Visitor>
 class Filling_call
 {

@@ -40,9 +40,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A run of fill(): surveys the domain, warns if it is too thin, places a circle in each part if no
-// curves are given, lets fingers reach out from them unless they are to grow, lets them fill the
-// domain, and tells what was not filled, and why.
+// Run of fill(): surveys the domain, warns if it is too thin, places a circle in each part if no
+// curves are given, grows fingers unless the curves should grow from circles, fills the domain, and
+// reports unfilled regions and their cause.
 template <typename Traits, typename Domain, typename ConcurrencyTag, typename Visitor>
 class Filling_run
 {

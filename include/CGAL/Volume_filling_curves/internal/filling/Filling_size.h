@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The size of a filling, estimated before it begins. In the open a curve of thickness r has
-// the length 0.26 V / r^2; between walls that are closer than 2 r its strands lie side by side, 2 r
-// apart, and cover half of the walls' area A: A / (4 r). The larger one counts. The area is found
-// by the samples nearest to the boundary.
+// Size of a filling, estimated before it starts. In a wide domain a curve of thickness r has the
+// length 0.26 V / r^2; between walls closer than 2 r its strands lie side by side, 2 r apart, and
+// cover half of the walls' area A, with the length A / (4 r). The larger value counts. The samples
+// nearest to the boundary give the area.
 class Filling_size
 {
 public:

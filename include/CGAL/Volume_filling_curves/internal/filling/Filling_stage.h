@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A stage of the growth of a curve, and its end. Figures found on the domains of the
-// benchmarks (2026-11-23).
+// Stage of the growth of a curve, and its stop rule. Figures found on the domains of the benchmarks
+// (2026-11-23).
 struct Filling_stage
 {
   static constexpr double any_change = std::numeric_limits<double>::infinity();

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The figures of a flow after its last complete step.
+// Figures of a flow after its last complete step.
 struct Filling_record
 {
   Curve_flow_statistics statistics;

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A finger that grows out of an edge of a curve: the edge is halved, and one half is pulled out to
-// a blunt tip, an edge across the way, by two insertions, each an elementary move that the guard
-// certifies. Constant time but for the guard's search.
+// Finger that grows out of an edge of a curve: the edge is halved, and one half is pulled out to a
+// blunt tip, an edge across the path, by two insertions, each an elementary move that the guard
+// certifies. Constant time apart from the guard's search.
 template <typename Guard>
 class Finger
 {

@@ -26,9 +26,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// From where to where the fingers of each component may grow: stations that are reached, joined to
-// near ones that are not, by weights that are random, so that the tree is bushy, and that prefer a
-// direction field if there is one.
+// Candidate connections of fingers, per component: pairs of a reached station and a nearby
+// unreached one. Random weights make the tree bushy, and prefer a direction field if there is one.
 template <typename Stations, typename Traits>
 class Finger_connections
 {

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Lets a finger grow from one station to another: out of the edge that is placed best, with the
-// widest tip that the guard certifies.
+// Growth of a finger from one station to another, out of the best placed edge, with the widest tip
+// that the guard certifies.
 template <typename Guard, typename Domain>
 class Finger_reach
 {

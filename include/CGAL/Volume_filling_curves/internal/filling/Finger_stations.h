@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A place that a curve goes through, or is to reach.
+// Station: a point that a curve passes through, or should reach.
 struct Finger_station
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

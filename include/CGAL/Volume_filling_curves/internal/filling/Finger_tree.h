@@ -31,12 +31,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Lets curves reach out all over a domain before they flow: fingers follow a random spanning tree
-// of well-spaced points, which starts from all places of the curves (Prim's algorithm). What comes
-// out is the outline of a tree where a small circle was, isotopic to it, at a cost that is
-// proportional to the number of points. Of several components the one that has got least of the
-// volume goes on first. Points that no straight finger got to, as beyond a neck, are led to along
-// ways that are looked for, by thin fingers.
+// Tree of fingers, which grow from curves through a whole domain before the flow: they follow a
+// random spanning tree of well-spaced points, which starts from all points of the curves (Prim's
+// algorithm). A small circle becomes the outline of a tree, isotopic to it, in time proportional to
+// the number of points. The component with the smallest share of the volume grows next. Points that
+// no straight finger reaches, for example beyond a neck, are reached by thin fingers along paths
+// from a search.
 template <typename Guard, typename Domain>
 class Finger_tree
 {

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The length of a growing curve over its last iterations.
+// Lengths of a growing curve in its last iterations.
 class Length_window
 {
 public:

@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Proof that a passage narrower than r keeps a curve from a place: a ball of radius r / 2 that
-// moves from there to within r of the curve would be found by a flood over the cells of a grid. A
-// flood that ends with nothing is the proof; one that takes too long proves nothing. Linear in the
-// number of cells visited, which is limited.
+// Proof that only passages narrower than r lead from a curve to a point: a breadth-first search on
+// a grid would find a path of a ball of radius r / 2 from the point to within r of the curve. A
+// search that ends without one is the proof; one that takes too long proves nothing. Linear in the
+// number of visited cells, which is limited.
 template <typename Network, typename Domain>
 class Neck_search
 {

@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Ways inside a domain around corners and through necks: a flood over the cells of a grid whose
-// centers have room, breadth first, and the way back, pulled taut. The size of the cells is a power
-// of two, so that floods that begin at different places share them: where one has found nothing no
-// other one looks again. Linear in the number of cells visited, which is limited.
+// Search for paths inside a domain, around corners and through necks: breadth first over the cells
+// of a grid whose centers have enough clearance; the path back is pulled taut. The size of the
+// cells is a power of two, hence searches from different points share them and skip regions without
+// a result. Linear in the number of visited cells, which is limited.
 template <typename Domain, typename Traits>
 class Path_search
 {

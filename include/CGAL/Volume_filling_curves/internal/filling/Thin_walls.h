@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The radius of a ball that a curve needs, in units of its thickness: plates fill up to a thickness
+// Radius of the ball that a curve needs, in units of its thickness: plates fill up to a thickness
 // of 1.5 times half their own, rods up to 1.2 times (2026-11-22).
 constexpr double needed_width = 0.8;
 

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Points of paths along which a curve may be thinner, into places that are too thin for the
-// thickness asked for. Linear in their number.
+// Points of paths into regions that are too thin for the required thickness, along which a curve
+// may be thinner. Linear in their number.
 class Thinned_paths
 {
 public:

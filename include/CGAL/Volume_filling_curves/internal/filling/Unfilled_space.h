@@ -30,7 +30,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The part of a domain that a curve has not reached, by samples. Near linear in their number.
+// Unfilled space of a domain, which a curve has not reached, represented by samples. Near-linear in
+// their number.
 template <typename Network, typename Samples, typename ConcurrencyTag = Sequential_tag>
 class Unfilled_space
 {

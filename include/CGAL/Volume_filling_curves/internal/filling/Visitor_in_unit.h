@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// All that can be read of a Curve_flow_3, with its lengths multiplied by a power of two.
+// View of a Curve_flow_3 with all its reading functions, whose lengths are multiplied by a power of
+// two.
 template <typename Flow>
 class Flow_in_unit
 {

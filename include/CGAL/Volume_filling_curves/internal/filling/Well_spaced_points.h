@@ -28,10 +28,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Points inside a domain that keep a distance from one another, which may vary in space, and from
-// the boundary, and leave little room for more. Dart throwing (Cook 1986) over a finite set: from
-// candidates on a jittered grid, three to the distance along each axis, each that is left in random
-// order is taken and strikes out those within its distance. Near linear in their number.
+// Well-spaced points inside a domain, which keep a distance from one another, which may vary in
+// space, and from the boundary, and leave little space for more. Dart throwing (Cook 1986) over a
+// finite set: candidates lie on a jittered grid, three per distance along each axis; in random
+// order, each remaining one is taken and removes those within its distance. Near-linear in their
+// number.
 template <typename Domain, typename Traits, typename Distance>
 class Well_spaced_points
 {

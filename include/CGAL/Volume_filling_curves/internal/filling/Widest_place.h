@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A point inside a domain that is as far from the boundary as can be found: the best of some
-// samples, improved by a search along the axes with steps that are halved when none of them helps.
-// The radius of the ball around it that lies inside is found to a hundredth.
+// Point inside a domain as far from the boundary as a local search finds: the best of some samples,
+// improved along the axes with steps that are halved when none helps. The radius of the ball around
+// it inside the domain is accurate to a hundredth.
 template <typename Domain, typename Traits>
 class Widest_place
 {

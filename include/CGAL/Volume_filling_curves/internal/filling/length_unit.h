@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The unit of length of a filling. Terms of degree 6 overflow in a domain of the size 2^170 and
-// underflow in one of 2^-170. A run in such a domain therefore measures lengths in units of the
-// domain's box, by a power of two, so that nothing is rounded.
+// Unit of length of a filling. Terms of degree 6 overflow in a domain of size 2^170 and underflow
+// in one of size 2^-170. Such a run therefore uses the size of the domain's box as unit, rounded to
+// a power of two, which rounds no coordinate.
 
 inline double largest_coordinate_of(const CGAL::Bbox_3& box)
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Lengths of a filling multiplied by a power of two, from the caller's unit to that of the run and
-// back. Exact.
+// Scaling of the lengths of a filling by a power of two, from the caller's unit to that of the run
+// and back. Exact.
 
 template <typename Traits>
 typename Traits::Point_3 scaled(const typename Traits::Point_3& p,

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Why more of a domain than is tolerated is farther than 2 r from the curve, in plain English.
+// Reason, in English, why more of a domain than tolerated is farther than 2 r from the curve.
 
 // returns the number with three digits
 inline std::string rounded(double number)

@@ -22,16 +22,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The resistance of strands that touch the same medial sphere to coming closer, as a part of the
-// preconditioner. The paper's couples their nodes weakly and equally in all directions. Without the
-// resistance steps along slow ways, such as a loop's around a bundle, must be as short as it takes
-// for contacts not to rattle.
+// Stiffness of contacts between strands that touch the same medial sphere, as a part of the
+// preconditioner. The paper's preconditioner couples their nodes weakly and equally in all
+// directions. Without the stiffness, contacts oscillate unless steps are short, even along slow
+// motions such as that of a loop around a bundle.
 //
-// A node's sphere with the center x_l in units of its radius R touches another node at the distance
-// d in the direction u, so that R = d / (2 x_l . u). As the other node goes along u, the force
-// alpha w R x_l / N on the node changes by alpha w / (2 N) times the way, along u and whatever the
-// angle between u and x_l is. Half of that counts for each of the two, so that the matrix is
-// symmetric: k u u^T per contact. If the other node is pinned all of it counts for the one.
+// A node's sphere with the center x_l, in units of its radius R, touches another node at distance d
+// in the direction u, hence R = d / (2 x_l . u). If the other node moves along u, the force alpha w
+// R x_l / N on the node changes by alpha w / (2 N) times the motion, along u, whatever the angle
+// between u and x_l. Half of this counts for each of the two nodes, which makes the matrix
+// symmetric: k u u^T per contact. If the other node is pinned, all of it counts for the first.
 class Contact_stiffness
 {
 public:

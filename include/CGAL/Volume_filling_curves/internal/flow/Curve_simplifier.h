@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Removes nodes, those first that change the curve least, until the guard or the distance to the
-// former curve allows no further removal. What is refused is tried again after the others, since
-// the obstacle may be gone by then; a last round in which nothing can be removed proves that the
-// end is reached. Near-linear per round in practice, a few rounds.
+// Simplifier, which removes nodes in order of their effect on the curve, least first, until the
+// guard or the distance to the former curve allows no further removal. Refused removals are tried
+// again after the others, since the obstacle may be gone by then; a round without any removal is
+// the last. Near-linear per round in practice, with a few rounds.
 template <typename Guard>
 class Curve_simplifier
 {

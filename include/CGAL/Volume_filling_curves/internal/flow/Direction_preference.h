@@ -19,14 +19,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The energy of edges relative to a direction field that the curve is to follow: an edge of the
-// length L that includes the angle phi with the field costs w L sin^2(phi) more. For an edge e and
-// a unit vector d that is
-//   w (|e| - (e . d)^2 / |e|),
-// of which the gradient by e is, with t = e / |e| and c = t . d,
-//   w ((1 + c^2) t - 2 c d),
-// and the largest eigenvalue of the Hessian w (1 + c^2) / |e|. Directions are held fixed, as
-// the centers of medial spheres are. For d = 0 all of it is 0.
+// Energy of edges in a direction field: an edge of length L at the angle phi to the field costs an
+// additional w L sin^2(phi). For an edge e and a unit vector d this is w (|e| - (e . d)^2 / |e|);
+// with t = e / |e| and c = t . d, its gradient by e is w ((1 + c^2) t - 2 c d), and the largest
+// eigenvalue of its Hessian is w (1 + c^2) / |e|. Directions are held fixed, like the centers of
+// medial spheres. For d = 0 all terms are 0.
 struct Direction_preference
 {
   Vector_field directions; // of unit length, or zero; per edge

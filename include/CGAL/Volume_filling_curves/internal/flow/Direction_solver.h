@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Solves P d = b for three right-hand sides: by sparse Cholesky factorization as long as that is
-// faster, by conjugate gradients for large P, in parallel if asked to.
+// Solver of P d = b for three right-hand sides: by sparse Cholesky factorization while that is
+// faster, and by conjugate gradients for large P, in parallel with a parallel tag.
 template <typename ConcurrencyTag = Sequential_tag>
 class Direction_solver
 {

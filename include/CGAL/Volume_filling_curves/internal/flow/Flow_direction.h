@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The direction in which a curve flows: its medial spheres, the gradient of its energy, and the
+// Direction of the flow of a curve: its medial spheres, the gradient of its energy, and the
 // preconditioned direction (sections 3 and 4 of the paper).
 template <typename Network, typename ConcurrencyTag>
 class Flow_direction

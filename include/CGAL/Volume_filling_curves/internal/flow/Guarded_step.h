@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The share of their way that the nodes that were to move have gone; pinned ones were not.
+// Mean fraction of their displacements that the unpinned nodes moved.
 struct Motion_outcome
 {
   double mean_fraction = 1; // of their ways

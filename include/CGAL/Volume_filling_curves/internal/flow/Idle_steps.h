@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Counts the steps running in which nothing moved. A few of them are no harm: each has strands that
-// hold one another freed, and the next one may go.
+// Counter of successive steps in which nothing moved. A few of them do no harm: each step frees
+// strands that block one another, and the next may move.
 class Idle_steps
 {
 public:

@@ -24,11 +24,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Keeps edge lengths between h and 2h, where h may vary from node to node, by certified operations
-// (section 4.4 of the paper). An edge shorter than h loses one of its ends; where that would leave
-// an edge longer than 2h, which would be split again, the end moves to the middle of its neighbors
-// instead. Edges longer than 2h are split in the middle. What the guard refuses stays as it is.
-// Ends early if the guard's watch says so. Linear; edges are measured in parallel if asked to.
+// Remeshing to edge lengths between h and 2h, where h may vary from node to node, by certified
+// operations (section 4.4 of the paper). An edge shorter than h loses one of its ends; if that
+// would leave an edge longer than 2h, which would be split again, the end moves to the middle of
+// its neighbors instead. Edges longer than 2h are split in the middle. Refused operations leave
+// their edges unchanged. The guard's watch can end the remeshing. Linear time; edges are measured
+// in parallel with a parallel tag.
 template <typename Guard, typename ConcurrencyTag = Sequential_tag>
 class Remesher
 {

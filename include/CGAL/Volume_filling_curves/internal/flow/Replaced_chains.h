@@ -23,11 +23,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Remembers, while nodes of a curve are removed, which chain of former nodes each edge stands for,
-// and tells whether an edge is within some Frechet distance of a chain: whether points of the
-// edge, in their order along it, can be assigned to the nodes of the chain, none farther than
-// that. (Between nodes, the linear assignment is no farther, since distance is convex; Alt and
-// Godau 1995.) Linear in the number of nodes of the chain.
+// Chains of former nodes that the edges of a curve replace while nodes are removed, and tests
+// whether an edge is within a given Frechet distance of a chain: whether points of the edge, in
+// order, can be assigned to the nodes of the chain, none farther than this. (Between nodes, the
+// linear assignment is no farther, since distance is convex; Alt and Godau 1995.) Linear in the
+// number of nodes of the chain.
 template <typename Network>
 class Replaced_chains
 {

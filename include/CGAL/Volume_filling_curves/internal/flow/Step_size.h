@@ -23,13 +23,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The length of a step. Two successive directions tell how the direction changes along the curve's
-// path, so that the step that would have made it vanish is known (Barzilai and Borwein 1988); the
-// time step follows this estimate upwards, and shrinks when the direction turns against the last
-// one or the guard shortened the step. A direction that keeps turning has met the longest step that
-// is stable: then the time step grows less, so that the curve settles instead of rattling. The
-// largest displacement is limited. No energy is consulted: with the spheres held fixed it says
-// little about the step.
+// Length of a step. From two successive directions, the step that would have made the direction
+// vanish is estimated (Barzilai and Borwein 1988). The time step grows towards this estimate, and
+// shrinks if the direction turns against the last one or if the guard shortened the step. A
+// direction that keeps turning has met the longest stable step: the time step then grows less,
+// which makes the curve settle instead of oscillating. The largest displacement is limited. The
+// energy is not used: with the spheres held fixed it hardly depends on the quality of the step.
 class Step_size
 {
 public:

@@ -28,13 +28,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Frees a curve that cannot move since strands almost touch: nodes of edges that are closer than
-// a distance go apart as far as that is certified, along the common perpendicular of the edges.
-// The energy does not do that: the medial spheres of strands that cross touch nodes of each
-// other, which lie beside the crossing. Each node moves once at most, for the closest pair of
-// edges: where a whole bundle is tangled there are many times as many pairs as nodes. Near linear
-// in the number of edges and of pairs of them that are close, which are sought in parallel if asked
-// to.
+// Separation of strands that nearly touch and cannot move: the nodes of edges closer than a given
+// distance move apart, as far as certified, along the common perpendicular of the edges. The energy
+// does not do this: the medial spheres of crossing strands touch nodes of each other beside the
+// crossing. Each node moves at most once, for its closest pair of edges, since a tangled bundle has
+// many times as many pairs as nodes. Near-linear in the number of edges and of close pairs, which
+// are found in parallel with a parallel tag.
 template <typename Guard, typename ConcurrencyTag = Sequential_tag>
 class Strand_separator
 {

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// For each node the nodes that it shares a medial sphere with: those that touch one of its spheres,
-// and those of whose spheres it touches one. The spheres are looked through in parallel if asked
-// to; dealing what was found to the other nodes is not, which takes a few nanoseconds each. Linear.
+// Nodes that share a medial sphere with a node: those that touch one of its spheres, and those
+// whose spheres it touches. Spheres are visited in parallel with a parallel tag; the distribution
+// of the results to the other nodes is sequential, at a few nanoseconds each. Linear time.
 class Touching_nodes
 {
 public:

@@ -22,12 +22,13 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Solves P d = b for large P, whose Cholesky factor fills in like that of a mesh in space, by
-// conjugate gradients, preconditioned with the tridiagonal part of P. As nodes are numbered along
-// the curve this holds all but a few edges of the curve and leaves out the weak coupling along
-// medial spheres only: it takes some ten iterations, linear time each. P is an M-matrix, so that
-// its tridiagonal part is positive definite, too. So it stays with contacts, which are stronger: a
-// part of their stiffness is added to the diagonal. They are gone through one after another.
+// Solver of P d = b for large P, whose Cholesky factor fills in like that of a mesh in space:
+// conjugate gradients, preconditioned with the tridiagonal part of P. Since nodes are numbered
+// along the curve, this part contains nearly all edges of the curve and omits only the weak
+// coupling along medial spheres; some ten iterations suffice, in linear time each. P is an
+// M-matrix, hence its tridiagonal part is positive definite. It remains so with contacts, which are
+// stronger, since a part of their stiffness is added to the diagonal. Contacts are applied one
+// after another.
 template <typename ConcurrencyTag = Sequential_tag>
 class Tridiagonal_conjugate_gradients
 {

@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Tells which nodes are less than `reach` away from a junction, along the network: there the medial
-// spheres see the sibling branches, which get arbitrarily close, and would blow them up. Dijkstra's
-// algorithm from all junctions at once; O(n log n), constant time without junctions.
+// Nodes less than `reach` away from a junction, along the network: their medial spheres meet the
+// sibling branches, which are arbitrarily close, and would push them apart. Dijkstra's algorithm
+// from all junctions at once; O(n log n), constant time without junctions.
 template <typename Network>
 std::vector<bool> near_junctions(const Network& curve,
                                  const Vector_field& x,

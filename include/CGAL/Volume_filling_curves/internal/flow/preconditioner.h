@@ -29,14 +29,14 @@ namespace internal {
 
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
-// The preconditioner P = L* + lambda M (section 4.1 of the paper), one n x n matrix for x, y and z:
-// L* is the Laplacian of the curve, with the weights 1 / length, and of the nodes that touch a
-// medial sphere of one another, with the weights beta / R; M is diagonal and holds the nodes'
-// weights w. Rows of pinned nodes are those of the identity. Contact_stiffness comes on top.
+// Preconditioner P = L* + lambda M (section 4.1 of the paper), one n x n matrix for x, y and z: L*
+// is the Laplacian of the curve, with the weights 1 / length, and of nodes that touch a medial
+// sphere of one another, with the weights beta / R; M is diagonal, with the nodes' weights w. Rows
+// of pinned nodes are those of the identity. Contact_stiffness is added to P.
 //
-// Each row is collected from what is at its node, so that rows are independent, and filled in
-// parallel if asked to, in place: the order of the entries is known, nothing has to be sorted or
-// transposed. P is symmetric, hence its columns, which Eigen stores, are its rows. Linear.
+// Each row only depends on the data of its node: rows are independent, and are filled in place, in
+// parallel with a parallel tag; the order of the entries is known, and nothing is sorted or
+// transposed. P is symmetric, hence its columns, which Eigen stores, are its rows. Linear time.
 template <typename Network, typename ConcurrencyTag>
 class Preconditioner_assembly
 {

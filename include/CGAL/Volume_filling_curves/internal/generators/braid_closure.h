@@ -49,10 +49,10 @@ inline std::vector<int> parse_braid_word(const std::string& text)
   return word;
 }
 
-// The closure of a braid, around the z-axis. Strands run side by side on circles whose radii differ
-// by 1; a letter turns two of them around each other by a half turn within its sector, so that they
-// stay at distance 1 of each other and of all others. Letters without a common strand share a
-// sector. Positive letters make positive crossings.
+// Closure of a braid around the z-axis. Strands run side by side on circles whose radii differ by
+// 1. A letter turns two strands around each other by a half turn within its sector; they stay at
+// distance 1 from each other and from all others. Letters without a common strand share a sector.
+// Positive letters make positive crossings.
 class Braid_closure
 {
 public:

@@ -23,11 +23,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A random self-avoiding polygon on the cubic lattice, grown from a unit square: a random edge is
-// pushed sideways by one, if both new sites are free (the growing move of Berg, Foerster, Aragao de
-// Carvalho, Caracciolo and Froehlich, 1981-83). Every move is an isotopy, so the polygon is an
-// unknot; nodes, edges and planes coincide in all ways that arithmetic with doubles gets wrong.
-// Expected time O(n log n).
+// Random self-avoiding polygon on the cubic lattice, grown from a unit square: a random edge is
+// pushed sideways by one unit if both new sites are free (the growing move of Berg, Foerster,
+// Aragao de Carvalho, Caracciolo and Froehlich, 1981-83). Every move is an isotopy, so the polygon
+// is an unknot. Its nodes, edges and planes coincide in all ways that break arithmetic with
+// doubles. Expected time O(n log n).
 class Lattice_polygon
 {
 public:

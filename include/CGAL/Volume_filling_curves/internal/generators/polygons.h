@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Closed polygons, one per component, as generators make them, and their common steps: spreading
-// nodes evenly along a finely sampled curve, and a random rotation.
+// Closed polygons of the generators, one per component, and their common steps: even spacing of
+// nodes along a finely sampled curve, and a random rotation.
 using Polygon = std::vector<Vector>;
 using Polygons = std::vector<Polygon>;
 

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// An axis-parallel box, closed; empty by default.
+// Closed axis-parallel box, empty by default.
 class Box
 {
 public:

@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Do a closed segment and a closed triangle meet, and do they meet outside a common corner?
-// Exact in every degenerate case: CGAL's `do_intersect()` leaves the answer for a degenerate
-// triangle unspecified, while planar and collinear input is daily bread here. Everything is decided
-// by three predicates of the traits: the orientation of four points, the orientation of three
-// points in their plane, and lexicographic order along a line. Constant time.
+// Tests whether a closed segment and a closed triangle meet, and whether they meet outside a common
+// corner. Exact in all degenerate cases, since planar and collinear input is common, and CGAL's
+// `do_intersect()` is unspecified for degenerate triangles. All decisions rest on three predicates
+// of the traits: the orientation of four points, the orientation of three points in their plane,
+// and lexicographic order along a line. Constant time.
 template <typename Traits>
 class Exact_predicates
 {

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Three unit vectors that stand on each other: the rows of a rotation of space.
+// Orthonormal frame: the three rows of a rotation of space.
 struct Frame
 {
   Vector first, second, third;

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Random numbers that are the same on every platform, which the distributions of the standard
-// library are not: splitmix64 (Steele, Lea, Flood 2014), and distributions made of IEEE operations.
+// Random numbers that are the same on every platform, unlike the distributions of the standard
+// library: splitmix64 (Steele, Lea, Flood 2014), and distributions computed by IEEE operations.
 class Random_source
 {
 public:

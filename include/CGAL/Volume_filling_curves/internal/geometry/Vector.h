@@ -18,10 +18,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A vector or a place in space. Geometry that decides nothing is done in double with it; the exact
-// predicates of the traits see only points. The names and the order of sums are those of Eigen's
-// Vector3d, beside which it stands in formulas, and whose expressions took a quarter of the time to
-// compile a program that untangles (29.7 and 22.4 s of g++ 12 at -O3, 2026-11-22).
+// Vector or position in space, for geometry in double that decides nothing; the exact predicates of
+// the traits take points. Names and the order of sums are those of Eigen's Vector3d, with which it
+// is combined in formulas. Expressions of Eigen's own type took a quarter of the time to compile a
+// program that untangles (29.7 instead of 22.4 s of g++ 12 at -O3, 2026-11-22).
 class Vector
 {
 public:

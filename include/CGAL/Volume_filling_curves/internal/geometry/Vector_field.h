@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// One vector per node, x, y, z next to each other.
+// Field of vectors, one per node, with x, y and z adjacent in memory.
 using Vector_field = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 template <typename Index>

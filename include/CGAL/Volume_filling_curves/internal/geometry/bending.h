@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The angle in [0, pi/4] of tangent t in [0, 1]. The library's functions differ in their last bits
-// between platforms, and bends decide when a run ends. So the angle is halved until the Taylor
-// series, whose first omitted term is below 1e-17 there, takes IEEE operations only.
+// Angle in [0, pi/4] with the tangent t in [0, 1], in IEEE operations only: the library's functions
+// differ in their last bits between platforms, and bends decide when a run ends. The angle is
+// halved until the first omitted term of the Taylor series is below 1e-17.
 inline double arc_tangent(double t)
 {
   constexpr double small = 0.2;

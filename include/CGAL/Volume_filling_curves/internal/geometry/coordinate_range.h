@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The coordinates that networks, readers, domains and guards accept, and the least side of the
-// bounding box of a curve that is to move: squares of lengths neither overflow nor underflow.
+// Range of the coordinates that networks, readers, domains and guards accept, and least size of the
+// bounding box of a curve that moves: squares of lengths neither overflow nor underflow.
 constexpr double largest_coordinate = 1e150, least_size = 1e-150;
 
 // returns whether all coordinates are accepted; NaN is not

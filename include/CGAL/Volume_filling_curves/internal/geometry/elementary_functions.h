@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The cube root of a number that is not negative. The library's differs in its last bit between
-// platforms; samples that are linked by distance, and generated knots, must not. Newton's method,
-// whose error is squared in each step, starts near the root and takes IEEE operations only.
+// Cube root of a nonnegative number, by Newton's method in IEEE operations only. The library's
+// function differs in its last bit between platforms; linked samples and generated knots must not.
+// The error is squared in each step.
 inline double cube_root(double x)
 {
   if(!(x > 0) || !std::isfinite(x)) return x;

@@ -28,10 +28,10 @@ inline double squared_distance_to_segment(const Vector& p, const Vector& a, cons
   return (p - a - t * ab).squaredNorm();
 }
 
-// The squared length of the common perpendicular of the segments a + [0, 1] u and c + [0, 1] v,
-// where w = a - c, if its feet lie inside both, and else infinity. Segments are parallel for it
-// below an angle of 1e-7: what rounding leaves of their cross product points anywhere, and a
-// quarter of a percent of random parallel segments seemed far too close.
+// Squared length of the common perpendicular of the segments a + [0, 1] u and c + [0, 1] v, where w
+// = a - c, if its feet lie inside both, and otherwise infinity. Segments at an angle below 1e-7
+// count as parallel: rounding makes the direction of their cross product meaningless, and a quarter
+// of a percent of random parallel segments would seem far too close.
 inline double squared_common_perpendicular(const Vector& u, const Vector& v, const Vector& w)
 {
   constexpr double parallel = 1e-14; // a squared sine

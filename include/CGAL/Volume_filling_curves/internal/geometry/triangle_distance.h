@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The corners of a triangle in double, for what need not be exact.
+// Corners of a triangle in double, for computations that need not be exact.
 using Corners = std::array<Vector, 3>;
 
 // returns the squared distance of p to the triangle if it is below `bound`, and else `bound`. That

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The direction that a field asks for at a point, as a unit vector, or zero if it asks for none
-// there. Throws std::invalid_argument, with the point in the message, if it is not finite.
+// Direction of a field at a point, as a unit vector, or zero if there is no preference. Throws
+// std::invalid_argument, with the point in the message, if the field is not finite.
 template <typename Field, typename Point_3>
 Vector unit_direction(const Field& field, const Point_3& p)
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The search for a part of a motion that can be certified, the same part of the way for all nodes.
-// Near linear in the number of edges and candidate pairs; tests run in parallel if asked to.
+// Search for a certifiable fraction of a motion, the same for all nodes. Near-linear in the number
+// of edges and candidate pairs; tests run in parallel with a parallel tag.
 template <typename Limits, typename ConcurrencyTag>
 class Certified_motion
 {

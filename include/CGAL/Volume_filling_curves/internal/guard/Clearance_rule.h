@@ -16,11 +16,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A change that is allowed may still end so close to contact that nothing near it can move again
-// (Goeritz' unknot, strands 1e-13 apart). The rule: edges without a common node stay at least
-// `distance` apart, or at least half as far as they were; edges with a common node keep their
-// opening likewise. It is no part of the proof of isotopy, only of getting anywhere, and is decided
-// in double arithmetic.
+// Clearance rule: edges without a common node stay at least `distance` apart, or at least half as
+// far as they were; edges with a common node keep their opening in the same way. A valid change
+// could otherwise end so close to contact that nothing near it can move again (Goeritz' unknot,
+// strands 1e-13 apart). The rule is not part of the proof of isotopy, only keeps the flow moving,
+// and is decided in double arithmetic.
 class Clearance_rule
 {
 public:

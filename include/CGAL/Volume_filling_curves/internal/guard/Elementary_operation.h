@@ -18,9 +18,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A change of a curve, to be carried out by a guard. Nodes have the numbers that the guard gives
-// them: those of the network without garbage, and on from there in the order in which nodes are
-// inserted.
+// Change of a curve for a guard to make. Nodes have the guard's numbers: those of the network
+// without garbage, followed by inserted nodes in their order.
 struct Elementary_operation
 {
   enum Kind : std::uint32_t

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Decides whether a node may move, be inserted or be removed: whether the change is an elementary
-// move of knot theory, stays inside the domain and keeps the clearance. Constant time for edges of
-// similar lengths.
+// Certifier of single changes, in which a node moves, is inserted or is removed: tests whether the
+// change is an elementary move of knot theory, stays inside the domain and keeps the clearance.
+// Constant time for edges of similar lengths.
 template <typename Network, typename Boundary>
 class Local_change_certifier
 {

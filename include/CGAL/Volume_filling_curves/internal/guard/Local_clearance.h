@@ -26,11 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Finds the edges of a curve that come near a box, and where they are, while the curve changes one
-// node at a time, which it observes. The boxes of the edges are collected when first asked for, and
-// again now and then, since the curve may have left the place where they were. Linear to build,
-// logarithmic time per change; a query takes near constant time for edges that are short or few,
-// and no edge is found in vain but for rounding.
+// Locator of the edges of a curve near a box, which observes the curve while it changes one node at
+// a time. The boxes of the edges are collected at the first query, and again now and then, since
+// the curve may have moved away. Linear time to build, logarithmic per change; a query takes
+// near-constant time if edges are short or few, and only rounding adds edges that are not near.
 template <typename Network>
 class Edge_locator final : public Curve_network_observer_3<typename Network::Traits>
 {

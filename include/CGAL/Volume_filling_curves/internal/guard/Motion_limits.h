@@ -26,11 +26,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A motion of all nodes along straight lines, and what limits how far they can go: the tests that
-// each pair of edges that can meet, and each node, must pass (section 4.3 of the paper, made
-// exact), and the clearance that they must keep. The broad phase runs once: the edges that can meet
-// while nodes go a part of their ways, each its own, are among those that can meet when all go all
-// the way. With a boundary, all that the curve sweeps must lie inside it.
+// Motion of all nodes along straight lines, and its limits: the tests that each node and each pair
+// of edges that can meet must pass (section 4.3 of the paper, made exact), and the clearance that
+// they must keep. The broad phase runs once: edges that can meet while each node moves any fraction
+// of its displacement are among those that can meet in the full motion. With a boundary, all that
+// the curve sweeps must lie inside it.
 template <typename Network, typename Boundary, typename BroadPhase = Broad_phase>
 class Motion_limits
 {

@@ -24,11 +24,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The record of all changes of a network since it was made, as an observer of its editor. Nodes are
-// recorded under numbers that they keep when the network is numbered again. A motion of all nodes
-// is recorded as what was certified: single moves, one after another. Leaves that are added to the
-// network are obstacles for a while, and no part of the curve, hence left out: what misses the
-// curve and them misses the curve. Constant time per change.
+// Record of all changes of a network since the record's construction, as an observer of the editor.
+// Recorded node numbers survive a renumbering of the network. A motion of all nodes is recorded as
+// its certified moves of single nodes. Leaves added to the network are temporary obstacles and not
+// part of the curve, hence omitted: a change that misses the curve and them misses the curve.
+// Constant time per change.
 template <typename Network>
 class Motion_record final : public Curve_network_observer_3<typename Network::Traits>
 {

@@ -24,14 +24,14 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A motion of all nodes in which each goes as far as those near it let it: where some are in the
-// way of one another they, and no others, go half of the way, a quarter, ..., or stand still. So a
-// tight spot does not hold a whole curve, as it does where all go the same part of the way.
+// Motion of all nodes in which each moves as far as nearby nodes allow: only nodes that block one
+// another move half of their displacement, a quarter, ..., or stay. A tight spot then does not stop
+// a whole curve, as it would if all nodes moved the same fraction.
 //
-// A test of a pair of edges or of a node reads where its nodes end, hence all that passed since
-// the nodes were shortened last certify the motion as a whole. After the first round only those
-// near nodes that were shortened are tested again, and a node is shortened seven times at most:
-// near linear in the number of edges and candidate pairs. Tests run in parallel if asked to.
+// A test of a pair of edges or of a node reads the end positions of its nodes; hence all tests
+// passed since the nodes were last shortened certify the whole motion. After the first round only
+// tests near shortened nodes are repeated, and a node is shortened at most seven times: near-linear
+// in the number of edges and candidate pairs. Tests run in parallel with a parallel tag.
 template <typename Limits, typename ConcurrencyTag>
 class Shortened_motion
 {

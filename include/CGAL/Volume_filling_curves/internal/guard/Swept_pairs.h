@@ -18,12 +18,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The motion of all nodes from `before` to `after`, one node after another in the order of their
-// indices or in the reverse order. When a node moves, those that come before it in the order have
-// moved and the others have not, so that every test reads positions known beforehand, and the whole
-// proof falls apart into independent tests of single edges and pairs of edges: if all of them pass,
-// the motion is an ambient isotopy (Reidemeister 1926, elementary moves). Exact; each test takes
-// constant time.
+// Motion of all nodes from `before` to `after`, one node after another in the order of their
+// indices or in the reverse order. When a node moves, its predecessors in this order have moved and
+// its successors have not. Every test therefore reads positions known beforehand, and the proof
+// consists of independent tests of single edges and pairs of edges: if all pass, the motion is an
+// ambient isotopy (Reidemeister 1926, elementary moves). Exact; each test takes constant time.
 template <typename Network>
 class Swept_pairs
 {

@@ -16,17 +16,17 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The criteria of elementary moves (Reidemeister 1926), which are all that ever changes a curve:
-// the sides ab, bc of a triangle are exchanged for ac or ac for them, or a node moves in a straight
-// line. The guard and the random search both decide by these functions; only the replay of a
-// certificate shares nothing with them. Exact. Constant time for edges of similar lengths.
+// Criteria of elementary moves (Reidemeister 1926), the only changes of a curve: the sides ab, bc
+// of a triangle replace ac, or ac replaces them, or a node moves in a straight line. The guard and
+// the random search both use these functions; the replay of a certificate shares nothing with them.
+// Exact. Constant time for edges of similar lengths.
 //
-// A `Curve` tells what is near: holds_near(box, f) whether f(e) for all edges e near a box,
-// source(e) and target(e) the nodes of an edge, position(v) that of a node.
+// A `Curve` finds nearby edges: holds_near(box, f) returns whether f(e) holds for all edges e near
+// a box, source(e) and target(e) return the nodes of an edge, position(v) that of a node.
 //
-// A clearance, which is no part of the proof, may refuse more than contact: distance() is how far
-// it reaches from the triangle, allows_at_a(p) and allows_at_c(p) judge an edge from that corner to
-// p, and allows(p, q) any other edge pq.
+// A clearance, which is not part of the proof, may refuse more than contacts: distance() is its
+// range around the triangle, allows_at_a(p) and allows_at_c(p) test an edge from that corner to p,
+// and allows(p, q) tests any other edge pq.
 
 struct No_clearance
 {

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Inserts a node in the middle of an edge, and returns whether that was certified: the middle is
-// rounded.
+// Inserts a node in the middle of an edge, and returns whether this was certified; the middle is
+// rounded, hence not on the edge.
 template <typename Guard>
 bool halve_edge(Guard& guard, std::size_t e)
 {

@@ -22,11 +22,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Whether a link of several closed components is trivial. A nonzero linking number proves the
-// contrary. Triviality follows if each component is a proved unknot and they can be taken away one
-// after another: a component whose convex hull is disjoint from that of every other one still
-// there, or a triangle that bounds a disk which misses all others. Exact; quadratic in the number
-// of components.
+// Proof that a link of several closed components is trivial. A nonzero linking number proves the
+// contrary. A link is trivial if each component is a proved unknot and the components can be
+// removed one after another: a component whose convex hull is disjoint from those of all remaining
+// ones, or a triangle whose disk misses all others. Exact; quadratic in the number of components.
 template <typename Network>
 class Link_triviality
 {

@@ -27,12 +27,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The linking numbers of closed components: half the sum of the signs of their crossings, seen from
-// a point far outside. Four exact orientation tests decide whether two edges cross there, and a
-// fifth gives the sign of the crossing, so the result is exact. Doubles only propose the
-// candidates, by boxes of the central projection with a margin. If a test is degenerate another
-// viewpoint is taken: that a viewpoint with 53-bit coordinates is coplanar with some edge and node
-// is rare even for curves on a lattice. O(n log n + k) for k candidates.
+// Linking numbers of closed components: half the sum of the signs of their crossings, seen from a
+// point far outside. Four exact orientation tests decide whether two edges cross, and a fifth gives
+// the sign of the crossing; hence the result is exact. Doubles only select the candidates, by boxes
+// of the central projection with a margin. If a test is degenerate, another viewpoint is used; few
+// viewpoints with 53-bit coordinates are coplanar with an edge and a node, even for curves on a
+// lattice. O(n log n + k) for k candidates.
 template <typename Network>
 class Linking_numbers
 {

@@ -21,11 +21,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Looks for a plane that separates the convex hulls of two point sets: Gilbert's iteration (1966)
+// Search for a plane that separates the convex hulls of two point sets: Gilbert's iteration (1966)
 // approaches the shortest vector between the hulls in double arithmetic, and every plane orthogonal
-// to an iterate that looks like separating is checked exactly, with the orientation predicate. A
-// plane that is found is a proof; none may be found for hulls that nearly touch. Linear per
-// iteration.
+// to an iterate that seems to separate them is verified exactly, with the orientation predicate. A
+// plane found is a proof; none may be found for hulls that nearly touch. Linear time per iteration.
 template <typename Traits>
 class Separating_plane
 {

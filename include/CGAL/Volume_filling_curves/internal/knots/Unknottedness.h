@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Proofs about curves that move. Curves change by isotopies only, so a proof, once found, holds for
-// good.
+// Proofs about moving curves. Curves only change by isotopies, so a proof, once found, remains
+// valid.
 template <typename Network>
 class Unknottedness
 {

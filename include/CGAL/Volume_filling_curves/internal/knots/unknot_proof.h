@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// the most edges with which a closed polygon is an unknot for certain (Randell 1994)
+// largest number of edges with which every closed polygon is an unknot (Randell 1994)
 inline constexpr std::size_t edges_of_unknots = 5;
 
 // Why component c is known to be an unknot: a knot has at least 6 edges (Randell 1994) and a total

@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The interval of an edge, or a group of edges, along its component, in terms of a quantity that
-// grows along the curve, such as the arc length or the angle turned so far. With it "too close
-// along the curve to count" is decided for single edges, and in one go for two groups of edges.
+// Interval of an edge, or a group of edges, along its component, in terms of a quantity that grows
+// along the curve, such as arc length or total turning. It decides whether two edges are too close
+// along the curve to count, and does so at once for two groups of edges.
 struct Curve_interval
 {
   static constexpr std::size_t null = static_cast<std::size_t>(-1);

@@ -26,10 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The least of some distance over pairs of edges: branch and bound on a CGAL AABB tree, which is
-// met with itself. A pair of parts of the curve is left as soon as their boxes are as far apart as
-// the best pair, or all of their edges are neighbors. Building takes O(n log n) time; the search is
-// near linear while the neighbors per edge are few, since all else is farther away than the answer.
+// Minimum of a distance over pairs of edges, by branch and bound on a CGAL AABB tree that is
+// intersected with itself. A pair of subtrees is skipped if their boxes are no closer than the best
+// pair, or if all their edges are neighbors. Construction takes O(n log n) time; the search is
+// near-linear if edges have few neighbors, since all other pairs are farther apart than the answer.
 class Least_pair_distance
 {
 public:

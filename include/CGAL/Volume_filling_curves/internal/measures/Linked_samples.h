@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Samples of a domain, joined where they are close and the straight way between them lies inside:
-// those of one set are connected inside the domain for certain, and those of different sets most
-// likely are not, or through a passage that is thinner than the samples are dense. Near linear in
-// the number of samples, which are found by a grid.
+// Samples of a domain, joined where they are close and the segment between them lies inside.
+// Samples of one set are certainly connected inside the domain; samples of different sets are
+// probably not, unless a passage is narrower than the distance between samples. A grid finds close
+// samples. Near-linear time.
 template <typename Domain>
 class Linked_samples
 {

@@ -31,11 +31,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Counts the crossings of a projected curve, in double arithmetic. Each edge is listed in the cells
-// of a uniform grid that it runs through, cells about as large as a mean edge; edges of one cell
-// are tested pair by pair, and a crossing counts in the cell that it lies in. For curves with edges
-// of similar length O(n + k) for k pairs in common cells; at 100,000 nodes several times faster
-// than box_self_intersection_d, since edges are not boxes and all directions share the memory.
+// Counter of the crossings of a projected curve, in double arithmetic. A uniform grid with cells
+// about as large as a mean edge lists the edges through each cell. Edges of one cell are tested
+// pair by pair, and a crossing counts in its own cell. O(n + k) for edges of similar length and k
+// pairs in common cells; at 100,000 nodes several times faster than box_self_intersection_d, since
+// edges fill few cells of their boxes and all directions share the memory.
 class Crossing_counter
 {
 public:

@@ -23,9 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Whether a polygon is the proved end of a search: all components are closed with at most 5 edges,
-// hence unknots (Randell 1994), and if there are several, their link is trivial. Constant time
-// while some component has more edges.
+// Goal of a search: all components are closed with at most 5 edges, hence unknots (Randell 1994),
+// and several components form a trivial link. Constant time while some component has more edges.
 class Search_goal
 {
 public:

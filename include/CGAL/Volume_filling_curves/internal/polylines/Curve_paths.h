@@ -19,10 +19,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A network cut at its ends and junctions into paths, for those who want polylines. A path is a
-// list of nodes; a closed component is one path that repeats its first node at the end. The edges
-// come in the order and direction that they have in the network, so that a reader numbers the nodes
-// as the network does. Linear time.
+// Paths of a network between ends and junctions, for output as polylines. A path is a list of
+// nodes; a closed component is one path that repeats its first node at the end. Edges keep their
+// order and direction, hence a reader numbers the nodes as the network does. Linear time.
 struct Curve_paths
 {
   template <typename Network>

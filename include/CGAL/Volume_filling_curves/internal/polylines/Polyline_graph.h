@@ -26,10 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The points and edges of polylines in memory. Points are numbered in the order of the polylines,
-// but for those that repeat the first point at the end of a closed polyline, and, where junctions
-// are allowed, ends that are at an earlier end: they are no new points. A point that repeats the
-// one before it keeps its number but gets no edge. O(n + k log k) for k polylines with n points.
+// Points and edges of polylines in memory. Points are numbered in the order of the polylines. A
+// last point that closes a polyline is not a new point, and neither is, if junctions are allowed,
+// an end at the position of an earlier end. A point that repeats its predecessor keeps its number
+// but gets no edge. O(n + k log k) for k polylines with n points.
 class Polyline_graph
 {
 public:

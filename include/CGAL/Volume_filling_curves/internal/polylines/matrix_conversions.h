@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Vectors and the rows of matrices as points and edges of a network.
+// Conversion of vectors and rows of matrices to points and edges of a network.
 
 template <typename Traits>
 std::vector<typename Traits::Point_3> to_points(const std::vector<Vector>& vectors,

@@ -23,9 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Kinds of types, for functions that take one polyline, a range of polylines, or something else.
-// A point may be a range itself, of numbers: neither an array of three numbers nor a matrix is a
-// polyline.
+// Type traits for functions that take one polyline, a range of polylines, or another type. A point
+// may itself be a range of numbers: neither an array of three numbers nor a matrix is a polyline.
 
 template <typename T, typename = void>
 struct Range_item

@@ -28,7 +28,7 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// Says why an operation is no isotopy, or makes no sense.
+// Fault of an operation that is not an isotopy, or is malformed.
 struct Refusal : std::runtime_error
 {
   using std::runtime_error::runtime_error;

@@ -23,8 +23,8 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// Reads a certificate from its beginning to its end, compares the curves at both ends with those
-// that are given, and replays what is between. The first thing that is wrong ends it.
+// Verifier of certificates: compares the curves at both ends with the given ones, and replays the
+// operations in between. It stops at the first fault.
 class Certificate_verifier
 {
   using Kind = Certificate_operation::Kind;

@@ -37,9 +37,9 @@ namespace replay {
 
 using Triangle = std::array<Position, 3>;
 
-// The inside of a closed triangle mesh, by an implementation that shares nothing with
-// Triangle_mesh_domain_3: CGAL's AABB tree finds the faces near a box, and what arithmetic with
-// double cannot prove is decided with rational numbers. Logarithmic time per triangle.
+// Inside of a closed triangle mesh, by an implementation that shares no code with
+// Triangle_mesh_domain_3: CGAL's AABB tree finds the faces near a box, and questions that double
+// arithmetic cannot settle are decided with rational numbers. Logarithmic time per triangle.
 class Mesh_enclosure final : public Enclosure
 {
 public:

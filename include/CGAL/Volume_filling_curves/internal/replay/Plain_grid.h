@@ -23,9 +23,9 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// Boxes in the cells of a plain grid, found by hashing the cell, so that a query need not look at
-// all boxes. Two boxes that meet always have a cell in common, since the cell of a coordinate grows
-// with it. Boxes that cover many cells are in a list of their own, which every query looks at.
+// Hashed grid of boxes, for queries that need not visit all boxes. Two boxes that meet have a
+// common cell, since the cell index is monotone in the coordinate. Boxes that cover many cells are
+// in a separate list, which every query visits.
 class Plain_grid
 {
 public:

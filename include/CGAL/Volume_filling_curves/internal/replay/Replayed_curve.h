@@ -25,9 +25,9 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// The curve of a replay: nodes under the numbers that they have in the certificate, edges as pairs
-// of nodes, and a grid of the edges. It does what it is told; whether it may is not decided here.
-// Changes take constant time if edges have similar lengths.
+// Curve of a replay: nodes with their numbers in the certificate, edges as pairs of nodes, and a
+// grid of the edges. It makes every change without a check. Changes take constant time if edges
+// have similar lengths.
 class Replayed_curve
 {
 public:

@@ -23,11 +23,11 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// The questions of a replay, answered in rational arithmetic. They have nothing in common with the
-// predicates of the guard: a segment, written as p + t (q - p), is clipped by half-spaces, whose
-// common part is the set in question, and something is left or not. A triangle is the common part
-// of five half-spaces, a segment or a line of six or more, so that degenerate positions are no
-// special cases. Constant time; some microseconds per question.
+// Intersection tests of a replay, in rational arithmetic, independent of the predicates of the
+// guard: a segment p + t (q - p) is clipped by the half-spaces whose intersection is the other set,
+// and the test is whether anything remains. A triangle is the intersection of five half-spaces, a
+// segment or a line of six or more; degenerate positions need no special cases. Constant time; some
+// microseconds per test.
 
 using Rational = CGAL::Exact_rational;
 using Rational_vector = std::array<Rational, 3>;

@@ -19,12 +19,12 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// Crossings of a ray in direction x with triangles, counted exactly. A ray that meets an edge or a
-// vertex, or runs along a face, counts as moved by (0, e, e^2) with an infinitely small e, which no
-// edge meets: comparisons of coordinates count equality as "not above", and a sign of a determinant
-// that is zero becomes the sign of its change (Edelsbrunner and Muecke 1990). So every ray counts,
-// wherever its source is. Other rays, tried until one meets no edge, need not exist: among
-// coordinates of 2^52 times the size of a mesh a few points only lie beyond it.
+// Exact count of the crossings of a ray in direction x with triangles. A ray that meets an edge or
+// a vertex, or runs along a face, counts as moved by (0, e, e^2) with an infinitesimal e, which
+// misses all edges: comparisons of coordinates count equality as "not above", and a zero
+// determinant gets the sign of its change (Edelsbrunner and Muecke 1990). Hence every ray is valid.
+// Trying rays until one misses all edges could fail: among coordinates of 2^52 times the size of a
+// mesh, few points lie beyond it.
 
 // returns whether the moved source lies, seen along x, where z is less than that of the edge ab
 // with the same y, and the edge has a point with that y

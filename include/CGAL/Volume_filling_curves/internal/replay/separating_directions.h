@@ -22,11 +22,11 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// Quick proofs in double arithmetic that a replay needs no rational numbers: a direction in which
-// two sets keep apart, by more than rounding can explain, proves that they do, wherever the
-// direction has come from. It never proves the contrary. The bound 1e-14 is more than ten times
-// the worst rounding error of the sums below, whatever the rounding mode; where products
-// underflow or overflow nothing is proved. Constant time, some ten nanoseconds.
+// Quick proofs in double arithmetic that spare a replay rational numbers: any direction in which
+// two sets are separated by more than the rounding error proves that they are disjoint. It never
+// proves the contrary. The bound 1e-14 is more than ten times the worst rounding error of the sums
+// below, in any rounding mode; where products underflow or overflow nothing is proved. Constant
+// time, some ten nanoseconds.
 
 inline Position difference(const Position& u, const Position& v)
 {

@@ -25,11 +25,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Changes a curve by certified changes, and brings it back to where its ropelength was least. The
-// way back is certified like the way there; 8,737 of 8,737 random motions went back (2026-11-22),
-// but of several rounds the places in between may be rounded otherwise, so this is looked at.
-// Remembers what was done since the least ropelength only, 24 bytes per node and motion: 28 motions
-// and 0.6 MB for a torus knot of 843 nodes.
+// Rollback of a curve's certified changes to its least ropelength. The motion back is certified
+// like the motion there. All of 8,737 random motions could be undone (2026-11-22); since
+// intermediate positions of several rounds may be rounded differently, each is checked. Only the
+// changes since the least ropelength are stored, 24 bytes per node and motion: 28 motions and 0.6
+// MB for a torus knot of 843 nodes.
 template <typename Guard, typename ConcurrencyTag>
 class Rollback
 {

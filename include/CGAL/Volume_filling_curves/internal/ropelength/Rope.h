@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Closed curves as a rope: the places of their nodes in units of the radius that the rope has,
-// which makes everything that is done to it independent of scale, and the order of the nodes.
+// Closed curves as a rope: the positions of their nodes in units of the rope's radius, which makes
+// the descent independent of scale, and the order of the nodes.
 struct Rope
 {
   // \pre all components of the curve are closed, and there is no garbage

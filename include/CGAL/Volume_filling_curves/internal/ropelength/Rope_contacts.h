@@ -32,11 +32,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The places where a rope touches itself, and pushes itself apart: two edges stay a diameter apart
-// if the rope between them is at least half of a turn of the tightest bend, pi radii long. With
-// less in between it is the curvature that keeps them apart (Schur's comparison theorem). The pairs
-// that could touch are found once for all motions by up to `slack` of a node. Near linear to find,
-// then linear.
+// Contacts of a rope with itself, which push it apart: two edges stay a diameter apart if the rope
+// between them is at least half a turn of the tightest bend, pi radii long. Edges with less rope in
+// between are kept apart by the curvature (Schur's comparison theorem). The pairs that could touch
+// are found once for all motions of nodes by up to `slack`, in near-linear time; each motion then
+// takes linear time.
 class Rope_contacts
 {
 public:

@@ -25,17 +25,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Lowers the ropelength of closed curves: pulls a rope of constant radius tight, which yields where
-// it overlaps or kinks (after Pieranski 1998, shrinking on no overlaps). First with long edges,
-// until the length hardly falls; then with edges half as long, until these are short; at last ever
-// more weakly, so that what the tension presses into one another comes apart.
+// Descent of the ropelength of closed curves: a rope of constant radius is pulled tight, and yields
+// where it overlaps or kinks (after Pieranski 1998, shrinking on no overlaps). It starts with long
+// edges, until the length hardly falls, and continues with edges half as long, until these are
+// short; finally the tension fades, which lets overlaps come apart.
 //
-// That goes on in floating point numbers. Each time that a node has moved by a tenth of the
-// diameter, and every few iterations, the guard takes the curve there, straight and certified: too
-// short a way for strands that are a diameter apart to meet. What is refused the rope takes back.
-// The curve ends where its ropelength, as it is measured, was least on the way, if need be where it
-// started. An iteration is linear in the number of nodes, 0.1 ms for 200; one to five thousand are
-// made.
+// The descent uses floating point arithmetic. Whenever a node has moved by a tenth of the diameter,
+// and every few iterations, the guard moves the curve along, straight and certified, by too short a
+// distance for strands a diameter apart to meet. The rope takes refused motions back. The result is
+// the curve of least measured ropelength during the descent, including its start. An iteration
+// takes linear time, 0.1 ms for 200 nodes; there are one to five thousand.
 template <typename Guard, typename ConcurrencyTag>
 class Ropelength_descent
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The motion of a rope's nodes apart from contacts, by its tension, and by its stiffness
-// where it bends more tightly than its radius allows. Linear.
+// Motion of a rope's nodes apart from contacts: by its tension, and by its stiffness where it bends
+// more tightly than its radius allows. Linear time.
 
 // The tightest bend's turn, and what a polygon needs more: a ring of 12 edges 2 %.
 constexpr double least_length_of_ring = 1.05 * 2 * CGAL_PI;

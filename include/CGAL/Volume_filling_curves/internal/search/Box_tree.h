@@ -27,13 +27,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A CGAL AABB tree over boxes that come in an order in space: that of the edges along a curve, or a
-// `Surface_area_order`. So nothing has to be sorted: every node holds consecutive runs of boxes,
-// half of which go to either child. (To split at the median of the longest axis, CGAL's default,
-// takes longer than all queries for pairs of edges.) A leaf of CGAL's tree is a run, whose boxes
-// lie next to each other in an array. Building takes O(n log n) unions of boxes, 17 ns per box for
-// 100,000 (kernel_broad_phase). Queries walk over parts: `Nearest_pair_descent`,
-// `Nearest_first_descent`.
+// CGAL AABB tree over boxes that are already in spatial order: that of the edges along a curve, or
+// a `Surface_area_order`. Nothing is sorted: every node holds consecutive runs of boxes, and each
+// child gets half of them. (CGAL's default, a split at the median of the longest axis, takes longer
+// than all queries for pairs of edges.) A leaf of CGAL's tree is a run, whose boxes are adjacent in
+// an array. Construction takes O(n log n) unions of boxes, 17 ns per box for 100,000
+// (kernel_broad_phase). Queries descend by `Nearest_pair_descent` and `Nearest_first_descent`.
 class Box_tree
 {
   using Kernel = CGAL::Simple_cartesian<double>;

@@ -27,10 +27,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Finds the pairs of edges that could meet or come close during a motion: those whose swept boxes,
-// inflated by half the margin, overlap. The boxes stand in a CGAL AABB tree, which is met with
-// itself. Along a curve whose edges are alike this takes O(n log n + k) time for k pairs, 40 ns per
-// edge (kernel_broad_phase, 2026-11-22).
+// Broad phase of a motion: finds pairs of edges that could meet or come close, whose swept boxes,
+// inflated by half the margin, overlap. A CGAL AABB tree of the boxes is intersected with itself.
+// For edges of similar length this takes O(n log n + k) time for k pairs, 40 ns per edge
+// (kernel_broad_phase, 2026-11-22).
 class Broad_phase
 {
 public:

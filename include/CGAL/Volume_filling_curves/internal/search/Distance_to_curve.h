@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The distance of a point to a curve. The edges are kept as pairs of points in the order of the
-// leaves of a tree. Built in O(n log n) time; a query takes O(log n) near the curve.
+// Distance from a point to a curve. The edges are stored as pairs of points in the order of a
+// tree's leaves. Construction takes O(n log n) time, a query O(log n) near the curve.
 class Distance_to_curve
 {
 public:

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// returns the squared distance of p to the box, 0 inside, as `entry()` of queries for distances
+// Returns the squared distance from p to the box, 0 inside, the `entry()` of distance queries.
 inline double squared_distance_to_box(const Vector& p, const Bbox_3& box)
 {
   const auto gap = [](double low, double x, double high) {

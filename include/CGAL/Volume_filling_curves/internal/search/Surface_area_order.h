@@ -28,16 +28,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// An order of boxes, however uneven, and its division into runs, that make a `Box_tree` fast.
-// CGAL's AABB tree gives each child half of the runs, but runs of different lengths let a child
-// have few boxes or many: long boxes part from short ones, whose hulls they would blow up. A part
-// is divided by the plane that leaves the least surface times boxes (Goldsmith and Salmon 1987)
-// among those that leave each side room for its boxes. O(n log n) time, O(log n) depth.
+// Order of boxes of any sizes, and its division into runs, that make a `Box_tree` fast. CGAL's AABB
+// tree gives each child half of the runs, but runs of different lengths let a child have few or
+// many boxes: long boxes are separated from short ones, whose hulls they would enlarge. A set is
+// divided by the plane with the least surface area times number of boxes (Goldsmith and Salmon
+// 1987) among those that leave enough runs for each side's boxes. O(n log n) time, O(log n) depth.
 //
-// Whole fillings, compared with a tree of our own that is divided by that plane without any
-// constraint: nine domains 0.96 to 1.05 of the time, CAD meshes of slivers (79741, 88566, 520644 of
-// Thingi10k) 1.06, 1.04 and 1.33; with runs of equal lengths, divided at the
-// median, 1.25, 2.2, 1.85.
+// Time of whole fillings, relative to a tree of our own divided by that plane without any
+// constraint: 0.96 to 1.05 on nine domains, and 1.06, 1.04 and 1.33 on CAD meshes of slivers
+// (79741, 88566, 520644 of Thingi10k). With runs of equal lengths, divided at the median, the
+// latter are 1.25, 2.2 and 1.85.
 class Surface_area_order
 {
 public:

@@ -22,14 +22,14 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The thickness with which a curve is untangled: the 25th percentile of its medial radii over all
-// (node, direction) pairs, those that touch nothing counting as infinite. Scale-free, and measured
-// on the curve sampled at a fifth of the result, so that it does not depend on how the input is
-// divided into edges. (The median jams Freedman-He-Wang's unknot, the 35th percentile some
-// trefoils.) Strands that nearly coincide do not make it arbitrarily small: the number of samples
-// is limited; and since at junctions strands are close together whatever the thickness, networks of
-// many nodes get about four times as many at most (one of 2,146 nodes got 22,253). Near-linear: the
-// cap of the radii grows from the samples' spacing until a quarter touches.
+// Default thickness for untangling: the 25th percentile of a curve's medial radii over all (node,
+// direction) pairs, where spheres that touch nothing count as infinite. It is independent of scale,
+// and of the division into edges, since the curve is sampled at a fifth of the result. (The median
+// jams Freedman-He-Wang's unknot, the 35th percentile some trefoils.) The limited number of samples
+// keeps nearly coincident strands from making it arbitrarily small. At junctions strands are close
+// whatever the thickness; networks of many nodes therefore get at most about four times as many
+// (one of 2,146 nodes got 22,253). Near-linear time: the cap of the radii grows from the samples'
+// spacing until a quarter of the spheres touch.
 template <typename Network, typename ConcurrencyTag>
 class Default_thickness
 {

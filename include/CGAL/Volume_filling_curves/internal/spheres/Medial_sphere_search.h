@@ -30,16 +30,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Finds the medial spheres of a curve: neighbors of the nodes -> support function of their images
-// under inversion -> radii. (The paper bisects each radius, with a query for the nearest node at
-// every step.) One look at the nodes within reach of the largest sphere of a node serves all of its
-// directions. How large that is, is known beforehand but for little: the nodes that the spheres of
-// the last node on the curve touch are obstacles to this one's, too, and what the boundary leaves
-// of them is found before the nodes. None of this changes the result: the spheres of a node are the
-// same bits if it is asked for alone.
+// Search for the medial spheres of a curve: neighbors of the nodes -> support function of their
+// images under inversion -> radii. (The paper bisects each radius, with a query for the nearest
+// node at every step.) One visit of the nodes within reach of a node's largest sphere serves all of
+// its directions. The size of this sphere is known closely beforehand: the nodes that the spheres
+// of the preceding node touch are also obstacles here, and the boundary limits the spheres before
+// the nodes do. None of this changes the result: the spheres of a node have the same bits in a
+// query for this node alone.
 //
 // If r_max is much larger than the thickness, as while a curve fills a volume, most spheres are
-// still small: they are sought with a small cap first, which is doubled for the nodes with a sphere
+// still small. They are first searched with a small cap, which is doubled for nodes with a sphere
 // that reaches it.
 template <typename ConcurrencyTag, typename BoundaryLimit = No_boundary_limit>
 class Medial_sphere_search

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// N unit vectors of a plane, all around.
+// Directions: N evenly spaced unit vectors of a plane.
 struct Circle_directions
 {
   std::vector<double> cosine, sine;

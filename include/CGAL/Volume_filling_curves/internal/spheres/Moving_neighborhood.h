@@ -22,12 +22,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The nodes of a ball, out of which those are sifted that a circle can touch: they lie in one of
-// the spheres of some diameter D through the circle's node with their centers in its plane. At d
-// from the node, of which h is across the plane,
-//   |d|^2 <= D sqrt(|d|^2 - h^2).
-// In a filling most do not. All are looked at, so that is done in single precision, four at a time,
-// with a margin for the rounding.
+// Prefilter of the nodes of a ball for those that the spheres of a circle can touch: they lie in
+// one of the spheres of diameter D through the circle's node with centers in its plane. For a node
+// at d, with the component h orthogonal to the plane, |d|^2 <= D sqrt(|d|^2 - h^2). In a filling
+// most nodes fail. All nodes are tested, hence in single precision, four at a time, with a margin
+// for rounding.
 class Node_prefilter
 {
 public:

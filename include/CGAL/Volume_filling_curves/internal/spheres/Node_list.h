@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Some nodes and where they are, one array for each coordinate.
+// List of nodes and their positions, one array per coordinate.
 class Node_list
 {
 public:

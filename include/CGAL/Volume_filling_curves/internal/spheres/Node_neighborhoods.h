@@ -31,11 +31,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The nodes near a point, from a CGAL kd-tree over node indices. Of coincident nodes the tree holds
-// one only: more than a bucketful of them degenerates it (before CGAL 6.2). Who asks computes with
-// all that he gets, several nodes at a time, so that it is faster to hand out the leaves that a
-// ball meets than to look at their nodes; for that the nodes are kept in the order of the leaves.
-// O(n log n) to build; queries of a built tree are safe in parallel.
+// Nodes near a point, from a CGAL k-d tree over node indices. The tree holds only one of several
+// coincident nodes: more of them than fit into a bucket degenerate it (before CGAL 6.2). Callers
+// process all returned nodes, several at a time; returning all leaves that meet a ball is faster
+// than testing their nodes. Nodes are therefore stored in the order of the leaves. O(n log n) time
+// to build; queries of a built tree are safe in parallel.
 class Node_neighborhoods
 {
 public:

@@ -21,16 +21,15 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The search for the medial spheres of node i, turned into arithmetic: under inversion at the
-// node another node j, at d_j = node_j - node_i, goes to the image 2 d_j / |d_j|^2, and the sphere
-// with its center in direction x_l is free as long as
-//   1 / R >= max over j of x_l . 2 d_j / |d_j|^2,
-// which is the support function of the images. Only their projections to the plane of the
-// directions matter. Everything is in units of the thickness. One array for each coordinate, so
-// that loops take several nodes, or directions, at a time. Linear in the number of nodes times N.
+// Support function of the images of nodes under inversion, which gives the medial spheres of node
+// i: another node j, at d_j = node_j - node_i, has the image 2 d_j / |d_j|^2, and the sphere with
+// its center in direction x_l is free if 1 / R >= max over j of x_l . 2 d_j / |d_j|^2. Only the
+// projections of the images to the plane of the directions matter. Lengths are in units of the
+// thickness. One array per coordinate lets loops process several nodes, or directions, at a time.
+// Linear in the number of nodes times N.
 //
-// The support in a direction is at least what it is bounded by beforehand. The higher these bounds,
-// the fewer nodes have to be added: none matters whose image is within the circle of the least.
+// Known lower bounds of the support initialize each direction. The higher these bounds, the fewer
+// nodes must be added: images within the circle of the lowest bound do not matter.
 class Support_function
 {
 public:

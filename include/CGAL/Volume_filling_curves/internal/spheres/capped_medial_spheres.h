@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The medial spheres of a curve up to the radius `largest`, as measures need them: the thickness
-// does not matter.
+// Medial spheres of a curve up to the radius `largest`, for measures, which do not depend on a
+// thickness.
 template <typename ConcurrencyTag, typename Network>
 Medial_spheres capped_medial_spheres(const Network& curve,
                                      double largest,

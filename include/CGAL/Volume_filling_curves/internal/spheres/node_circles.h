@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The circle of directions orthogonal to the curve at a node, in which medial spheres are sought.
-// The first direction points to where the curve bends, so that the directions turn with the curve
-// and are symmetric where it is.
+// Circle of directions orthogonal to the curve at a node, for its medial spheres. The first
+// direction points to the inside of the bend: the directions rotate with the curve and share its
+// symmetry.
 struct Node_circle
 {
   std::size_t node;

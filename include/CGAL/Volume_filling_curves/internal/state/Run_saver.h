@@ -39,8 +39,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The fingerprint of a run: lines with the version, the kind of run, all parameters but those that
-// say when it ends, and hashes of curves and domain. A run resumes only if all of it is the same.
+// Fingerprint of a run: lines with the version, the kind of run, all parameters except those that
+// end a run, and hashes of curves and domain. A run resumes only if all lines match.
 
 template <typename Value, typename = void>
 constexpr bool is_printable = false;

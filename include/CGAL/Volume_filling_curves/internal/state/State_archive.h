@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Copies numbers, plain structs and arrays of them to bytes, or back from them, as they are in
-// memory. Structs have neither pointers nor members of type `bool` or `std::optional`, which not
-// all bytes are values of. (Boost.Serialization is a library to be linked.) Linear time.
+// Archive that copies numbers, plain structs and arrays of these to bytes and back, as they are in
+// memory. Structs must not have pointers, or members of type `bool` or `std::optional`, for which
+// some bytes are invalid. (Boost.Serialization would have to be linked.) Linear time.
 class State_archive
 {
 public:

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A partition of 0, 1, ..., n - 1, each set represented by its smallest element. Path halving
-// alone: O(log n) amortized per operation.
+// Partition of 0, 1, ..., n - 1, with each set represented by its smallest element. Path halving
+// only: O(log n) amortized per operation.
 class Disjoint_sets
 {
 public:

@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Leaves loops that cannot return early, see Run_watch::check(). It never leaves a public function.
+// Exception that ends loops that cannot return early, see Run_watch::check(). No public function
+// throws it.
 struct Run_stopped
 {};
 

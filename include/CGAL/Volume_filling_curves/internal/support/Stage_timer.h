@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Adds the time of its life to a stage's seconds.
+// Timer that adds its lifetime to the seconds of a stage.
 class Stage_timer
 {
 public:

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The concepts, checked where a type comes in: a class that is no model is refused by a sentence
-// that names the concept and the member. Each check returns true.
+// Compile-time checks of concepts at the entry of a type: a class that is not a model is refused
+// with a message that names the concept and the member. Each check returns true.
 
 // Whether a use compiles: a generic lambda whose return type is that of what is to be possible.
 template <typename... Ts, typename Use>

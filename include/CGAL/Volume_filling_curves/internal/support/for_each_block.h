@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Calls f(begin, end) for consecutive blocks of at most `block` indices that cover [0, n), in
-// parallel if asked to. The blocks depend on n only, so that whatever f writes per index or per
-// block is the same for every number of threads. Throws Run_stopped before a block if the thread is
-// in a run that is to stop, see Watched_scope: f must leave nothing half done.
+// Loop that calls f(begin, end) for consecutive blocks of at most `block` indices that cover [0,
+// n), in parallel with a parallel tag. The blocks only depend on n: results of f per index or per
+// block are the same for any number of threads. Throws Run_stopped before a block if the run of the
+// thread is to stop, see Watched_scope: f must leave nothing half done.
 template <typename ConcurrencyTag, typename Function>
 void for_each_block(std::size_t n, std::size_t block, const Function& f)
 {

@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Cuts a text into records and words without copying. A record is a line that may be continued with
-// a backslash at its end; a word that starts with # and everything after it is a comment. Lines end
-// with LF, CR LF or CR, the last one also with the text; a UTF-8 byte order mark is skipped.
-// Linear time.
+// Scanner that divides a text into records and words without copying. A record is a line, which a
+// backslash at its end continues; a comment extends from a word that starts with # to the end of
+// the line. Lines end with LF, CR LF or CR, the last one also with the text; a UTF-8 byte order
+// mark is skipped. Linear time.
 class Text_scanner
 {
 public:

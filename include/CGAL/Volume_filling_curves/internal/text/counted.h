@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// returns the number and the noun, such as "1 vertex" or "2 vertices"
+// Returns the number and the noun, such as "1 vertex" or "2 vertices".
 inline std::string counted(std::size_t number,
                            const std::string& singular,
                            const std::string& plural)

@@ -16,10 +16,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Tells while a curve that untangles is to flow coarsely, with longer edges and longer steps than
-// asked for: as long as it gets shorter fast. Nearly all of the work is done there, and fewer nodes
-// take less time; but tight strands rattle on long edges, so that a coarse flow hardly converges
-// (8 knots of 24 with edges of at least 0.5 r all the time, 2026-11-23).
+// Coarse phase of a flow, with longer edges and longer steps than required, while the curve shrinks
+// fast. Nearly all of the work is done in this phase, and fewer nodes take less time; but tight
+// strands with long edges oscillate, and a coarse flow hardly converges (8 knots of 24 with edges
+// of at least 0.5 r all the time, 2026-11-23).
 class Coarse_phase
 {
 public:

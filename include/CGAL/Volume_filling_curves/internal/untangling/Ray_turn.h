@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A ball around a curve. A straight ray that starts inside it is long enough to leave it in any
+// Ball around a curve. A closing ray that starts inside is long enough to leave it in any
 // direction.
 struct Ball
 {

@@ -19,11 +19,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A tight curve that may well be an unknot has not got there: the flow lingers on plateaus, where
-// the gradient is small and as uniform as on tight knots. With the paper's preconditioner Ochiai's
-// fourth unknot, with a thickness of 0.0336, lingers at 91 crossings from iteration 233 on and is
-// untied in iteration 1012. So the flow goes on until the curve is untied or it has lingered for
-// too long.
+// Suspected unknot: a tight curve that may be an unknot is not yet done. The flow lingers on
+// plateaus, where the gradient is as small and uniform as on tight knots. With the paper's
+// preconditioner and a thickness of 0.0336, Ochiai's fourth unknot lingers at 91 crossings from
+// iteration 233 on and is untied in iteration 1012. So the flow continues until the curve is untied
+// or has lingered for too long.
 class Suspected_unknot
 {
 public:

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The parts of a run that all of its strategies share.
+// Parts of a run that all strategies share.
 template <typename Guard, typename Visitor>
 struct Untangling_context
 {

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The result of a user's direction field: three numbers, made from an array of them or from any
-// vector with members x(), y() and z(), such as one of CGAL's or Eigen's.
+// Result of a user's direction field: three numbers, converted from an array or from any vector
+// with members x(), y() and z(), such as CGAL's or Eigen's.
 struct Field_vector : std::array<double, 3>
 {
   using Array = std::array<double, 3>;

@@ -19,8 +19,8 @@ namespace Volume_filling_curves {
  * \brief The fit of a thickness to a domain: whether the domain is wide enough for it.
  *
  * A domain is too thin for r at a point if no ball of radius 0.8 r inside the domain has its center
- * within r of the point: a curve of that thickness withdraws from it. Estimated from 300 samples;
- * NaN if there was no time for it.
+ * within 1.5 r of the point: a curve of that thickness withdraws from it. Estimated from 300
+ * samples; NaN if there was no time for it.
  */
 struct Thickness_fit
 {
