@@ -73,7 +73,7 @@ private:
   void add(const std::string& input)
   {
     const std::string name = name_without_ending(input);
-    if(!is_utf_8(input)) add_error("name that is not UTF-8", m_line, "reports cannot tell it");
+    if(!is_utf_8(input)) add_error("name that is not UTF-8", m_line, "reports cannot contain it");
     reserve_files(input, name);
     if(is_in_folder(input, m_folder))
       add_error("input in the folder of results", m_line, input + " is in " + m_folder);

@@ -38,11 +38,11 @@ void check_folder(const fs::path& folder, const fs::path& results, bool may_over
   fs::create_directory(folder, error);
   const bool is_filled = !error && !fs::is_empty(folder, error);
   if(error)
-    throw Usage_error("--output: " + folder.string() + ": is no folder: " + error.message());
+    throw Usage_error("--output: " + folder.string() + ": is not a folder: " + error.message());
   if(is_filled && !fs::exists(results) && !may_overwrite)
     throw Usage_error("--output: " + folder.string() +
-                      ": is not empty, and holds no results.jsonl of a batch; --force overwrites "
-                      "what is there");
+                      ": is not empty, and contains no results.jsonl of a batch; --force "
+                      "overwrites existing files");
 }
 
 // What a process that was killed could not complete.

@@ -94,7 +94,7 @@ Defects find_defects(Session& session, const Check_options& options)
   const bool has_second = !options.mesh.empty();
   const bool has_domain = options.certificate.empty() ? has_second : !options.domain.empty();
   if(!options.obstacles.empty() && !has_domain)
-    throw Usage_error("--obstacle: is for MESH, and with --certificate for --domain");
+    throw Usage_error("--obstacle: needs MESH, or --domain with --certificate");
   if(!options.certificate.empty()) {
     if(!has_second) throw Usage_error("--certificate: needs two curves, START and END");
     return defects_of_certificate(
@@ -103,7 +103,7 @@ Defects find_defects(Session& session, const Check_options& options)
         options.reading);
   }
   if(!options.domain.empty())
-    throw Usage_error("--domain: is for --certificate; a curve is checked with FILE MESH");
+    throw Usage_error("--domain: needs --certificate; to check a curve use FILE MESH");
   const bool is_mesh = is_mesh_file(options.file);
   if(is_mesh && has_second)
     throw Usage_error("FILE: " + options.file + ": is a surface, but " + options.mesh +
@@ -146,13 +146,13 @@ void add_check_command(Command_line& command_line)
            ".pdb, or a surface, .off, .obj, .ply or .vtp with faces, or .stl")
       .required();
   add_mesh(command, options->mesh)
-      .description("a surface; the curve FILE must lie strictly inside of it");
+      .description("a surface; the curve FILE must lie strictly inside");
   add_reading_flags(command, options->reading);
   add_file(command, "--certificate", options->certificate,
-           "the record of a run: replay it, with the curves at its start and its end for FILE and "
+           "record of a run, to be replayed with its start curve for FILE and its end curve for "
            "MESH");
   add_file(command, "--domain", options->domain,
-           "a surface that the curve must not have left while it moved; with --certificate");
+           "surface in which the curve must have stayed; with --certificate");
   add_obstacle_option(command, options->obstacles);
   command.footer("Prints a line per defect: FILE:LINE: error|warning: KIND: message (nodes i j).\n"
                  "Exit status: 0 no error found, 4 errors found or the certificate rejected.");

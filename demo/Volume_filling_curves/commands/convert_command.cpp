@@ -53,7 +53,7 @@ void convert_to_tube(Session& session, const Convert_options& options, const Cur
   const double thickness = curves::polygonal_thickness(curve);
   if(options.radius >= thickness)
     session.console().warn(
-        "--tube: the surface may meet itself, since the radius is not less than " +
+        "--tube: the surface may intersect itself, since the radius is not less than " +
         to_text(thickness) + ", the polygonal thickness");
   write_tube(options.output, mesh);
   session.report()["radius"] = options.radius;
@@ -141,25 +141,23 @@ void add_convert_command(Command_line& command_line)
       .capture_default_str()
       ->needs(&tube);
   add_number(command, "--thickness", options->thickness,
-             "r, in the input's unit: .ply and .vtp tell the medial radii, capped at 2 r")
+             "r, in the input's unit; .ply and .vtp then contain medial radii, capped at 2 r")
       .type_name("R")
       ->excludes(&tube);
   add_reading_flags(command, options->reading);
   command.footer(
-      "Coordinates keep all their digits; with .ply, .vtp and .obj also pinned nodes are kept, "
-      "and\n"
-      "the order of nodes in networks. .ply and .vtp tell of each node\n"
+      "Coordinates keep all digits; .ply, .vtp and .obj files also keep pinned nodes, and the "
+      "order\n"
+      "of nodes in networks. For each node, .ply and .vtp files contain\n"
       "  origin     its number in CURVE, from 0\n"
-      "  component  from 0\n"
+      "  component  the number of its component, from 0\n"
       "  curvature  the reciprocal of the bend radius, 0 at ends\n"
-      "  radius     with --thickness: mean of the medial radii\n"
-      "A mesh keeps the order of its vertices, and is written as it is, in .off, .obj or .ply: "
-      "the\n"
-      "corners of .stl files are numbered as they come first, and values per vertex, as of\n"
-      "vfc fill --thickness-field, have that order.\n"
-      "The surface of a tube is closed and oriented to the outside, and does not meet itself if R "
-      "is\n"
-      "less than the polygonal thickness that vfc measure tells. There is none around junctions.");
+      "  radius     with --thickness: the mean of the medial radii\n"
+      "A mesh is written unchanged, in .off, .obj or .ply, with its order of vertices: corners of\n"
+      ".stl files are numbered by first occurrence. Values per vertex, as for\n"
+      "vfc fill --thickness-field, have the same order.\n"
+      "The surface of a tube is closed and oriented outward. It does not intersect itself if R is\n"
+      "less than the polygonal thickness that vfc measure reports. Junctions have no tube.");
 }
 
 } // namespace vfc

@@ -124,12 +124,12 @@ void add_options_of_pictures(CLI::App& command, Picture_options& picture)
               {"radius", Coloring::RADIUS},
               {"curvature", Coloring::CURVATURE},
               {"thickness", Coloring::THICKNESS}},
-             "what the color tells: component, or with a scale arclength, radius, curvature or "
-             "thickness; see below")
+             "quantity shown by the color: component or, with a scale, arclength, radius, "
+             "curvature or thickness; see below")
       .group(group);
   add_parsed(command, "--view", picture.direction, parse_direction,
-             "where it is seen from: a direction x,y,z or azimuth,elevation in degrees, y up; "
-             "default: from where it covers least of itself, with MESH 0.45,0.35,1",
+             "viewing direction x,y,z, or azimuth,elevation in degrees, y up; default: where the "
+             "curve hides least of itself, with MESH 0.45,0.35,1",
              "a direction x,y,z or azimuth,elevation with an elevation from -90 to 90")
       .type_name("VIEW")
       ->group(group);
@@ -140,19 +140,19 @@ void add_options_of_pictures(CLI::App& command, Picture_options& picture)
       ->type_name("N|WxH")
       ->group(group);
   add_parsed(command, "--cut", picture.cut, parse_plane,
-             "a plane such as x=0.5, or a,b,c,d for a x + b y + c z = d, in the input's unit: "
-             "what is on the viewer's side of it is left out",
+             "plane such as x=0.5, or a,b,c,d for a x + b y + c z = d, in the input's unit; "
+             "everything on the viewer's side is left out",
              "a plane x=0.5, y=0.5, z=0.5 or a,b,c,d")
       .type_name("PLANE")
       ->group(group);
   add_number(command, "--tube", picture.tube,
-             "radius of the tube, of a film at its start, in the input's unit; default: what suits "
+             "radius of the tube, for a film the initial one, in the input's unit; default: suits "
              "the picture")
       .type_name("R")
       ->group(group);
   command
       .add_flag("--labels", picture.has_labels,
-                "numbers of nodes in file order from 1, as many as there is room for")
+                "write numbers of nodes, in file order from 1, where space allows")
       ->group(group);
 }
 
@@ -187,14 +187,12 @@ void add_draw_command(Command_line& command_line)
       "\n"
       "Colors, whose numbers are in the input's unit:\n"
       "  arclength   length along the component, from its first node\n"
-      "  radius      mean of the node's medial radii: how far away other strands are, the "
-      "thickness\n"
-      "              that untangle takes by itself counting twice at most\n"
+      "  radius      mean of the node's medial radii: the distance of other\n              "
+      "strands, capped at twice the default thickness of untangle\n"
       "  curvature   reciprocal of the bend radius of the node\n"
-      "  thickness   radius of the thickest tube that neither kinks at the node nor meets a "
-      "strand\n"
-      "              there, with the same limit\n"
-      "The scale holds all but the least and the largest hundredth of the numbers.\n"
+      "  thickness   radius of the thickest tube that neither kinks at the node nor meets a\n      "
+      "        strand there, with the same cap\n"
+      "The scale covers all values except the lowest and the highest hundredth.\n"
       "\n"
       "A film is one file, which a browser plays without a network. It needs three.js, Debian's\n"
       "libjs-three or npm's three@0.149, when it is written.");

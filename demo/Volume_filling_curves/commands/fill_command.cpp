@@ -181,11 +181,11 @@ void add_fill_command(Command_line& command_line)
   command.footer(
       "The curve grows until about 80 % of the inside is within r of it and 99 % within 2 r; it\n"
       "never leaves MESH and never passes through itself. SIGINT and SIGTERM stop the run\n"
-      "and write the curve as it is; a second one ends at once.\n"
-      "Each connected part of the inside that is wide enough gets a curve of its own, unless\n"
+      "and write the current curve; a second one ends at once.\n"
+      "Each connected part of the inside that is wide enough gets its own curve, unless\n"
       "--curve is given. If more than 1 % of the inside ends farther than 2 r from the curve, the\n"
-      "status is partial, and the last line says why.\n"
-      "Exit status: 0 converged, 2 partial, a limit was reached, or not the length, 3 stalled,\n"
+      "status is partial, and the last line gives the reason.\n"
+      "Exit status: 0 converged, 2 partial, limit reached, or length not reached, 3 stalled,\n"
       "5 interrupted.");
 }
 

@@ -141,7 +141,7 @@ void add_generate_command(Command_line& command_line)
                    100000000)
       .capture_default_str();
   add_whole_number(command, "--seed", options->seed,
-                   "seed: of a knot it gives the orientation in space, 0 none", 0)
+                   "seed; for a knot, of its rotation in space, where 0 means none", 0)
       .capture_default_str();
   const int most = 10000;
   command.add_option("--p", options->p, "torus-knot: times around the axis, 1 or more")
@@ -150,14 +150,14 @@ void add_generate_command(Command_line& command_line)
       ->type_name("N");
   command
       .add_option("--q", options->q,
-                  "torus-knot: times around the core, its sign is the crossings'")
+                  "torus-knot: times around the core; its sign is that of the crossings")
       ->check(CLI::Range(-most, most).description(""))
       ->capture_default_str()
       ->type_name("N");
   command
       .add_option("--word", options->word,
-                  "braid: the word, closed to a link; i exchanges the strands i and i + 1, -i the "
-                  "other way round")
+                  "braid: the word of the closed braid; i exchanges the strands i and i + 1, -i "
+                  "with a negative crossing")
       ->type_name("\"1 -2 1\"");
   add_whole_number(command, "--moves", options->moves,
                    "hard-unknot: certified random moves that tangle a circle", 0, 100000000)

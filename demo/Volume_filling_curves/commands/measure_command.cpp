@@ -105,10 +105,10 @@ void add_measure_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Measure_options>();
   CLI::App& command =
-      command_line.add_command("measure", "what a curve is like, also in a mesh",
+      command_line.add_command("measure", "measure a curve, also inside a mesh",
                                [options](Session& session) { return measure(session, *options); });
   add_curve(command, options->file);
-  add_mesh(command, options->mesh).description("a surface that the curve is meant to fill");
+  add_mesh(command, options->mesh).description("a surface that the curve should fill");
   add_number(command, "--thickness", options->thickness,
              "r, in the input's unit: segments within pi r of each other along the curve do not "
              "count for min_clearance; needed for medial_radius and empty_regions")
@@ -116,7 +116,8 @@ void add_measure_command(Command_line& command_line)
   add_seed_option(command, options->seed, "of the samples in MESH");
   add_reading_flags(command, options->reading);
   command.footer(
-      "Prints the keys of the report, - for what does not apply. Lengths are in the input's unit,\n"
+      "Prints the keys of the report, with - if a key does not apply. Lengths are in the input's "
+      "unit,\n"
       "curvatures in its reciprocal, angles in radians.\n"
       "  total_curvature      sum of the turning angles; 2 pi for a circle\n"
       "  min_bend_radius      least bend radius of a corner, 1 / max_curvature\n"
@@ -127,7 +128,7 @@ void add_measure_command(Command_line& command_line)
       "With MESH:\n"
       "  outside_segments     segments with a point on or beyond the surface, counted exactly\n"
       "  coverage             distances of samples of the inside to the curve, in units of r\n"
-      "  empty_region         center and volume of a part that is farther than 2 r from the curve");
+      "  empty_region         center and volume of a region farther than 2 r from the curve");
 }
 
 } // namespace vfc

@@ -56,7 +56,7 @@ void add_repair_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Repair_options>();
   CLI::App& command =
-      command_line.add_command("repair", "make a mesh closed and free of self-intersections",
+      command_line.add_command("repair", "close a mesh and remove its self-intersections",
                                [options](Session& session) { return repair(session, *options); });
   add_mesh(command, options->mesh)
       .required()
@@ -69,20 +69,19 @@ void add_repair_command(Command_line& command_line)
       "default: a fiftieth of the diagonal")
       .type_name("A");
   add_number(command, "--time-limit", options->mending.time_limit,
-             "after which it ends without a result; default: none", not_negative)
+             "time after which the run ends without a result; default: none", not_negative)
       .type_name("SECONDS");
   add_obstacle_option(command, options->obstacles)
-      .description("a closed surface, of any orientation, that is taken away from the inside: a "
-                   "cavity, or cut out if it crosses the mesh; several take the option several "
-                   "times");
+      .description("closed surface, of any orientation, to subtract from the inside: a cavity, or "
+                   "cut out if it crosses the mesh; repeat the option for several obstacles");
   command.footer(
       "Drops degenerate and repeated faces and small sheets, closes holes, cuts out\n"
-      "self-intersections and unites shells that overlap. Only if that is not enough, a new\n"
-      "surface is wrapped around all faces. Prints a line for each thing that was done, and how\n"
-      "far the surface has moved. Equal inputs give equal meshes.\n"
-      "Shells that are turned inside out and overlap others are cavities, and are cut out.\n"
-      "Exit status: 0 the mesh is one that vfc fill accepts, 2 the time limit was reached, 4 it\n"
-      "cannot be mended, 5 interrupted.");
+      "self-intersections and unites overlapping shells. Only if that is not enough, a new\n"
+      "surface is wrapped around all faces. Prints a line for each repair, and how far "
+      "the\nsurface moved. Equal inputs give equal meshes.\n"
+      "Shells that are oriented inward and overlap others are cavities, and are cut out.\n"
+      "Exit status: 0 vfc fill accepts the mesh, 2 the time limit was reached, 4 the mesh cannot "
+      "be\nmended, 5 interrupted.");
 }
 
 } // namespace vfc

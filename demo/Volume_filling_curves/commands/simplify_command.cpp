@@ -93,15 +93,15 @@ void add_simplify_command(Command_line& command_line)
   add_curve(command, options->file);
   add_curve_output(command, options->output);
   add_file(command, "--certificate", options->certificate,
-           "the record of all certified changes, to be verified by vfc check --certificate");
+           "record of all certified changes, for vfc check --certificate");
   add_file(command, "--map", options->map,
            "for each node of the result, a line with its number in CURVE");
   add_number(command, "--max-distance", options->parameters.max_distance,
-             "how far the result may be from the input, in the input's unit; default: any distance",
+             "largest distance of the result from the input, in the input's unit; default: none",
              not_negative)
       .type_name("D");
   add_number(command, "--clearance", options->parameters.clearance,
-             "what edges without a common node keep as distance, in the input's unit", not_negative)
+             "distance that edges without a common node keep, in the input's unit", not_negative)
       .capture_default_str()
       ->type_name("C");
   add_curve_options(command, options->curve);

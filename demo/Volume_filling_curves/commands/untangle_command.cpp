@@ -151,7 +151,7 @@ int run(Session& session, const Untangle_options& options)
   if(!options.domain.empty()) {
     session.add_input(options.domain);
     if(options.parameters.strategy == Untangling_strategy::SEARCH)
-      throw Usage_error("--domain: only for the strategy flow, since tighten does not know it");
+      throw Usage_error("--domain: needs --strategy flow, since tighten ignores domains");
   }
   plan_outputs(session.outputs(), options);
   plan_checkpoints(session, options.saving);
@@ -188,7 +188,7 @@ void add_untangle_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Untangle_options>();
   CLI::App& command = command_line.add_command(
-      "untangle", "bring a knot or link to its simplest shape by certified motion",
+      "untangle", "bring a knot or link to a short and simple shape by certified motion",
       [options](Session& session) { return run(session, *options); });
   add_untangle_options(command, *options);
   add_batch_options(command, *command.get_option("CURVE"),
@@ -197,10 +197,9 @@ void add_untangle_command(Command_line& command_line)
                      {&options->certificate, &options->film.map, &options->film.frames}},
                     command_line);
   command.footer(
-      "The curve moves until it is proved to be unknotted, or is tight, or gets nowhere; it never\n"
-      "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run "
-      "and\n"
-      "write the curve as it is; a second one ends at once.\n"
+      "The curve moves until it is proved unknotted, is tight, or stops making progress; it never\n"
+      "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run\n"
+      "and write the current curve; a second one ends at once.\n"
       "Exit status: 0 unknotted or converged, 2 a limit was reached, 3 stalled, 5 interrupted.");
 }
 

@@ -123,7 +123,7 @@ void Output_files::add_folder(const std::string& option,
     const bool has_name = folder.has_filename();
     return check_writable(option, has_name ? folder : folder.parent_path());
   }
-  if(!fs::is_directory(status)) refuse(option, path, "is no folder");
+  if(!fs::is_directory(status)) refuse(option, path, "is not a folder");
   const auto is_there = [&](const std::string& file) {
     return is_replaced(file) && are_same_file(folder, fs::absolute(file).parent_path());
   };
@@ -132,7 +132,7 @@ void Output_files::add_folder(const std::string& option,
   for(const Output& output : m_outputs)
     if(is_there(output.path)) refuse(option, path, "holds the file of " + output.option);
   if(!fs::is_empty(folder, error) && !m_may_overwrite)
-    refuse(option, path, "is not empty; --force overwrites what is there");
+    refuse(option, path, "is not empty; --force overwrites existing files");
   check_writable(option, folder / "frame");
 }
 

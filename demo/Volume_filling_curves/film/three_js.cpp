@@ -47,7 +47,7 @@ std::string read_three_js()
     std::ostringstream text;
     if(file && text << file.rdbuf()) return text.str();
   }
-  throw Usage_error("--film: three.js is missing, which the film is shown with; install Debian's "
+  throw Usage_error("--film: three.js, which plays the film, is missing; install Debian's "
                     "package libjs-three, or run 'npm install three@0.149' in this folder");
 }
 

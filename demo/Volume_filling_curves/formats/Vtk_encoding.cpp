@@ -54,7 +54,7 @@ constexpr Number_type number_types[] = {
 
 Encoding_error cut_short()
 {
-  return Encoding_error("an array is longer than what the file has of it");
+  return Encoding_error("an array is longer than its data in the file");
 }
 
 // Removes so many bytes from the beginning of raw or encoded ones, in base64 with the padding

@@ -166,7 +166,7 @@ private:
     m_polygons.back().push_back(static_cast<std::size_t>(index));
     return (index >= 0 && m_polygons.back().back() < m_vertices) ||
            refuse(Kind::BAD_INDEX,
-                  "there is no vertex " + std::to_string(index) + " (they count from 0)");
+                  "there is no vertex " + std::to_string(index) + " (numbered from 0)");
   }
 
   std::string m_text;

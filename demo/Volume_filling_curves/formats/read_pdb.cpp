@@ -144,7 +144,7 @@ private:
       if(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > longest_step())
         m_polylines.draft().defects.add(
             {Kind::CHAIN_GAP,
-             "residues are missing in a chain, a straight edge stands for them",
+             "residues are missing in a chain; a straight edge replaces them",
              m_atoms[i].line,
              {Curve_draft::number(first + i - 1), Curve_draft::number(first + i)}});
     }

@@ -170,7 +170,7 @@ private:
     std::string text;
     const int number_of_digits = 6;
     files::append_number(text, v, number_of_digits);
-    m_items.complain(Kind::BAD_INDEX, "there is no vertex " + text + " (they count from 0)");
+    m_items.complain(Kind::BAD_INDEX, "there is no vertex " + text + " (numbered from 0)");
   }
 
   static constexpr double end_of_strip = -1; // in a list of several

@@ -21,9 +21,8 @@ struct Remedy
 };
 
 constexpr Remedy remedies[] = {
-    {"ambiguous shells",
-     "if it bounds a cavity, such as an obstacle, turn it inside out; repair takes both for solids "
-     "and unites them"},
+    {"ambiguous shells", "if it bounds a cavity, such as an obstacle, orient it inward; repair "
+                         "takes both for solids and unites them"},
     {"degenerate face", "repair drops such faces"},
     {"duplicate face", "repair drops all but one"},
     {"non-manifold edge", "repair drops small sheets, or wraps the mesh"},

@@ -37,7 +37,7 @@ void check_indices(const Mesh_soup& soup, Mesh_findings& findings)
     for(const std::size_t v : soup.faces[f])
       if(v >= soup.points.size())
         findings.add_error("bad index",
-                           "a face asks for vertex " + std::to_string(v + 1) + " of " +
+                           "a face refers to vertex " + std::to_string(v + 1) + " of " +
                                std::to_string(soup.points.size()),
                            {0, {}, {soup.face_numbers[f]}});
 }

@@ -78,8 +78,8 @@ void read_with_cgal(const std::string& file,
   } catch(const std::exception&) { // such as no memory for what a header announces
   }
   if(!is_read)
-    findings.add_error("unreadable file",
-                       "this is no complete " + lower_case_extension(file) + " file of a surface");
+    findings.add_error("unreadable file", "this is not a complete " + lower_case_extension(file) +
+                                              " file of a surface");
 }
 
 void cut_into_triangles(const Polygons& polygons, Mesh_soup& soup, Mesh_findings& findings)

@@ -65,7 +65,7 @@ void report_mixed(const Shells& shells,
   if(!faces.empty())
     findings.add_warning("mixed orientation",
                          counted(faces.size(), "face was turned against its neighbors and has",
-                                 "faces were turned against their neighbors and have") +
+                                 "faces were oriented against their neighbors and have") +
                              " been reoriented",
                          {0, {}, faces});
 }

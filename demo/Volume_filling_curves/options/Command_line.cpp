@@ -19,13 +19,13 @@ namespace vfc {
 namespace {
 
 constexpr char jobs[] =
-    "Moves curves that never pass through themselves, as exact predicates certify. Two jobs:\n"
+    "Moves curves without letting them pass through themselves, certified by exact predicates:\n"
     "  vfc untangle knot.obj -o tight.obj    brings a knot or link to a short and simple shape\n"
     "  vfc fill mesh.off -o curve.obj        fills the inside of a closed surface with a curve";
 
 constexpr char examples[] =
     "Lengths are in the unit of the input. Curves are .obj (v and l), .polylines.txt, .ply\n"
-    "and .vtp with lines, .vect, .xyz, .txt, .dat or .pdb files, the last one for reading only.\n"
+    "and .vtp with lines, .vect, .xyz, .txt, .dat or (for reading) .pdb files.\n"
     "\n"
     "Exit status: 0 goal reached, 1 wrong options or files, 2 a limit was reached, 3 stalled,\n"
     "4 invalid input, 5 interrupted.\n"
@@ -185,8 +185,8 @@ CLI::Option& add_obstacle_option(CLI::App& command, std::vector<std::string>& fi
 {
   return *command
               .add_option("--obstacle", files,
-                          "a closed surface within the mesh, of any orientation, that the curve "
-                          "keeps out of; several obstacles take the option several times")
+                          "closed surface inside the mesh, of any orientation, that the curve must "
+                          "not enter; repeat the option for several obstacles")
               ->expected(1)
               ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
               ->check(file_check())
@@ -196,8 +196,8 @@ CLI::Option& add_obstacle_option(CLI::App& command, std::vector<std::string>& fi
 CLI::Option& add_curve_output(CLI::App& command, std::string& file)
 {
   return add_file(command, "-o,--output", file,
-                  "the result, in a format as of curves that are read; .ply and .vtp tell of each "
-                  "node origin, component, curvature and, if r is known, medial radius");
+                  "the result, in a format of curves other than .pdb; .ply and .vtp contain for "
+                  "each node its origin, component, curvature and, if r is known, medial radius");
 }
 
 void add_reading_flags(CLI::App& command, Curve_reading& reading)
@@ -205,8 +205,8 @@ void add_reading_flags(CLI::App& command, Curve_reading& reading)
   command.add_flag("--network", reading.is_network,
                    "accept junctions; equal ends in .polylines.txt are one node");
   CLI::Option& closed = *command.add_flag("--closed", reading.is_closed,
-                                          "close every open curve by an edge between its ends");
-  command.add_flag("--open", reading.is_open, "open every closed curve: leave out its last edge")
+                                          "close each open curve by an edge between its ends");
+  command.add_flag("--open", reading.is_open, "open each closed curve by dropping its last edge")
       ->excludes(&closed);
 }
 

@@ -18,14 +18,12 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
   auto& parameters = options.parameters;
   add_curve(command, options.file);
   add_curve_output(command, options.output);
-  add_file(
-      command, "--certificate", options.certificate,
-      "the record of all certified changes, to be verified by vfc check --certificate; as text "
-      "if the name ends with .txt");
-  add_file(
-      command, "--domain", options.domain,
-      "a closed triangle mesh that the curve stays inside of; obstacles are shells within it. The "
-      "curve flows, since the search does not know the mesh");
+  add_file(command, "--certificate", options.certificate,
+           "record of all certified changes, for vfc check --certificate; as text if the name ends "
+           "with .txt");
+  add_file(command, "--domain", options.domain,
+           "closed triangle mesh in which the curve stays; shells within it are obstacles. The "
+           "curve only flows, since the search ignores meshes");
   add_film_options(command, options.film);
   add_checkpoint_options(command, options.saving);
   add_curve_options(command, options.curve);
@@ -37,8 +35,8 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
         parameters.stop_at_proof = false;
         parameters.lower_ropelength = true;
       },
-      "after a proof that nothing is knotted go on until the curve is round; several get tight. "
-      "From where closed curves are tight go on to a lower ropelength");
+      "after a proof of unknottedness, continue until a single curve is round, or several are "
+      "tight; lower the ropelength of tight closed curves");
   add_stop_options(command, parameters);
   command.get_option("--max-iterations")
       ->description("the largest number of iterations of the flow; with tighten, of sweeps");
@@ -53,7 +51,7 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
              "edges; auto: the search first, then the flow to an even, smooth shape");
   command
       .add_option("--chains", parameters.number_of_chains,
-                  "independent random searches, of which the fastest wins; they share the threads")
+                  "independent random searches; the fastest one wins; they share the threads")
       ->check(CLI::Range(std::size_t(1), max_chains).description(""))
       ->capture_default_str()
       ->type_name("N");

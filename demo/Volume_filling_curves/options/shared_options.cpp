@@ -35,29 +35,27 @@ void add_film_options(CLI::App& command, Film_options& options)
 
 void add_checkpoint_options(CLI::App& command, Checkpoint_options& options)
 {
-  CLI::Option& checkpoint =
-      add_file(command, "--checkpoint", options.checkpoint,
-               "the state of the run, written now and then, and where it is interrupted or a limit "
-               "is reached; --resume goes on from there");
+  CLI::Option& checkpoint = add_file(
+      command, "--checkpoint", options.checkpoint,
+      "state of the run for --resume, written at intervals, on interruption and at a limit");
   add_number(command, "--save-every", options.save_every, "seconds between two states",
              not_negative)
       .capture_default_str()
       ->needs(&checkpoint)
       ->type_name("SECONDS");
   add_file(command, "--resume", options.resume,
-           "the state of a run with the same input and options, but for limits and outputs; the "
-           "result is the same as if that run had not ended");
+           "state to resume from; input and options must be the same, except for limits and "
+           "outputs; the result is that of an uninterrupted run");
 }
 
 void add_curve_options(CLI::App& command, Curve_options& options)
 {
   add_reading_flags(command, options.reading);
   add_file(command, "--pin", options.pin,
-           "nodes that stay: ends, or numbers i,j,k in file order from 1; OBJ lines 'fixed i j k' "
-           "add to them")
+           "pinned nodes: ends, or numbers i,j,k in file order from 1, in addition to OBJ lines "
+           "'fixed i j k'")
       .type_name("NODES");
-  command.add_flag("--free-ends", options.has_free_ends,
-                   "let the ends of open curves move; otherwise they are pinned");
+  command.add_flag("--free-ends", options.has_free_ends, "do not pin the ends of open curves");
 }
 
 void add_stop_options(CLI::App& command, Curve_run_parameters& parameters)

@@ -71,9 +71,9 @@ std::string done(std::size_t shells, std::size_t cavities)
 {
   std::string text = std::to_string(shells) + " shells united that overlap or are nested";
   if(cavities > 0)
-    text += ", but for " + counted(cavities,
-                                   "that is turned the other way and was taken away as a cavity",
-                                   "that are turned the other way and were taken away as cavities");
+    text +=
+        ", but for " + counted(cavities, "that is oriented inward and was subtracted as a cavity",
+                               "that are oriented inward and were subtracted as cavities");
   return text;
 }
 

@@ -52,9 +52,10 @@ public:
   explicit Run_state(std::string bytes) : m_bytes(std::move(bytes))
   {
     const std::string_view all = m_bytes;
-    if(all.substr(0, magic.size()) != magic) throw Run_state_error("it is not the state of a run");
+    if(all.substr(0, magic.size()) != magic)
+      throw Run_state_error("this is not the state of a run");
     if(all.size() < magic.size() + checksum_size || all != sealed(body()).m_bytes)
-      throw Run_state_error("the state of the run is damaged or cut off");
+      throw Run_state_error("the state of the run is damaged or truncated");
   }
 
   /// returns the bytes, for example to write them to a file.

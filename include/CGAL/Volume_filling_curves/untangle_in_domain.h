@@ -38,7 +38,7 @@ struct Domain_surroundings
   {
     if(parameters.strategy == Untangling_strategy::SEARCH)
       refuse_value(internal_np::strategy_t(), parameters.strategy,
-                   "the search does not know the domain");
+                   "must be flow or auto in a domain");
     check_inside(curves, domain);
   }
 

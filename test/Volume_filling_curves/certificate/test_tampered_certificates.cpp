@@ -173,9 +173,9 @@ TEST(Tampered_certificate, refuses_what_is_no_certificate_of_this_version)
     return verify_certificate(Isotopy_certificate(bytes), motion.start, motion.end).message;
   };
   std::string bytes = motion.certificate.bytes();
-  EXPECT_EQ(message(""), "this is no certificate");
-  EXPECT_EQ(message("v 0 0 0"), "this is no certificate");
-  EXPECT_EQ(message(bytes + '\0'), "there are bytes behind the end of the record");
+  EXPECT_EQ(message(""), "this is not a certificate");
+  EXPECT_EQ(message("v 0 0 0"), "this is not a certificate");
+  EXPECT_EQ(message(bytes + '\0'), "bytes follow the end of the record");
   bytes[8] = 1; // that of release 0.1.0
   const char refusal[] = "version 1 of the format is not supported, only version 2";
   EXPECT_EQ(message(bytes), refusal);

@@ -121,9 +121,9 @@ std::string complaint(const Parameters& p)
 TEST(Fill, refuses_parameters_by_name)
 {
   EXPECT_EQ(complaint(np::length(3).thickness(0.2)),
-            "length is 3, but there is a thickness, too, and only one of them can be asked for");
+            "length is 3, but a thickness is given as well");
   EXPECT_EQ(complaint(np::length(3).thickness([](const Point&) { return 0.2; })),
-            "length is 3, but there is a thickness, too, and only one of them can be asked for");
+            "length is 3, but a thickness is given as well");
   EXPECT_EQ(complaint(np::length(-3)), "length is -3, but must be finite and not negative");
   EXPECT_EQ(complaint(np::thickness(1e300)).substr(0, 55),
             "thickness is 1e+300, but must not be larger than the do");

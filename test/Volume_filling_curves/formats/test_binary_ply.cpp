@@ -128,7 +128,7 @@ TEST(Binary_ply, says_what_is_wrong)
   EXPECT_EQ(complaint(read_ply(head)), "0: the file ends within vertex 1 of 3");
   EXPECT_EQ(
       complaint(read_ply(head + all.substr(0, all.size() - 2) + bytes(std::uint16_t(3), order))),
-      "0: edge 2: there is no vertex 3 (they count from 0)");
+      "0: edge 2: there is no vertex 3 (numbered from 0)");
   EXPECT_EQ(complaint(read_ply(header(order, "element vertex 1\nproperty half x\n"))),
             "4: 'half' is no type of a property");
   EXPECT_EQ(complaint(read_ply(header(order, "element vertex 9\n") + "123")),

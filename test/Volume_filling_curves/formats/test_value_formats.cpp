@@ -75,7 +75,7 @@ TEST(Ply_reader, says_where_a_file_is_wrong)
   EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n")),
             "18: the file ends within edge 2 of 4");
   EXPECT_EQ(complaint(read_ply(square_ply + square_points + "0 1 9\n1 2 9\n2 4 9\n3 0 9\n")),
-            "19: there is no vertex 4 (they count from 0)");
+            "19: there is no vertex 4 (numbered from 0)");
   EXPECT_EQ(complaint(read_ply(square_ply + "0 x 0\n0 1 0\n0 1 1\n0 0 1\n" + square_edges)),
             "13: 'x' is not a number");
   EXPECT_EQ(complaint(read_ply("ply\nformat ascii 1.0\nelement vertex 18446744073709551615\n"
@@ -166,7 +166,7 @@ TEST(Vtp_reader, says_where_a_file_is_wrong)
             "10: '1' is no place where a line of 3 indices can end");
   EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>\n<DataArray format=\"binary\">AAAA"
                                    "</DataArray></Points></Piece>"))),
-            "7: an array is longer than what the file has of it");
+            "7: an array is longer than its data in the file");
   EXPECT_EQ(complaint(read_vtp(vtp("<Piece>\n<Points>\n<DataArray format='appended' offset='0'/>"
                                    "</Points></Piece>"))),
             "7: the appended data do not begin with '_'");

@@ -77,11 +77,11 @@ TEST_F(Ply_mesh, tells_which_index_is_wrong_as_the_file_has_it)
 {
   const std::string head = start + vertices + faces + "end_header\n" + points;
   refuses(head + "3 0 2 1\n3 0 -2 3\n3 1 2 3\n3 2 0 3\n", "bad index",
-          "there is no vertex -2 (they count from 0)", 15);
+          "there is no vertex -2 (numbered from 0)", 15);
   refuses(head + "3 0 2 1\n3 0 1 3\n3 1 2 4\n3 2 0 3\n", "bad index",
-          "there is no vertex 4 (they count from 0)", 16);
+          "there is no vertex 4 (numbered from 0)", 16);
   refuses(head + "3 0 2 1.5\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", "bad index",
-          "there is no vertex 1.5 (they count from 0)", 14);
+          "there is no vertex 1.5 (numbered from 0)", 14);
   refuses(start + vertices + faces + "end_header\n0 0 0\n1 0 zero\n0 1 0\n0 0 1\n" + corners,
           "unparsable number", "'zero' is not a number", 11);
 }
@@ -107,9 +107,9 @@ TEST_F(Ply_mesh, may_consist_of_strips)
   accepts(start + vertices + "element tristrips 3\n" + strips +
           "5 0 2 1 3 -1\n6 -1 -1 3 3 3 0\n6 1 3 0 3 2 2\n");
   refuses(start + vertices + "element tristrips 1\n" + strips + "5 0 2 1 3 4\n", "bad index",
-          "there is no vertex 4 (they count from 0)", 14);
+          "there is no vertex 4 (numbered from 0)", 14);
   refuses(start + vertices + "element tristrips 1\n" + strips + "5 0 2 1 -2 3\n", "bad index",
-          "there is no vertex -2 (they count from 0)", 14);
+          "there is no vertex -2 (numbered from 0)", 14);
 }
 
 // Numbers of a file that says float are those that it could hold in binary.

@@ -139,7 +139,7 @@ TEST_F(Command_line_batch, a_folder_of_others_is_refused)
   EXPECT_EQ(run("simplify --batch list -o there --force").status, 0);
   expect_refused("untangle --batch list -o there", 1,
                  "results.jsonl:1: is no result of vfc untangle");
-  expect_refused("simplify --batch list -o list", 1, "list: is no folder");
+  expect_refused("simplify --batch list -o list", 1, "list: is not a folder");
   expect_refused("simplify --batch list -o none/x", 1, "none/x");
 }
 

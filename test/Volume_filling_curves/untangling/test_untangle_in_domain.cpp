@@ -126,7 +126,7 @@ TEST(Untangle_in_domain, refuses_curves_outside_and_the_search)
               untangle(curve, Box_domain_3<>({-1, -1, -2}, {2, 1, 2}),
                        parameters::strategy(Untangling_strategy::SEARCH));
             }),
-            "strategy is search, but the search does not know the domain");
+            "strategy is search, but must be flow or auto in a domain");
   EXPECT_THROW(untangle(curve, meshes::Mesh()), std::invalid_argument);
   EXPECT_EQ(contents(curve), before);
 }

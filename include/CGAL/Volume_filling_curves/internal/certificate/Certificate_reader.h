@@ -35,7 +35,7 @@ public:
   Certificate_header header()
   {
     if(m_bytes.substr(0, certificate_magic.size()) != certificate_magic)
-      throw Certificate_format_error("this is no certificate");
+      throw Certificate_format_error("this is not a certificate");
     m_next = certificate_magic.size();
     const std::uint64_t version = integer(4);
     if(version != certificate_version)
@@ -77,7 +77,7 @@ public:
     m_record_length = m_next;
     trailer.record = digest();
     if(m_next != m_bytes.size())
-      throw Certificate_format_error("there are bytes behind the end of the record");
+      throw Certificate_format_error("bytes follow the end of the record");
     return trailer;
   }
 
@@ -108,7 +108,7 @@ private:
       x |= bits << shift;
       if(next < 0x80) return x;
     }
-    throw Certificate_format_error("a number that is not encoded as it must be");
+    throw Certificate_format_error("a number with an invalid encoding");
   }
 
   Sha256::Digest digest()

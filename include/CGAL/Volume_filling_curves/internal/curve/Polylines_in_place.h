@@ -62,8 +62,8 @@ public:
     auto paths = Curve_paths(m_curves).paths;
     if(!is_range_of_ranges<Polylines> && paths.size() > 1) // an empty one, in a domain of parts
       throw std::invalid_argument("there are " + std::to_string(paths.size()) +
-                                  " curves, one in each part of the domain, for which one polyline "
-                                  "does not do; pass a container of polylines");
+                                  " curves, one in each part of the domain, which do not fit into "
+                                  "one polyline; pass a container of polylines");
     if(closure_of(m_parameters) == Closure::CLOSED)
       for(auto& path : paths) path.pop_back();
     const auto item = [&](std::size_t v) {

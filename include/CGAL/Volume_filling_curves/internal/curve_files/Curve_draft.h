@@ -128,7 +128,7 @@ struct Curve_draft
     if(points.empty())
       return defects.add({Curve_defect_kind::NO_GEOMETRY, "there are no vertices", last_line});
     defects.add({Curve_defect_kind::NO_LINES,
-                 "there are no lines; all vertices are taken for one closed curve", last_line});
+                 "there are no lines; all vertices are read as one closed curve", last_line});
     for(std::size_t v = 0; v < points.size(); ++v)
       add_edge(v, (v + 1) % points.size(), point_lines[0]);
   }

@@ -113,7 +113,7 @@ private:
     m_indices.push_back(m_indices[first]);
     m_lists.push_back({m_first_face_line, first, m_indices.size(), true});
     m_file.defects.add({Curve_defect_kind::NO_LINES,
-                        "there are no lines; the only face is taken for a closed curve",
+                        "there are no lines; the only face is read as a closed curve",
                         m_first_face_line});
   }
 

@@ -49,7 +49,7 @@ public:
   {
     if(faces(mesh).size() < 2 || !CGAL::is_triangle_mesh(mesh))
       throw std::invalid_argument(
-          "the mesh has a face that is no triangle, or fewer than two faces");
+          "the mesh has a face that is not a triangle, or fewer than two faces");
     if(vertices(mesh).size() != values.size())
       throw std::invalid_argument("there is not one value per vertex");
     using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;

@@ -67,7 +67,7 @@ public:
     const auto& inner = shells[ambiguous[0]];
     refuse(ambiguity_fault(shells, ambiguous[0]), ambiguous.size(), {},
            {inner.faces[0], shells[*inner.parent].faces[0]},
-           "if it bounds a cavity, turn it inside out");
+           "if it bounds a cavity, orient it inward");
   }
 
 private:
@@ -87,7 +87,7 @@ private:
     refuse(flat_face_fault(m_mesh.point(corners[0]), m_mesh.point(corners[1]),
                            m_mesh.point(corners[2])),
            flat.size(), {corners.begin(), corners.end()}, {flat[0]},
-           "Polygon_mesh_processing::remove_degenerate_faces() takes them out");
+           "Polygon_mesh_processing::remove_degenerate_faces() removes them");
   }
 
   // " (faces 3 7)", with at most ten of the numbers

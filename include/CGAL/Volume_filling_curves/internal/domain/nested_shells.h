@@ -66,7 +66,7 @@ Mesh_fault ambiguity_fault(const std::vector<Nested_shell<Mesh>>& shells, std::s
 {
   return {"ambiguous shells", "shell " + std::to_string(i + 1) + " lies within shell " +
                                   std::to_string(*shells[i].parent + 1) +
-                                  " and is turned the same way"};
+                                  " and has the same orientation"};
 }
 
 } // namespace internal

@@ -101,8 +101,7 @@ private:
     check_parameters(m_parameters);
     check_thickness(m_parameters.thickness, size, "the domain");
     if(m_parameters.length > 0 && (m_parameters.thickness > 0 || m_parameters.thickness_field))
-      refuse_value(internal_np::length_t(), m_parameters.length,
-                   "there is a thickness, too, and only one of them can be asked for");
+      refuse_value(internal_np::length_t(), m_parameters.length, "a thickness is given as well");
   }
 
   template <typename Domain>

@@ -75,7 +75,7 @@ private:
     require(header.curve == start.digest(), "the certificate starts from another curve");
     require(header.nodes == start.points().size() && header.edges == start.edges().size() &&
                 header.components == start.number_of_components(),
-            "the curve does not have as many nodes, edges and components");
+            "the numbers of nodes, edges and components at the start are wrong");
   }
 
   void run(Certificate_replay& replay)
@@ -96,10 +96,9 @@ private:
   {
     m_subject = "end: ";
     const Certificate_trailer trailer = m_reader.trailer();
-    require(trailer.operations == m_number_of_operations,
-            "the record does not have as many operations as it says");
+    require(trailer.operations == m_number_of_operations, "the number of operations is wrong");
     require(trailer.nodes == replayed.points().size() && trailer.edges == replayed.edges().size(),
-            "the record does not lead to as many nodes and edges as it says");
+            "the numbers of nodes and edges at the end are wrong");
     require(trailer.curve == replayed.digest(), "the record does not lead where it says");
     require(trailer.curve == end.digest(), "the certificate leads to another curve");
     require(trailer.record == sha256(m_reader.record()), "the record has been altered");

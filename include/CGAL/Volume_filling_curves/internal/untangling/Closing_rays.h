@@ -156,7 +156,7 @@ private:
     for(int attempt = 0; !ends.empty(); ++attempt) {
       if(attempt == max_attempts)
         throw std::invalid_argument("node " + std::to_string(ends[0]) +
-                                    ", an end, is shut in by the curves");
+                                    ", an end, is enclosed by the curves");
       std::vector<std::size_t> refused_ends;
       for(const std::size_t v : ends) {
         const Vector tilt =
