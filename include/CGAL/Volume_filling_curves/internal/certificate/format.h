@@ -88,7 +88,7 @@ struct Certificate_trailer
   Sha256::Digest curve{}, record{};
 };
 
-// Says why bytes are not a certificate.
+// Error of bytes that are not a certificate.
 struct Certificate_format_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;

@@ -99,7 +99,7 @@ private:
   std::string m_text;
 };
 
-// Reads the text, and says in which line an error is.
+// Reads the text, and reports the line of an error.
 class Text_form_reader
 {
   using Kind = Certificate_operation::Kind;

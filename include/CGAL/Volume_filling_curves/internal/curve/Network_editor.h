@@ -140,9 +140,8 @@ private:
   std::vector<Observer*> m_observers;
 };
 
-// The rays that a curve has, found by what a node tells of itself: a ray leads from its tip, a
-// node of degree one without an origin, through nodes without an origin to an end of the curve
-// itself.
+// Rays of a curve, identified by their nodes: a ray leads from its tip, a node of degree one
+// without an origin, through nodes without an origin to an end of the curve itself.
 
 template <typename Network>
 bool is_tip_of_ray(const Network& curve, std::size_t v)

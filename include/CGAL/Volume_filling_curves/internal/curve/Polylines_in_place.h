@@ -55,8 +55,8 @@ public:
 
   Network& curves() { return m_curves; }
 
-  // Replaces the polylines by the curves as they are, and gives out the origins if asked for.
-  // \throws std::invalid_argument if one polyline was given for what has become several curves
+  // Replaces the polylines by the current curves, and returns their origins on request.
+  // \throws std::invalid_argument if a single polyline cannot hold several curves
   void store()
   {
     auto paths = Curve_paths(m_curves).paths;
@@ -93,7 +93,7 @@ private:
     return target.get();
   }
 
-  // Writes what a function says of the nodes of each path.
+  // Writes the values of a function for the nodes of each path.
   template <typename Function, typename Container>
   static void write(const std::vector<std::vector<std::size_t>>& paths,
                     const Function& f,

@@ -84,7 +84,7 @@ public:
     return m_predicates.do_segments_intersect(m_points[a], m_points[b], m_points[c], m_points[d]);
   }
 
-  // Says how two edges meet, and the nodes that help to find the place.
+  // Describes how two edges meet, and returns the nodes that locate the contact.
   std::pair<std::string, std::vector<std::size_t>> describe(std::size_t e, std::size_t f) const
   {
     const auto [a, b] = m_edges[e];

@@ -33,8 +33,8 @@ void check_size(const Network& curve)
     throw std::invalid_argument("the size of the curve is below 1e-150");
 }
 
-// Says of an edge that it has length zero, or of two that they meet elsewhere than in a common
-// node; nothing if the curve is embedded. Exact.
+// Describes an edge of length zero, or two edges that meet elsewhere than in a common node; returns
+// an empty text if the curve is embedded. Exact.
 template <typename Network>
 std::string first_contact(const Network& curve)
 {

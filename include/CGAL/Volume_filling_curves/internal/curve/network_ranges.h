@@ -52,7 +52,7 @@ template <typename Is_present>
 using Present_range =
     Iterator_range<boost::filter_iterator<Is_present, boost::counting_iterator<std::size_t>>>;
 
-// the indices below `count` of what is present
+// the indices below `count` of present elements
 template <typename Is_present>
 Present_range<Is_present> present_range(Is_present is_present, std::size_t count)
 {

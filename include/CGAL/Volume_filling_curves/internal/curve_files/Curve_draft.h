@@ -60,10 +60,10 @@ private:
   bool m_has_error = false;
 };
 
-// The content of a curve file, before it is checked to be a curve: all vertices in the order of
-// the file, edges as pairs of vertex indices from 0, and the lines where they stand. Every reader
-// produces this, whatever its format; `draft_to_network()` turns it into a curve or says why not. A
-// vertex that could not be read keeps its place, so that the indices of others stay right.
+// Content of a curve file before any checks: all vertices in the order of the file, edges as pairs
+// of vertex indices from 0, and their lines. All readers produce a draft, whatever their format;
+// `draft_to_network()` converts it to a curve or reports its defects. A vertex that could not be
+// read keeps its index, which keeps the indices of others valid.
 struct Curve_draft
 {
   using Point = std::array<double, 3>;
@@ -117,9 +117,9 @@ struct Curve_draft
     edge_lines.push_back(line);
   }
 
-  // Says what a file is that lists vertices and lines, but has no lines: a surface, nothing, or one
-  // closed curve through all vertices. Takes the line of its first face, 0 if there is none, and
-  // its last line.
+  // Interprets a file of a format with vertices and lines that has no lines: a surface, nothing, or
+  // one closed curve through all vertices. Takes the line of its first face, 0 if there is none,
+  // and its last line.
   void take_without_lines(std::size_t line_of_face, std::size_t last_line)
   {
     if(line_of_face > 0)

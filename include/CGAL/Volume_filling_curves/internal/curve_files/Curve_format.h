@@ -86,7 +86,7 @@ std::string extensions_text(const Formats& formats, const Is_listed& is_listed)
   return text.empty() ? last : text + " or " + last;
 }
 
-// Reads a file of one of the formats, and closes or opens its components if the user says so. A
+// Reads a file of one of the formats, and closes or opens its components at the user's request. A
 // file that cannot be read gives a draft with an error.
 template <typename Formats>
 Curve_draft read_curve_draft(const Formats& formats,

@@ -46,13 +46,12 @@ double depth_up_to(const Domain& domain,
     return domain.distance(p);
 }
 
-// The boundary of a domain, as the flow sees it: what a triangle must miss (exact), and how large a
-// sphere that touches a node inside may be. Queries of a tree of faces are slower far from the
-// surface than near it, and they are many; so distances are kept at the centers of the cells of a
-// grid, measured when they are first asked for. The distance changes no faster than the point (it
-// is 1-Lipschitz): a lower bound of it answers nearly all questions, and only near the boundary,
-// where queries are fast, the point itself is measured. Answers do not depend on the order of the
-// questions. Safe to ask in parallel.
+// Boundary of a domain for the flow: exact tests of triangles, and the largest radius of a sphere
+// that touches a node inside. The many distance queries to a tree of faces are slower far from the
+// surface; hence distances are cached at the centers of the cells of a grid, measured at the first
+// query. The distance is 1-Lipschitz, which gives a lower bound that answers nearly all queries;
+// only near the boundary, where queries are fast, is the point itself measured. Answers do not
+// depend on the order of the queries. Safe to query in parallel.
 template <typename Domain>
 class Boundary
 {
@@ -84,8 +83,8 @@ public:
     return clearance(p, reach) > reach || m_domain->is_triangle_inside(p, q, r);
   }
 
-  // returns a distance that p is known to have from the boundary: any that is more than `needed`,
-  // or else the distance itself, but for rounding errors. \pre p lies inside
+  // Returns a lower bound of the distance from p to the boundary: any bound above `needed`, or
+  // otherwise the distance itself, up to rounding errors. \pre p lies inside
   double clearance(const Point_3& p, double needed) const
   {
     const double bound = conservative(bound_of_cell(to_vector(p)));

@@ -98,8 +98,8 @@ public:
     return ray.starts_inside();
   }
 
-  // returns the innermost of the shells that have the point strictly inside; exact but for shells
-  // that enclose the same volume. \pre there is one
+  // Returns the innermost shell with the point strictly inside; exact except for shells that
+  // enclose the same volume. \pre there is one
   std::size_t innermost_shell(const Point_3& p) const
   {
     if(m_shells.number() == 1) return 0;

@@ -83,8 +83,8 @@ private:
            (std::max)((std::max)(x, y), z) >= -m_margin;
   }
 
-  // Tries some of the rays, of which nearly all pass the triangle: the signs of the volumes that a
-  // ray spans with the sides tell, by which distance_along_to_triangle() decides, too.
+  // Tests some of the rays, nearly all of which miss the triangle, by the signs of the volumes that
+  // a ray spans with the sides, as in distance_along_to_triangle().
   bool visit(const Corners& corners,
              const std::array<Vector, 3>& sides,
              std::size_t first,
@@ -112,7 +112,7 @@ private:
     return is_shortened;
   }
 
-  // Tells whether a box meets that around the rays.
+  // Returns whether a box meets the box of the rays.
   bool is_near_rays(const Bbox_3& box) const
   {
     return box.xmin() <= m_high.x() && box.xmax() >= m_low.x() && box.ymin() <= m_high.y() &&

@@ -51,8 +51,8 @@ public:
              "Polygon_mesh_processing::triangulate_hole() closes holes");
   }
 
-  // \throws std::invalid_argument if faces intersect, or if shells are nested so that it remains
-  // open what is inside \pre check_faces() has not thrown
+  // \throws std::invalid_argument if faces intersect, or if the orientations of nested shells leave
+  // the inside undefined \pre check_faces() has not thrown
   void check_shells() const
   {
     const auto pairs = intersecting_faces(m_mesh, Points_in_run<Mesh>(m_mesh));

@@ -39,7 +39,7 @@ public:
   {}
 
   // Returns the number of nodes that were removed, which leave garbage in the network. Ends early
-  // if the watch, if there is one, says so.
+  // if a watch requests it.
   std::size_t run(Run_watch* watch = nullptr)
   {
     std::size_t count = 0;

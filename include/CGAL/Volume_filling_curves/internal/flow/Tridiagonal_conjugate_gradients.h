@@ -34,7 +34,7 @@ class Tridiagonal_conjugate_gradients
 {
 public:
   // Returns the solution, with contacts added to P, up to a relative residual. P is symmetric, both
-  // halves are stored. \throws Run_stopped if the watch, if there is one, says so
+  // halves are stored. \throws Run_stopped if a watch requests it
   Vector_field operator()(const Sparse_matrix& p,
                           const Contact_stiffness& contacts,
                           const Vector_field& b,

@@ -34,7 +34,7 @@ namespace internal {
 using Polygon = std::vector<Vector>;
 using Polygons = std::vector<Polygon>;
 
-// Nodes are spread along polygons that are this much finer, so that they look smooth.
+// Ratio by which the polygons along which nodes are spaced are finer, to look smooth.
 constexpr std::size_t samples_per_node = 8;
 
 template <typename Traits = Curve_flow_traits_3<>>
@@ -71,7 +71,7 @@ inline Polygon equally_spaced(const Polygon& polygon, std::size_t n)
 
 /* returns polygons with `number_of_nodes` equally spaced nodes together, each component with a
  * share in proportion to its length.
- * \throws std::invalid_argument if that spaces them wider than `max_spacing`, so that strands might
+ * \throws std::invalid_argument if this spaces them wider than `max_spacing`, where strands might
  * cut through each other
  */
 inline Polygons equally_spaced(const Polygons& curves,

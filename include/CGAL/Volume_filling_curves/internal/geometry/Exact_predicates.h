@@ -194,9 +194,9 @@ private:
   typename Traits::Less_xyz_3 m_less;
 };
 
-// Do two closed triangles meet? Exact, and each of them may be a segment or a point, for which
-// CGAL's `do_intersect()` leaves the answer unspecified: they meet if and only if an edge of one
-// meets the other. Most pairs are told apart before by the plane of one of them. Constant time.
+// Intersection test of two closed triangles. Exact, and each of them may be a segment or a point,
+// for which CGAL's `do_intersect()` is unspecified: they meet if and only if an edge of one meets
+// the other. The plane of one of them separates most pairs beforehand. Constant time.
 template <typename Kernel>
 class Triangle_intersection
 {

@@ -90,7 +90,7 @@ public:
     return side(s) == 0 && meets_beyond_exactly(m_a, s, m_b, m_c);
   }
 
-  // likewise for the corner c
+  // the same for the corner c
   bool meets_beyond_c(const Vector& s) const
   {
     return side(s) == 0 && meets_beyond_exactly(m_c, s, m_a, m_b);
@@ -103,10 +103,9 @@ private:
   // the six together at most 6e-15 times the product of the largest differences; the rest is
   // margin.
   static constexpr double error_bound = 1e-14;
-  static constexpr double min_extent = 1e-97; // so that products of two do not underflow
+  static constexpr double min_extent = 1e-97; // products of two do not underflow
 
-  // A determinant that is larger, or no number, says nothing: something on the way to it
-  // overflowed.
+  // A determinant that is larger, or NaN, is uncertain: an intermediate result overflowed.
   static constexpr double largest = (std::numeric_limits<double>::max)();
 
   // the sign of a determinant, with the largest differences in x, y and z, or 0 if it is uncertain

@@ -57,7 +57,6 @@ inline double dot(const Vector_field& a, const Vector_field& b)
   return sum;
 }
 
-// likewise
 inline double sum_of_norms(const Vector_field& x)
 {
   double sum = 0;

@@ -31,7 +31,7 @@ inline bool is_in_range(const Vector& x)
   return true;
 }
 
-// Throws std::invalid_argument, about what `name` says, unless the coordinates are accepted.
+// Throws std::invalid_argument, with `name` in the message, unless the coordinates are accepted.
 inline void check_range(const Vector& x, const std::string& name)
 {
   if(!x.allFinite()) throw std::invalid_argument(name + " is not finite");

@@ -49,7 +49,7 @@ public:
   {}
 
   // Returns nothing if every viewpoint is degenerate, which components that meet can bring about.
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   std::optional<Matrix> operator()()
   {
     const std::size_t n = m_curve.number_of_components();

@@ -43,7 +43,7 @@ public:
     return m_link == Link_status::TRIVIAL || (m_proofs.size() == 1 && are_unknots());
   }
 
-  // Also tells whether they are linked, which no run asks for on its way.
+  // Also decides whether they are linked, which no run needs before its end.
   void write(const Network& curves, Untangling_result& result)
   {
     update_link(curves);

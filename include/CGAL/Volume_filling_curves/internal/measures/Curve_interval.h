@@ -55,7 +55,7 @@ struct Curve_intervals
   std::vector<Curve_interval> of_edge;
   std::vector<double> total;
 
-  // returns what lies between two edges of one component, the shorter way
+  // Returns the gap between two edges of one component, on the shorter side.
   double gap(std::size_t e, std::size_t f) const
   {
     const Curve_interval &a = of_edge[e], &b = of_edge[f];
@@ -63,8 +63,8 @@ struct Curve_intervals
     return (std::max)(0., (std::min)(direct, total[a.component] - a.hull(b).extent()));
   }
 
-  // returns what lies between two pieces of one component and on them, the shorter way; not less
-  // than the same for any edges of the two pieces
+  // Returns the extent of two pieces of one component and of the gap between them, on the shorter
+  // side; not less than that of any edges of the two pieces.
   double reach(const Curve_interval& a, const Curve_interval& b) const
   {
     const double between = (std::max)(a.first, b.first) - (std::min)(a.last, b.last);

@@ -127,7 +127,8 @@ private:
     return result;
   }
 
-  // One of each set. Of very many sets, as of single samples in a thin plate, those with most room.
+  // One sample of each set. If there are very many sets, such as single samples in a thin plate,
+  // those with the largest clearance.
   std::vector<Start> samples_with_most_room()
   {
     std::vector<Start> starts;
@@ -139,7 +140,7 @@ private:
     return starts;
   }
 
-  // The gaps are sorted, so that most samples are never asked for their distance to the boundary.
+  // The gaps are sorted: the distance to the boundary is measured for few samples.
   Start sample_with_most_room(const std::vector<std::size_t>& members) const
   {
     Start best{members.front(), -1};
@@ -152,7 +153,8 @@ private:
     return best;
   }
 
-  // how large a ball around the center is inside and farther than 2 r from the curve
+  // Radius of the largest ball around the center that is inside and farther than 2 r from the
+  // curve.
   double room(const Vector& center) const
   {
     const auto point = to_point(center, m_traits);
@@ -161,7 +163,7 @@ private:
     return (std::min)(m_curve.distance(center) - 2 * m_thickness(point), m_domain.distance(point));
   }
 
-  // Steps along the axes to more room, with steps that shrink where there is none.
+  // Ascends along the axes to a larger clearance, with steps that shrink where there is none.
   Region ascend(const Vector& start) const
   {
     Region ball{start, room(start), 0};

@@ -33,8 +33,8 @@ namespace internal {
 class Least_pair_distance
 {
 public:
-  // All distances are those of the curve times `unit`. \pre the network has no garbage, so that its
-  // edges come in the order of the curve
+  // All distances are those of the curve times `unit`. \pre the network has no garbage: its edges
+  // are in the order of the curve
   template <typename Network>
   Least_pair_distance(const Network& curve, const Curve_intervals& spans, double unit)
       : m_spans(spans), m_tree(boxes(curve, unit))
@@ -43,7 +43,7 @@ public:
   /* returns the least of `bound` and of `distance(e, f)` over all pairs of edges.
    * Pieces of the curve with a `reach()` below `neighborhood` are passed over.
    * \pre distance(e, f) is not below the distance of the boxes of e and f
-   * \throws Run_stopped if the watch, if there is one, says so
+   * \throws Run_stopped if a watch requests it
    */
   template <typename Distance>
   double least(double bound,

@@ -34,7 +34,7 @@ class Linked_samples
 
 public:
   // `spacing` is the edge of the cube that holds one sample on average.
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   Linked_samples(const Domain& domain,
                  const std::vector<Point_3>& samples,
                  double spacing,
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  // the sets, to be united further by those who know more
+  // the sets, which callers may unite further
   Disjoint_sets& sets() { return m_sets; }
 
   // the largest distance of samples that are linked
@@ -63,7 +63,7 @@ public:
 private:
   using Cell = std::array<long long, 3>;
 
-  // Within this many spacings a sample has 14 others on average, so that random gaps do not tear a
+  // Within this many spacings a sample has 14 neighbors on average; random gaps do not tear a
   // region apart.
   static constexpr double link_length = 1.5;
 

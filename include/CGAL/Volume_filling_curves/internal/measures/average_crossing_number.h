@@ -49,7 +49,7 @@ public:
       m_edges[e].nodes = {static_cast<Index>(curve.source(e)), static_cast<Index>(curve.target(e))};
   }
 
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   std::size_t operator()(const std::vector<Vector>& projection, Run_watch* watch = nullptr)
   {
     check(watch);
@@ -188,9 +188,9 @@ private:
   std::vector<Index> m_listed;
 };
 
-// The mean number of crossings over 100 directions that are spread evenly over the half-sphere: a
-// Fibonacci lattice (each direction a golden angle further around the axis), turned once so that no
-// direction is special for curves on a lattice. Fixed directions make the number reproducible; its
+// Mean number of crossings over 100 directions, evenly distributed over the half-sphere: a
+// Fibonacci lattice (each direction a golden angle further around the axis), rotated to avoid
+// special directions of curves on a lattice. Fixed directions make the number reproducible; its
 // sampling error is about 1 %.
 
 constexpr std::size_t number_of_viewing_directions = 100;

@@ -47,19 +47,19 @@ public:
     return after >= m_distance * m_distance || after >= squared_before();
   }
 
-  // whether the corner abc is too sharp
+  // Returns whether the corner abc is too sharp.
   bool does_fold(const Vector& a, const Vector& b, const Vector& c) const
   {
     return m_distance > 0 && is_sharp(a, b, c);
   }
 
-  // likewise, where the corner was at `before`
+  // The same, if the corner was at `before`.
   bool does_fold(const Vector& a, const Vector& b, const Vector& c, const Vector& before) const
   {
     return does_fold(a, b, c) && cosine(a, b, c) > cosine(a, before, c);
   }
 
-  // likewise, where the corner went on to `before` instead of c
+  // The same, if the corner continued to `before` instead of c.
   bool does_bend(const Vector& a, const Vector& b, const Vector& c, const Vector& before) const
   {
     return does_fold(a, b, c) && cosine(a, b, c) > cosine(a, b, before);

@@ -87,9 +87,9 @@ public:
     return seconds_per_operation * static_cast<double>(best().best_operations().size());
   }
 
-  // Carries out what the best search did, by a guard of the curve that the search started from,
-  // or of a copy, until go_further() returns false, which is asked every few milliseconds. Leaves
-  // garbage in the network.
+  // Replays the moves of the best search through a guard of the initial curve, or of a copy, until
+  // go_further(), which is called every few milliseconds, returns false. Leaves garbage in the
+  // network.
   template <typename Predicate>
   void apply(Guard& guard, const Predicate& go_further) const
   {

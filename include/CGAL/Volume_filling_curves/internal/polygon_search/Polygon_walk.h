@@ -44,7 +44,7 @@ public:
 
   const Search_polygon& polygon() const { return m_polygon; }
 
-  // what was done to the start
+  // the operations applied to the start
   const Operations& operations() const { return m_operations; }
 
   // Tries a random change.
@@ -171,7 +171,7 @@ private:
            m_random.real() < decay(increase / (m_parameters.temperature * m_mean_length));
   }
 
-  // exp(-x) but for a few per cent, the same on every platform
+  // exp(-x) up to a few per cent, the same on every platform
   static double decay(double x)
   {
     double y = 1 / (1 + x / 256);

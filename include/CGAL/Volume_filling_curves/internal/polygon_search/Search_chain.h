@@ -110,7 +110,7 @@ private:
       m_progress = m_best_of_attempt;
   }
 
-  // Whether an attempt has made no progress for long, or has no room for more.
+  // Returns whether an attempt has made no progress for long, or has used up its memory.
   bool is_attempt_over() const
   {
     return m_moves - m_progress.moves > m_parameters.patience(m_progress.edges) ||

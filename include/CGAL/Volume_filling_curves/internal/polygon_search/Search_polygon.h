@@ -204,7 +204,7 @@ private:
     return e;
   }
 
-  // Each returns the new numbers, null for what is gone.
+  // Each returns the new numbers, null for removed elements.
 
   std::vector<Index> renumber_nodes()
   {

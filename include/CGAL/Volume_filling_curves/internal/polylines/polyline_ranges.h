@@ -52,7 +52,7 @@ template <typename T>
 inline constexpr bool is_range_of_ranges =
     is_range_of_items<T>&& is_range_of_items<range_item_t<T>>;
 
-// the items of polylines: the points, or what a map makes points of
+// the items of polylines: points, or objects that a map converts to points
 template <typename T>
 using polyline_item_t =
     std::conditional_t<is_range_of_ranges<T>, range_item_t<range_item_t<T>>, range_item_t<T>>;

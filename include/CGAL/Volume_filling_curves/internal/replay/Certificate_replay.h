@@ -34,12 +34,11 @@ struct Refusal : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// Carries out the operations of a certificate, one after another, each only if it is an elementary
-// move of knot theory (Reidemeister 1926): the triangles that the edges sweep may meet the rest of
-// the curve in the nodes that they have in common with it, and nowhere else. Independent of the
-// guard: nothing is shared with what has made the certificate, and what double arithmetic cannot
-// prove is decided with rational numbers. Constant time per operation if edges have similar
-// lengths.
+// Replay of the operations of a certificate, each only if it is an elementary move of knot theory
+// (Reidemeister 1926): the triangles that the edges sweep may meet the rest of the curve only in
+// common nodes. Independent of the guard: it shares no code with the certificate's author, and
+// decides questions that double arithmetic cannot settle with rational numbers. Constant time per
+// operation if edges have similar lengths.
 class Certificate_replay
 {
   using Kind = Certificate_operation::Kind;

@@ -38,8 +38,8 @@ class Box_tree
   using Kernel = CGAL::Simple_cartesian<double>;
   using Boxes = std::vector<Bbox_3>;
 
-  // A run of boxes. The tree asks for nothing but their hull; the rest is what CGAL's concept of a
-  // primitive demands.
+  // Run of boxes. The tree only uses their hull; the other members are required by CGAL's concept
+  // of a primitive.
   struct Primitive
   {
     using Id = std::size_t;
@@ -90,7 +90,7 @@ public:
     build();
   }
 
-  // likewise, with the places where runs end; a run may be empty
+  // Takes the indices where runs end; a run may be empty.
   Box_tree(Boxes boxes, std::vector<std::uint32_t> run_ends)
       : m_boxes(std::move(boxes)), m_run_ends(std::move(run_ends))
   {

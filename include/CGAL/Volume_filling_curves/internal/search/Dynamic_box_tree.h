@@ -32,7 +32,7 @@ class Dynamic_box_tree
 public:
   Dynamic_box_tree() : Dynamic_box_tree(Box()) {}
 
-  // for boxes within `frame`; others are found, too, among more candidates
+  // Takes the frame of most boxes; others are found with more candidates.
   explicit Dynamic_box_tree(const Box& frame) : m_origin(frame.min()), m_levels(1)
   {
     const double side = frame.sizes().maxCoeff();

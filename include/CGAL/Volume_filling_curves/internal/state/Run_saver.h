@@ -222,8 +222,8 @@ public:
     return Kept(m_parts);
   }
 
-  // Keeps a curve. Checks one that is read, by a function that throws std::invalid_argument, too:
-  // all that follows is certified only for an embedded curve.
+  // Keeps a curve. A curve that is read is checked by a function that throws std::invalid_argument:
+  // subsequent certificates require an embedded curve.
   template <typename Network, typename Check>
   [[nodiscard]] Kept keep_curve(Network& curve, const Check& check)
   {

@@ -28,9 +28,9 @@ namespace internal {
 struct Run_stopped
 {};
 
-// The clock of a run, its limit of time, and the function that reports progress and may end the
-// run. Every loop that can last longer than some milliseconds asks must_stop(), in any thread; it
-// costs a look at the clock, some 25 ns. A run that is to stop never goes on again.
+// Clock of a run, its time limit, and the function that reports progress and may end the run. Every
+// loop that can last longer than some milliseconds calls must_stop(), in any thread, which takes
+// some 25 ns to read the clock. A run that is to stop never continues.
 class Run_watch
 {
 public:
@@ -38,13 +38,12 @@ public:
 
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  // Of a run that completes, within limits, what it has begun: in seconds, so that limits are kept
-  // within 0.3.
+  // Grace, in seconds, of a run that completes its current work; limits are kept within 0.3
+  // seconds.
   static constexpr double moment = 0.15;
 
-  // Starts the clock; the limit is in seconds. The run must stop so many seconds after the limit is
-  // reached, or the run interrupted, as the grace says. Who can end before asks is_time_over() and
-  // is_interrupted().
+  // Starts the clock; limit and grace are in seconds. The run must stop within the grace after the
+  // limit or an interruption. Code that can end earlier tests is_time_over() and is_interrupted().
   explicit Run_watch(double limit = never, Progress_function progress = nullptr, double grace = 0)
       : m_limit(limit), m_grace(grace), m_report(std::move(progress))
   {}
@@ -55,7 +54,7 @@ public:
   // of the clock
   double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
 
-  // returns whether the run is to end, and reports progress if it is time for that
+  // Returns whether the run is to end, and reports progress if a report is due.
   bool must_stop()
   {
     if(m_is_stopped.load(std::memory_order_relaxed)) return true;
@@ -67,7 +66,7 @@ public:
     return m_is_stopped;
   }
 
-  // likewise, and takes note of how much of the stage is done
+  // The same, with the completed fraction of the stage.
   bool must_stop(double fraction)
   {
     note_fraction(fraction);
@@ -80,7 +79,7 @@ public:
     if(must_stop()) throw Run_stopped();
   }
 
-  // likewise, every so many calls with a counter of the caller's, whose steps take nanoseconds
+  // The same, but only every 256th call, for callers whose steps take nanoseconds.
   void check_sometimes(unsigned& counter)
   {
     constexpr unsigned calls = 256;
@@ -90,10 +89,10 @@ public:
   bool is_time_over() const { return !leaves(0); }
   bool is_interrupted() const { return m_is_interrupted; }
 
-  // returns whether what takes that many seconds ends in time
+  // Returns whether work of that many seconds ends in time.
   bool leaves(double seconds) const { return this->seconds() + seconds < m_limit; }
 
-  // Lets what comes after a stop take that many seconds more; nobody is asked again.
+  // Grants work after a stop that many seconds more; progress is not reported again.
   void grant(double seconds)
   {
     m_limit = (std::max)(m_limit, this->seconds() + seconds);
@@ -101,7 +100,8 @@ public:
     m_is_stopped = false;
   }
 
-  // The following are for the thread that has made the watch; others are ignored.
+  // The following functions are for the thread that constructed the watch, and have no effect in
+  // others.
 
   void begin(Run_stage stage)
   {

@@ -25,7 +25,8 @@ namespace internal {
 // Compile-time checks of concepts at the entry of a type: a class that is not a model is refused
 // with a message that names the concept and the member. Each check returns true.
 
-// Whether a use compiles: a generic lambda whose return type is that of what is to be possible.
+// Tests whether a use compiles: a generic lambda whose return type is that of the required
+// expression.
 template <typename... Ts, typename Use>
 constexpr bool allows(Use)
 {

@@ -42,7 +42,7 @@ public:
   // returns the number of the current line, from 1
   std::size_t line() const { return m_line; }
 
-  // returns what has not been read
+  // Returns the unread text.
   std::string_view rest() const { return m_text.substr(m_position); }
 
   // returns the next word of the record, which is empty at the end of the record
@@ -58,7 +58,7 @@ public:
     return {};
   }
 
-  // skips what is left of the record
+  // Skips the rest of the record.
   void next_record()
   {
     while(!next_word().empty()) {

@@ -91,8 +91,7 @@ public:
   // the length of all rays
   double length() const { return m_length; }
 
-  // Tells whether the curve is inside the sphere, and a step farther in, so that it was all the
-  // time.
+  // Returns whether the curve is inside the sphere, at least a step from it, and hence always was.
   bool hold() const
   {
     if(m_length == 0) return true;
@@ -103,8 +102,8 @@ public:
     return true;
   }
 
-  // Tells whether the usual closure of the curve as it stands has the type that it had: whether the
-  // rays could turn and point away from where the mean of the nodes is now, and meet nothing.
+  // Returns whether the usual closure of the current curve has its former type: whether the rays
+  // could turn away from the present mean of the nodes without meeting anything.
   bool can_turn_outwards() const
   {
     Ray_turn<Network> test(m_curve, m_ball, own_mean());
@@ -112,7 +111,7 @@ public:
     return test();
   }
 
-  // what the rays were added with
+  // parameters of the rays
   auto sphere() { return std::tie(m_ball, m_inner_radius, m_length); }
 
 private:

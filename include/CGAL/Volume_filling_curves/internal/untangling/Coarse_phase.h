@@ -33,7 +33,7 @@ public:
 
   bool is_on() const { return m_edges == Edges::LONG; }
 
-  // Takes the length after a step, and decides what the next one is to be like.
+  // Takes the length after a step, and decides whether the next step is coarse.
   void note(double length)
   {
     m_lengths[m_count++ % m_lengths.size()] = length;

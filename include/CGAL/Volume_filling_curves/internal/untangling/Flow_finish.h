@@ -149,8 +149,8 @@ bool make_round(Guard& guard)
   return is_round;
 }
 
-// What a flow is followed by where it ends: a descent to a lower ropelength, and for unknots the
-// length that they settle at and a round shape.
+// Work after a flow: a descent to a lower ropelength and, for unknots, shrinking to their final
+// length and a round shape.
 template <typename Flow, typename Visitor>
 class Flow_finish
 {
@@ -165,7 +165,7 @@ public:
       : m_run(run), m_flow(flow), m_start(start), m_rules(rules)
   {}
 
-  // The descent knows no walls.
+  // The descent ignores boundaries.
   bool can_lower_ropelength(Untangling_status status) const
   {
     const bool is_at_end = status == Untangling_status::CONVERGED ||
@@ -176,7 +176,8 @@ public:
            !has_pinned_node(m_flow.curve());
   }
 
-  // Returns how the run ended: as the flow, unless it is cut short, or unties what had stalled.
+  // Returns the status of the run: that of the flow, unless the descent is interrupted or unties a
+  // stalled curve.
   Untangling_status lower_ropelength(Untangling_status status_of_flow)
   {
     m_run.watch.begin(Run_stage::TIGHTENING);

@@ -136,7 +136,7 @@ public:
   bool is_proved() const { return m_unknottedness.is_proved(); }
   void write_proofs(Untangling_result& result) { m_unknottedness.write(m_flow.curve(), result); }
 
-  // what the status depends on besides the flow
+  // data besides the flow that determine the status
   auto history()
   {
     return std::tuple_cat(

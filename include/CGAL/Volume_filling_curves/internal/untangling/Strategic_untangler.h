@@ -98,8 +98,8 @@ private:
     return status;
   }
 
-  // Searches from a simplified copy until that gets no further, and takes over what it finds. An
-  // unknot is proved later, by the flow or the result.
+  // Searches from a simplified copy until it stops making progress, and adopts the result. An
+  // unknot is proved later, by the flow or in the result.
   Untangling_status search_and_adopt()
   {
     m_run.watch.begin(Run_stage::SEARCHING);
@@ -154,7 +154,7 @@ private:
            m_sweeps + polygon_search.progress().sweeps >= m_run.parameters.number_of_iterations;
   }
 
-  // A run that is at its end can only complete what takes a moment.
+  // At its end, a run can only complete short work.
   bool is_time_left(double seconds) const
   {
     return (!m_run.watch.is_interrupted() && !m_run.watch.is_time_over()) ||
@@ -182,8 +182,8 @@ private:
     return curve;
   }
 
-  // Whether the flow has less to do from what a search has found than from the curve as it is. To
-  // even out a crooked polygon takes longer than to undo crossings: for a random polygon of 300
+  // Returns whether the flow has less work from the result of a search than from the current curve.
+  // Smoothing an irregular polygon takes longer than undoing crossings: for a random polygon of 300
   // edges in a ball, searched from 1943 crossings down to 821, 568 iterations and 12 seconds, and
   // 217 and 4.5 without it; a tight curve of 292 crossings comes back with 329 (2026-11-22).
   // Tangled knots keep about a tenth. A ribbon has few crossings, but is thousands of its own
@@ -218,8 +218,8 @@ private:
     return width > 0 ? total_length(curve) / width : std::numeric_limits<double>::infinity();
   }
 
-  // Does to the curve what was done to its copy. A search shrinks a curve by orders of magnitude,
-  // which is undone, if there is time.
+  // Applies the changes of the copy to the curve. A search shrinks a curve by orders of magnitude;
+  // the former length is restored if time allows.
   void adopt(const Search& polygon_search)
   {
     m_follows_search = true;
@@ -240,8 +240,8 @@ private:
     return m_curve.number_of_components() == 1 && unknot_proof(m_curve, 0) != Unknot_proof::NONE;
   }
 
-  // A thickness that was measured may be too small: strands that lie side by side all along, as in
-  // a ribbon, say nothing about the size of the curve. Then another flow has one that suits.
+  // A measured thickness may be too small: parallel strands, as along a ribbon, do not reflect the
+  // size of the curve. Another flow then uses a fitting thickness.
   Untangling_result fitting_flow()
   {
     Untangling_result result = flow();
@@ -265,7 +265,7 @@ private:
     return completed(result);
   }
 
-  // what a run depends on between searches and flows
+  // state of a run between searches and flows
   void copy(State_archive& archive)
   {
     archive(m_thickness, m_search_parameters.patience_factor, m_seeds, m_statistics, m_searches,

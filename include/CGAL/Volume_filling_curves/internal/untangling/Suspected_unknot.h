@@ -64,7 +64,7 @@ private:
     m_length = flow.length();
   }
 
-  // what stays when a curve moves
+  // result that a motion of the curve does not change
   template <typename Network>
   bool looks_like_unknot(const Network& curve)
   {
