@@ -14,19 +14,19 @@
 
 namespace vfc {
 
-// One input of a batch, and where its files go: the folder of the batch with the name of the input,
-// without its ending.
+// Input of a batch, and the path of its files: the folder of the batch with the name of the input,
+// without its extension.
 struct Batch_item
 {
   std::string input, stem;
 };
 
-// the name, in the folder of a batch, of the file with its reports
+// name of the file with the reports in the folder of a batch
 constexpr const char* name_of_results = "results.jsonl";
 
-// Reads the inputs that a shard has to do, empty lines left out. Takes the endings of the files
-// that each of them gets. \throws Input_error if two files of the folder would have the same name,
-// that of the results included, if an input is in the folder, or has a name that is not UTF-8
+// Reads the inputs of a shard, without empty lines. Takes the extensions of the files for each
+// input. \throws Input_error if two files of the folder, including the results, would have the same
+// name, if an input is in the folder, or if its name is not UTF-8
 std::vector<Batch_item> read_batch_list(const Batch_options& options,
                                         const std::string& folder,
                                         const std::vector<std::string>& endings);

@@ -12,14 +12,14 @@
 
 namespace vfc {
 
-// While a record exists, a crash of the process, such as a segmentation fault or an overflow of the
-// main thread's stack, appends a line to a file before it ends the process. A batch would otherwise
-// begin with the same input, and crash, at each of its starts. At most one record at a time; does
-// nothing on Windows.
+// Record of crashes: while it exists, a crash of the process, such as a segmentation fault or an
+// overflow of the main thread's stack, appends a line to a file before the process ends. Otherwise
+// a batch would start with the same input, and crash, each time. At most one record at a time; has
+// no effect on Windows.
 class Crash_record
 {
 public:
-  // Takes a file that was opened for appending, and the line with its end.
+  // Takes a file opened for appending, and the line with its end.
   Crash_record(std::FILE* file, const std::string& line);
   Crash_record(const Crash_record&) = delete;
   Crash_record& operator=(const Crash_record&) = delete;

@@ -17,34 +17,34 @@
 
 namespace vfc {
 
-// The results of a batch so far: the reports of all runs, one per line of a file. Processes with
-// other shards may append to it at the same time, and each may be killed at any moment: whole lines
-// are never lost, and the part of a line that somebody could not complete is dropped by the next
-// one who reads or writes. Where a file system has no locks, one may take a line that another is
-// writing for unfinished. Errors are thrown as Usage_error.
+// Results of a batch so far: the reports of all runs, one per line of a file. Processes with other
+// shards may append concurrently, and each may be killed at any moment: complete lines are never
+// lost, and the next process that reads or writes drops an incomplete line. On a file system
+// without locks, a process may take a line that another is writing for incomplete. Errors are
+// thrown as Usage_error.
 class Results
 {
 public:
-  // What became of an input.
+  // Outcome of an input.
   struct Outcome
   {
     int exit_status;
     std::string status; // of the report
   };
 
-  // Creates the file if there is none, and refuses one that holds something else.
+  // Creates the file if there is none, and refuses a file with other contents.
   Results(const std::string& path, const std::string& command);
 
-  // Writes the report as it is when the process crashes, as long as the record exists.
+  // Writes the current report if the process crashes while the record exists.
   Crash_record record_crash(const Report& report) const
   {
     return {m_file.get(), report.to_line() + '\n'};
   }
 
-  // Appends the report of a run, which is on the disk then.
+  // Appends the report of a run, and flushes it to the disk.
   void add(const Report& report);
 
-  // returns null if no run for this input has come to its end
+  // Returns null if no run for this input has ended.
   const Outcome* find(const std::string& input) const;
 
 private:

@@ -12,15 +12,15 @@ namespace vfc {
 struct Command_line;
 class Session;
 
-// Runs a command for each input of a list, or of a shard of it, that is not done yet. Processes
-// that work on the same folder have different shards. A run that fails does not keep others from
-// being done.
+// Runs a command for each unfinished input of a list, or of a shard of it. Processes on the same
+// folder have different shards. The batch continues after a failed run.
 //
-// The process may be killed at any moment. Files of a run are written first, each of them as a
-// whole; then a line of the results says that the input is done. Whatever has no such line is done
-// anew by the next process.
+// The process may be killed at any moment. The files of a run are written first, each as a whole;
+// then a line of the results marks the input as done. The next process repeats inputs without such
+// a line.
 //
-// Returns the gravest exit status of all runs of the list, or of the shard, also of earlier ones.
+// Returns the most severe exit status of all runs of the list, or of the shard, including earlier
+// ones.
 int run_batch(const Command_line& command_line, const Session& session);
 
 } // namespace vfc

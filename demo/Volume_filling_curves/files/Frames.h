@@ -17,8 +17,8 @@
 
 namespace vfc {
 
-// The pictures of a film: the curve of every K-th iteration and the result, frame_000000.obj and so
-// on; as .vtp files with a list of them, frames.pvd, for ParaView.
+// Frames of a film: the curve of every K-th iteration and the result, frame_000000.obj and so on;
+// .vtp files also get a list, frames.pvd, for ParaView.
 class Frames
 {
 public:
@@ -32,7 +32,7 @@ public:
   // and the list, if there is one.
   void finish(std::size_t iteration, const Curve& curve);
 
-  // returns whether a file of this name is taken for a frame of an earlier run
+  // Returns whether a file name is that of a frame of an earlier run.
   static bool is_frame(const std::filesystem::path& file);
 
 private:

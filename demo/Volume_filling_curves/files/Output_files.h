@@ -13,25 +13,25 @@
 
 namespace vfc {
 
-// The files that a run is going to write. They are checked before any work starts: none may exist,
-// unless the user says so, all must be writable, and no two may be the same file, under whatever
-// names. Nor may one be a file that the run reads, but for a result that takes the place of the
-// input: it is written when the input has long been read.
+// Output files of a run, checked before any work starts: none may exist, unless the user allows it,
+// all must be writable, and no two names may refer to the same file. An output must not be an input
+// of the run, except for a result that replaces the input, which is written long after the input is
+// read.
 class Output_files
 {
 public:
   explicit Output_files(bool may_overwrite) : m_may_overwrite(may_overwrite) {}
 
-  // Tells of a file that is read, and of the option that may replace it, if any.
-  // \throws Usage_error if another option was going to
+  // Adds an input file, and the option that may replace it, if any. \throws Usage_error if another
+  // option would replace it
   void add_input(const std::string& path, const std::string& replaced_by = "");
 
-  // Checks a file, if the path is not empty; devices and pipes are welcome.
-  // \throws Usage_error that names the option
+  // Checks a file, if the path is not empty; devices and pipes are allowed. \throws Usage_error
+  // that names the option
   void add(const std::string& option, const std::string& path);
 
-  // Likewise a file that a run replaces by newer ones, and that may be there if it is the one that
-  // the run goes on from.
+  // Checks a file that the run replaces by newer ones, and that may exist if the run resumes from
+  // it.
   void add_continued(const std::string& option,
                      const std::string& path,
                      const std::string& continued);
@@ -42,13 +42,13 @@ public:
                   const std::string& path,
                   bool (*is_replaced)(const std::filesystem::path& file));
 
-  // Whether the user named any file or folder.
+  // Returns whether the user named any file or folder.
   bool is_any_named() const { return m_is_any_named; }
 
-  // The options that name outputs, as far as they were checked: "--output, --map".
+  // Returns the checked options that name outputs: "--output, --map".
   std::string options() const;
 
-  // Writes a complete file, or leaves what was there as it was. \throws Usage_error
+  // Writes a complete file, or leaves the old one unchanged. \throws Usage_error
   static void write(const std::string& path, const std::string& content);
 
 private:

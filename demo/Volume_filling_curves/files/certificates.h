@@ -31,10 +31,9 @@ struct Certificate_files
   std::vector<std::string> obstacles; // within that mesh
 };
 
-// Replays a certificate, reports how many operations were verified, and prints the verdict if it is
-// good. Returns why it does not
-// prove that the curves are the same, and that they stayed inside; nothing if it does. \throws
-// Input_error
+// Replays a certificate, reports the number of verified operations, and prints the verdict if it is
+// valid. Returns the reason why it does not prove that the curves are isotopic and stayed inside,
+// or nothing if it does. \throws Input_error
 Defects defects_of_certificate(Session& session,
                                const Certificate_files& files,
                                const Curve_reading& reading);

@@ -19,7 +19,7 @@ namespace vfc {
 
 class Session;
 
-// The files that the state of a run goes to and comes from.
+// Files that the state of a run is written to and read from.
 struct Checkpoint_options
 {
   std::string checkpoint, resume; // files, or empty
@@ -29,11 +29,11 @@ struct Checkpoint_options
 // Checks the files. \throws Usage_error
 void plan_checkpoints(Session& session, const Checkpoint_options& options);
 
-// The state to resume from, empty if there is none. \throws Input_error
+// Returns the state to resume from, empty if there is none. \throws Input_error
 CGAL::Volume_filling_curves::Run_state read_run_state(const Checkpoint_options& options);
 
-// Has a run write its state now and then, and where it ends early; a newer one replaces the older.
-// Warns if that is impossible.
+// Makes a run write its state at intervals, and where it ends early; each state replaces the former
+// one. Warns if that is impossible.
 void save_states(const Session& session,
                  CGAL::Volume_filling_curves::Curve_run_parameters& parameters,
                  const Checkpoint_options& options);

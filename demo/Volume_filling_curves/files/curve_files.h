@@ -29,14 +29,14 @@ struct Curve_and_defects
   bool is_valid = false;
 };
 
-// The user's word on a curve that is read: whether it may have junctions, and whether its
-// components are closed or open, if not as the file has it.
+// Options for reading a curve: whether it may have junctions, and whether its components are closed
+// or open, overriding the file.
 struct Curve_reading
 {
   bool is_network = false, is_closed = false, is_open = false;
 };
 
-// Reads a file, before anybody asked whether it is a curve.
+// Reads a file, which need not be a curve.
 CGAL::Volume_filling_curves::internal::Curve_draft read_curve_draft(const std::string& file,
                                                                     const Curve_reading& reading);
 
@@ -48,13 +48,13 @@ Curve read_curve(Session& session, const std::string& file, const Curve_reading&
 // Plans to write a curve, if the name is not empty. \throws Usage_error
 void add_curve_file(Output_files& outputs, const std::string& option, const std::string& file);
 
-// Writes a curve; if the format holds them, with the medial radii, capped at twice the thickness,
-// unless this is 0, which stands for unknown. \throws Usage_error \pre curves are written to files
-// of this name
+// Writes a curve and, if the format supports values and the thickness is not 0 (unknown), the
+// medial radii, capped at twice the thickness. \throws Usage_error \pre the format of this file
+// name can be written
 void write_curve(const std::string& file, const Curve& curve, double thickness = 0);
 
-// Writes the numbers that the nodes of a result had in the input, in the order of the result's
-// file, unless the name of the map is empty. \throws Usage_error
+// Writes the input numbers of a result's nodes, in the order of the result's file, unless the name
+// of the map is empty. \throws Usage_error
 void write_map(const std::string& map, const std::string& output, const Curve& curve);
 
 } // namespace vfc

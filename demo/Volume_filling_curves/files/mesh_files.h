@@ -53,9 +53,9 @@ void accept(Session& session, const Mesh_findings& findings);
 // Reads a mesh and accepts it. \throws Input_error
 Mesh_and_defects read_mesh(Session& session, const std::string& file);
 
-// returns whether a file holds a surface rather than a curve: an OBJ file if it has faces and no
-// lines, and all others with the extension of a surface, but for PLY and VTP files that have lines
-// and no faces
+// Returns whether a file contains a surface rather than a curve: an OBJ file if it has faces and no
+// lines, and other files with the extension of a surface, except PLY and VTP files with lines and
+// no faces.
 bool is_mesh_file(const std::string& file);
 
 } // namespace vfc

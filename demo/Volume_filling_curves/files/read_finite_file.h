@@ -15,8 +15,8 @@
 
 namespace vfc {
 
-// Reads a file or a pipe as a whole, but no device such as /dev/zero, which has no end. Returns the
-// error, if there is one.
+// Reads a whole file or pipe, but no endless device such as /dev/zero. Returns the error, if there
+// is one.
 inline std::error_code read_finite_file(const std::string& file, std::string& content)
 {
   namespace fs = std::filesystem;

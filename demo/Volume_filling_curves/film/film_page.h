@@ -11,8 +11,8 @@
 
 namespace vfc {
 
-// returns a page that shows a film in a browser, without any other file: takes what Film::to_json()
-// returns, and the text of three.js
+// Returns a page that shows a film in a browser, without any other file, given the result of
+// Film::to_json() and the text of three.js.
 std::string film_page(const std::string& film, const std::string& three_js);
 
 // The files of this folder that the page is made of, as texts.

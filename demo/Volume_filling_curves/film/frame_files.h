@@ -19,7 +19,7 @@ struct Frame_file
   std::string file;
 };
 
-// The frames of a run that are in a folder, in their order. \throws Usage_error if there are none
+// Returns the frames of a run in a folder, in order. \throws Usage_error if there are none
 std::vector<Frame_file> frames_in(const std::string& folder);
 
 } // namespace vfc

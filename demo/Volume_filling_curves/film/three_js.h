@@ -12,9 +12,9 @@
 namespace vfc {
 
 // returns the text of three.js, a library for scenes in browsers, as Debian's package libjs-three
-// installs it below one of $XDG_DATA_DIRS, or else as npm does below the current folder, if it is
-// a single file: newer releases than 149 ask not to be used so, and those after 160 are several
-// \throws Usage_error that says how to get it
+// installs it below one of $XDG_DATA_DIRS, or else as npm does below the current folder, if it is a
+// single file: releases after 149 discourage this use, and those after 160 consist of several files
+// \throws Usage_error with a remedy if it is missing
 std::string read_three_js();
 
 } // namespace vfc

@@ -14,7 +14,7 @@
 
 namespace vfc {
 
-// A column of a file: a value of each node beside its position, by which programs color curves.
+// Column of a file: a value of each node beside its position, for programs that color curves.
 struct Node_column
 {
   std::string name;

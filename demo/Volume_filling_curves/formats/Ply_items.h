@@ -32,7 +32,7 @@ struct Ply_type
   Kind kind;
 };
 
-// A number, or a list of numbers behind their number.
+// Number, or list of numbers preceded by their count.
 struct Ply_property
 {
   std::string_view name = {};
@@ -53,13 +53,13 @@ struct Ply_element
   std::vector<Ply_property> properties = {};
 };
 
-// A PLY file, ASCII or binary: its header, and the items of its elements, one after the other.
-// CGAL's reader crashes on headers in which a property comes before any element or has another
-// type than expected (50 bytes are enough), refuses files without a reason, reads no edges, and
-// allocates whatever a file announces. Linear time.
+// PLY file, ASCII or binary: its header, and the items of its elements, one after the other. CGAL's
+// reader crashes on headers where a property precedes all elements or has an unexpected type (50
+// bytes are enough), refuses files without a reason, reads no edges, and allocates any announced
+// size. Linear time.
 //
-// In ASCII an item may go on in further lines, or share its line with others; one that does
-// both lacks a value, or the item before has too many.
+// In ASCII an item may continue in further lines, or share its line with others; an item that does
+// both lacks a value, or its predecessor has too many.
 class Ply_items
 {
 public:
@@ -69,15 +69,16 @@ public:
   // the elements that the header announces; none if there is an error in it
   const std::vector<Ply_element>& elements() const { return m_elements; }
 
-  // Reads the next item, which is one of an element. Returns whether it is there; otherwise the
-  // error is among the defects.
+  // Reads the next item, which belongs to an element. Returns whether it exists; otherwise adds an
+  // error to the defects.
   bool next(const Ply_element& element);
 
-  // the lines where the item begins and where the next is looked for, or 0 in a binary file
+  // the lines where the item begins and where the next one is expected, or 0 in a binary file
   std::size_t line() const { return m_is_ascii ? m_line : 0; }
   std::size_t next_line() const { return m_is_ascii ? m_words.line() : 0; }
 
-  // the values of a property of the item: one, or those of a list; a word that is no number is NaN
+  // the values of a property of the item: one, or those of a list; a word that is not a number is
+  // NaN
   const double* begin(std::size_t property) const { return m_values.data() + m_starts[property]; }
   const double* end(std::size_t property) const { return m_values.data() + m_starts[property + 1]; }
 

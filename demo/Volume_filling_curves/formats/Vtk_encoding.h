@@ -15,20 +15,20 @@
 
 namespace vfc {
 
-// Why the arrays of a file cannot be decoded.
+// Error in the encoding of a file's arrays.
 struct Encoding_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-// How VTK's XML formats write arrays that are not in ASCII: bytes behind their number, or blocks
-// compressed by zlib behind the sizes of all blocks; both either raw or in base64. Sizes are
-// checked before memory is asked for.
+// Encoding of arrays in VTK's XML formats, other than ASCII: bytes preceded by their number, or
+// blocks compressed by zlib preceded by the sizes of all blocks; both either raw or in base64.
+// Sizes are checked before memory is allocated.
 class Vtk_encoding
 {
 public:
-  // Takes the attributes of <VTKFile>; an empty one is absent. Compressed arrays with more than so
-  // many bytes are refused. \throws Encoding_error
+  // Takes the attributes of <VTKFile>, empty if absent, and the maximal number of bytes of a
+  // compressed array. \throws Encoding_error
   Vtk_encoding(std::string_view header_type,
                std::string_view byte_order,
                std::string_view compressor,
@@ -37,7 +37,7 @@ public:
   // Returns an array that stands at the beginning of `data`. \throws Encoding_error
   std::string bytes(std::string_view data, bool is_base64) const;
 
-  // Appends the numbers that bytes are, with blanks between, to a text. They keep their values.
+  // Appends the numbers that bytes encode to a text, separated by blanks and without loss.
   // \throws Encoding_error if `type` is not one of VTK's, such as "Float32"
   void append_numbers(std::string& text, std::string_view bytes, std::string_view type) const;
 

@@ -13,8 +13,8 @@
 
 namespace vfc {
 
-// Walks over the tags of an XML text, and gives out what stands between them, without copying. It
-// knows no entities, and whether the tags are balanced is for the user to tell. Linear time.
+// Scanner of an XML text, which visits the tags and returns the text between them, without copying.
+// It does not expand entities or check whether tags are balanced. Linear time.
 class Xml_scanner
 {
 public:

@@ -19,7 +19,7 @@ namespace vfc {
 // returns the bytes as text (RFC 4648)
 std::string base64(const std::string& bytes);
 
-// returns the bytes that a text stands for, none if it is not what base64() would write for any
+// Returns the bytes that a text encodes, or none if base64() never writes this text.
 std::optional<std::string> bytes_of_base64(std::string_view text);
 
 // The same for the bytes of numbers of 32 bits, the least significant one first.

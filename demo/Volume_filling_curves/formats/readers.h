@@ -21,21 +21,22 @@ using CGAL::Volume_filling_curves::Junctions;
 using CGAL::Volume_filling_curves::internal::Curve_draft;
 using CGAL::Volume_filling_curves::internal::Defect_list;
 
-// Readers of the formats that the library does not have: each takes the text of a file, and returns
-// its vertices and edges, and what is wrong with them.
+// Readers of formats beyond those of the library: each takes the text of a file, and returns its
+// vertices, edges and defects.
 
 // PLY, in ASCII or binary, with the elements vertex and edge, the latter with the properties
 // vertex1 and vertex2. Vertices whose property pinned is not 0 are pinned. Without edges and faces
 // there is one closed curve through all vertices.
 Curve_draft read_ply(std::string_view text, Junctions junctions);
 
-// VTK's XML format for polygonal data, likewise, in any encoding but LZ4 and LZMA.
+// VTK's XML format for polygonal data, with the same conventions, in any encoding except LZ4 and
+// LZMA.
 Curve_draft read_vtp(std::string_view text, Junctions junctions);
 
 // Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner.
 Curve_draft read_vect(std::string_view text, Junctions junctions);
 
-// Lists of points, one in a line. Whether they are closed they do not say.
+// Lists of points, one per line, without information whether they are closed.
 Curve_draft read_point_list(std::string_view text, Junctions junctions);
 
 // The backbones of the Protein Data Bank, in Angstrom.

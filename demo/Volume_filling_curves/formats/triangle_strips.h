@@ -14,8 +14,9 @@
 
 namespace vfc {
 
-// Adds the triangles of a strip: each point makes one with the two before it, and every second is
-// turned around. Those with a corner twice, which only lead the strip elsewhere, are left out.
+// Adds the triangles of a strip: each point forms one with its two predecessors, and every second
+// one is reversed. Triangles with a repeated corner, which only continue the strip elsewhere, are
+// left out.
 inline void add_strip(const std::vector<std::size_t>& strip, Polygons& polygons)
 {
   for(std::size_t i = 2; i < strip.size(); ++i) {

@@ -15,8 +15,8 @@
 
 namespace vfc {
 
-// Writers of the formats that the library does not have compose the whole text in memory. PLY and
-// VTP have a value per node and column, and tell which nodes are pinned, if any is. Linear time.
+// Writers of formats beyond those of the library, which compose the whole text in memory. PLY and
+// VTP files have a value per node and column, and mark pinned nodes, if there are any. Linear time.
 using CGAL::Volume_filling_curves::internal::Curve_paths;
 std::string to_ply(const Curve_paths& curve, const Node_columns& columns);
 std::string to_vtp(const Curve_paths& curve, const Node_columns& columns);

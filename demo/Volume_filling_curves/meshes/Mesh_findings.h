@@ -17,9 +17,8 @@
 
 namespace vfc {
 
-// The defects of one mesh file, as they are found: errors, which make the mesh unusable, and
-// warnings of what was repaired. Of each kind the first 1000 are listed, the others counted, up to
-// a million.
+// Defects of a mesh file: errors, which make the mesh unusable, and warnings about repairs. Of each
+// kind the first 1000 are listed, and the others counted, up to a million.
 class Mesh_findings
 {
 public:
@@ -39,14 +38,14 @@ public:
 
   bool has_error() const { return m_has_error; }
 
-  // returns whether there are errors, all of kinds that repair_mesh() knows to mend
+  // Returns whether there are errors, and repair_mesh() can mend all of their kinds.
   bool is_mendable() const;
 
-  // returns what was found, and the total of every kind that is not listed completely
+  // Returns the defects, and the total of every kind that is not listed completely.
   Defects list() const;
 
-  // returns one defect for every kind: the first, with the number of others and, if it is an error,
-  // what would mend it
+  // Returns one defect of every kind: the first, with the number of others and, for an error, a
+  // remedy.
   Defects summary() const;
 
   static constexpr std::size_t max_counted = 1000000;

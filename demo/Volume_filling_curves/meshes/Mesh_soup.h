@@ -18,8 +18,8 @@
 
 namespace vfc {
 
-// The triangles of a mesh file, and where in the file they and their corners are. Points may be
-// merged, left out and doubled; their coordinates tell where they come from.
+// Triangles of a mesh file, and the positions of triangles and corners in the file. Points may be
+// merged, left out and duplicated; their coordinates identify them in the file.
 struct Mesh_soup
 {
   using Point = Kernel::Point_3;
@@ -28,7 +28,7 @@ struct Mesh_soup
   // Notes the points as those of the file; the first one of equal points counts.
   void number_points();
 
-  // the place of a point in the file, from 0
+  // the index of a point in the file, from 0
   std::size_t place(std::size_t v) const { return place_of.at(points[v]); }
 
   // the numbers in the file, from 1

@@ -14,9 +14,9 @@
 
 namespace vfc {
 
-// The points of a mesh, as a property map that has a say in CGAL's functions: each of them asks for
-// points all the time, and ends by the exception Work_stopped when the watch wants it to. What it
-// was changing must then be thrown away.
+// Point map of a mesh that can end CGAL's functions, which access points all the time: at the
+// request of the watch, an access throws Work_stopped. The object that the function was changing
+// must then be discarded.
 class Watched_points
 {
 public:
@@ -40,8 +40,8 @@ public:
   }
 
 private:
-  // A look at the clock takes as long as some accesses do. CGAL copies property maps, so that they
-  // have to count together.
+  // Reading the clock takes as long as several accesses. CGAL copies property maps; the copies
+  // share a counter.
   void poll() const
   {
     static thread_local unsigned accesses = 0;

@@ -12,9 +12,9 @@
 
 namespace vfc {
 
-// Finds what is wrong with single points and triangles, merges equal points and leaves out those
-// without a face. Degenerate triangles are errors, but are taken out for the checks that come next.
-// All decisions are exact. O(n log n).
+// Check of single points and triangles, which merges equal points and drops points without a face.
+// Degenerate triangles are errors, and are removed for subsequent checks. All decisions are exact.
+// O(n log n).
 void check_soup(Mesh_soup& soup, Mesh_findings& findings);
 
 } // namespace vfc

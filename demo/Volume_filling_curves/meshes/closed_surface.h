@@ -13,12 +13,12 @@
 
 namespace vfc {
 
-// Makes a mesh of triangles, which bounds a domain, and finds what keeps it from that: edges of one
-// or of more than two faces, and faces that meet elsewhere than in a common vertex or edge. Where
-// the surface touches itself in a vertex the mesh has several. Faces are turned so that the normals
-// point out of the domain; a shell within an odd number of others bounds a cavity. All decisions
-// are exact. O(n log^2 n) unless many faces have intersecting boxes. \throws Work_stopped \pre no
-// triangle is degenerate
+// Construction of a mesh that bounds a domain from triangles, and search for obstacles to that:
+// edges of one or of more than two faces, and faces that meet elsewhere than in a common vertex or
+// edge. Where the surface touches itself in a vertex, the mesh has several vertices. Faces are
+// oriented with normals out of the domain; a shell within an odd number of others bounds a cavity.
+// All decisions are exact. O(n log^2 n) unless many faces have intersecting boxes. \throws
+// Work_stopped \pre no triangle is degenerate
 Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch);
 
 } // namespace vfc

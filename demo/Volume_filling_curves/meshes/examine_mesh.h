@@ -14,15 +14,15 @@
 
 namespace vfc {
 
-// Finds out whether triangles bound a domain, with findings that may have errors of the file's text
-// already. The result lacks the defects. \throws Work_stopped
+// Examines whether triangles bound a domain. The findings may already have errors of the file's
+// text; the result does not contain the defects. \throws Work_stopped
 Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings, Work_watch& watch);
 Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings); // for as long as it takes
 
 // returns the faces of a mesh, numbered as they are in a file of it
 Mesh_soup soup_of(const Mesh& mesh);
 
-// returns whether a mesh bounds a domain as it is; \throws Work_stopped
+// Returns whether a mesh bounds a domain without changes. \throws Work_stopped
 bool is_sound(const Mesh& mesh, Work_watch& watch);
 
 } // namespace vfc

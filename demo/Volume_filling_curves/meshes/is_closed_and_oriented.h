@@ -11,9 +11,9 @@
 
 namespace vfc {
 
-// returns whether the faces around each vertex follow one another in one circle, all turned the
-// same way: the surface is closed, and has no edge or vertex in which it touches itself. Takes a
-// tenth of the time that CGAL needs to find out by orienting the faces.
+// Returns whether the faces around each vertex form one cycle with consistent orientation: the
+// surface is closed, and does not touch itself in an edge or vertex. Takes a tenth of the time of
+// CGAL's test, which orients the faces.
 bool is_closed_and_oriented(const Mesh_soup& soup);
 
 } // namespace vfc

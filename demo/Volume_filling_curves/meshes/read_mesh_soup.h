@@ -18,15 +18,15 @@ namespace vfc {
 // returns the extension of a file's name in lower case, such as ".off"
 std::string lower_case_extension(const std::string& file);
 
-// returns whether files with this extension hold surfaces, or may
+// Returns whether files with this extension contain, or may contain, surfaces.
 bool is_mesh_extension(const std::string& extension);
 
-// Adds what is wrong with the text of a file, in the words for meshes.
+// Adds the defects of a file's text, with the wording for meshes.
 void add_errors(const Defect_list& defects, Mesh_findings& findings);
 
-// Reads points and faces, those of OBJ and STL files through CGAL, and cuts faces with more than
-// three corners into triangles: a fan, which is right for convex ones; for others the check for
-// self-intersections has the last word.
+// Reads points and faces, those of OBJ and STL files through CGAL, and divides faces with more than
+// three corners into fans of triangles, which is right for convex faces; for others the check for
+// self-intersections decides.
 Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings);
 
 } // namespace vfc

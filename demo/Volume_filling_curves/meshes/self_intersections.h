@@ -19,7 +19,7 @@ namespace vfc {
 using Face_pair = std::pair<Mesh::Face_index, Mesh::Face_index>;
 
 // Returns the pairs of faces that meet elsewhere than in a common vertex or edge, in order, up to a
-// million of them. Vertices at the same place are the same one. \throws Work_stopped
+// million of them. Vertices at the same position count as one. \throws Work_stopped
 std::vector<Face_pair> intersecting_faces(const Mesh& mesh, Work_watch& watch);
 
 // Reports these pairs. \throws Work_stopped \pre the mesh has the soup's points and faces

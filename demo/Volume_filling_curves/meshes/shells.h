@@ -14,11 +14,11 @@
 
 namespace vfc {
 
-// Orients the shells of a closed surface, which are its components: one within an odd number of
-// others bounds a cavity and is turned inward, all others outward. A whole nest that is turned the
-// wrong way is turned inside out, with a warning. A shell that is turned like the one around it is
-// an error, since its author may have meant two solids or a cavity; unless faces of one of the two
-// had been turned against their neighbors, `is_turned`, so that nothing can have been meant.
+// Orientation of the shells of a closed surface, which are its components: a shell within an odd
+// number of others bounds a cavity and is oriented inward, all others outward. A whole nest with
+// the wrong orientation is reversed, with a warning. A shell with the orientation of the shell
+// around it is an error, since its author may have meant two solids or a cavity; unless faces of
+// one of the two were oriented against their neighbors, `is_turned`, and no orientation was meant.
 // \pre the shells do not intersect; the mesh has the soup's points and faces
 void orient_shells(Mesh& mesh,
                    const std::vector<bool>& is_turned,

@@ -23,7 +23,7 @@
 
 namespace vfc {
 
-// The command line and what it asks for. Each command has a file that adds it, with its options.
+// Command line and its options. Each command has a file that adds it, with its options.
 struct Command_line
 {
   using Command = std::function<int(Session&)>; // returns the exit status
@@ -53,8 +53,8 @@ CLI::Option& add_curve_output(CLI::App& command, std::string& file);
 
 void add_reading_flags(CLI::App& command, Curve_reading& reading);
 
-// The numbers that an option takes, both ends included. Ratios far from 1 are slips of the pen, and
-// beyond these ends their products with lengths would overflow or be rounded away.
+// Range of the numbers that an option takes, both ends included. Ratios far from 1 are typing
+// errors, and beyond these ends their products with lengths would overflow or be lost to rounding.
 struct Range
 {
   double least, most;
@@ -66,7 +66,7 @@ constexpr Range positive_ratio = {1e-9, 1e6};
 constexpr Range positive_share = {1e-9, 1};
 constexpr Range ratio = {0, 1e6};
 
-// Options with a number; they refuse everything else, and tell their name.
+// Options with a number, which refuse anything else with an error that names them.
 CLI::Option& add_number(CLI::App& command,
                         const std::string& name,
                         double& number,
@@ -79,7 +79,7 @@ CLI::Option& add_whole_number(CLI::App& command,
                               std::size_t least,
                               std::size_t most = std::numeric_limits<std::size_t>::max());
 
-// An option whose value is one of some names; the first is the default.
+// Option whose value is one of several names; the first is the default.
 template <typename Choice>
 CLI::Option& add_choice(CLI::App& command,
                         const std::string& name,

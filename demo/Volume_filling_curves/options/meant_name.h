@@ -12,9 +12,8 @@
 
 namespace vfc {
 
-// returns the name that is closest to what was typed, by letters inserted, left out, replaced or
-// swapped with the next one; empty if the closest one needs more than a third of its letters
-// changed
+// Returns the name closest to a typed one, by letters inserted, left out, replaced or swapped with
+// the next; empty if more than a third of its letters would change.
 std::string meant_name(const std::string& typed, const std::vector<std::string>& names);
 
 } // namespace vfc

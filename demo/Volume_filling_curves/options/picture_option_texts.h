@@ -14,7 +14,7 @@
 
 namespace vfc {
 
-// The options of pictures as texts, or nothing if they make no sense.
+// Parsers of the options of pictures, which return nothing for invalid texts.
 
 // "x,y,z", or "azimuth,elevation" in degrees: from the z axis towards the x axis, and from there
 // towards the y axis
@@ -24,7 +24,7 @@ std::optional<Vector> parse_direction(const std::string& text);
 // the text is neither, or a side is less than 100 or more than 4000.
 std::optional<Picture_size> parse_size(const std::string& text);
 
-// "x=0.5" and likewise, or "a,b,c,d" for the points with a x + b y + c z = d
+// "x=0.5", "y=0.5", "z=0.5", or "a,b,c,d" for the points with a x + b y + c z = d
 std::optional<Plane> parse_plane(const std::string& text);
 
 } // namespace vfc

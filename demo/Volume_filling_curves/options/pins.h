@@ -15,11 +15,11 @@
 namespace vfc {
 
 // Pins the nodes that the option --pin lists: "ends", or numbers from 1 in file order, or both,
-// separated by commas. Nodes that are pinned stay so. \throws Usage_error
+// separated by commas. Pinned nodes stay pinned. \throws Usage_error
 // \pre the list is not empty
 void pin_nodes(Curve& curve, const std::string& list);
 
-// Pins what the options ask for, and the ends of open curves unless they are free.
+// Pins the nodes of the options, and the ends of open curves unless they are free.
 void pin_nodes(Curve& curve, const Curve_options& options);
 
 } // namespace vfc

@@ -12,8 +12,8 @@
 
 namespace vfc {
 
-// Refuses a slip of the pen: a thickness that is larger than the curve, or one that, together with
-// the spacing, takes more nodes than fit into the memory. A thickness of 0 stands for none.
+// Refuses typing errors: a thickness larger than the curve, or one that, with the spacing, requires
+// more nodes than fit into memory. A thickness of 0 stands for none.
 // \throws Usage_error that names the option
 void check_thickness(double thickness, double spacing, const Curve& curve);
 

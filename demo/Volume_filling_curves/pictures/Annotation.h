@@ -40,12 +40,11 @@ struct Annotation
   std::vector<Text> texts;
 };
 
-// The legend of a scale, at the right of a picture of that size: its colors, numbers, and what they
-// are.
+// Legend of a scale, at the right of a picture of that size: its colors, numbers and their meaning.
 Annotation legend(const Color_scale& scale, Coloring coloring, const Eigen::Vector2d& size);
 
-// The numbers of nodes beside them. Where there is not room for all of them those of the nodes that
-// are nearest to the viewer are there. O(n log n).
+// Numbers of nodes beside them. Where space does not suffice, the nodes nearest to the viewer are
+// labeled. O(n log n).
 Annotation node_labels(const Drawn_curve& curve, const Eigen::Vector2d& size);
 
 void write_svg(const Annotation& annotation, std::ostream& out);

@@ -13,15 +13,15 @@
 
 namespace vfc {
 
-// The colors of numbers, from dark blue for 0 through green to light yellow for 1: equal steps of
-// the number are equal differences of color (the distance in CIELAB, 1976), and the lightness grows
-// all the way, so that the order shows in gray, too, and to the color-blind.
+// Color scale of numbers, from dark blue for 0 through green to light yellow for 1: equal steps of
+// the number are equal differences of color (the distance in CIELAB, 1976), and the lightness is
+// monotone, hence the order is visible in grayscale and to color-blind viewers.
 Color scale_color(double share);
 
 // A range of numbers, and which of them to write beside a scale.
 struct Color_scale
 {
-  // Holds all but the least and the largest hundredth of the numbers. \pre there is one
+  // Covers all numbers except the lowest and the highest hundredth. \pre there is one
   explicit Color_scale(std::vector<double> numbers);
 
   // 0 at the least end of the range and below, 1 at the other and above

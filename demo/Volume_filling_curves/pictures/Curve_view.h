@@ -21,16 +21,16 @@ namespace vfc {
 
 // A curve in picture coordinates: x to the right, y downwards, both within `picture_size`, and z
 // towards the viewer in the same unit. The curve is seen along its shortest principal axis, where
-// it covers least of itself, tilted a little so that parts right behind each other show; its
-// longest axis runs from left to right. With a surface around it the curve is seen from the front,
-// the right and above, where y is up, since many shapes stand upright so. So it is from any
-// direction that is asked for.
+// it hides least of itself, tilted a little to show parts right behind each other; its longest axis
+// runs from left to right. With a surface around it, the curve is seen from the front, the right
+// and above, with y up, since many shapes stand upright this way. A requested direction also has y
+// up.
 class Curve_view
 {
 public:
   static constexpr double picture_size = 800;
 
-  // How a view may be wanted: from a direction, and with room for a legend at the right.
+  // Options of a view: a direction, and space for a legend at the right.
   struct Wishes
   {
     std::optional<Vector> direction;
@@ -48,14 +48,14 @@ public:
 
   const Vector& point(std::size_t v) const { return m_points[v]; }
 
-  // returns the surface in picture coordinates, where a face that is turned to the viewer is
-  // oriented clockwise
+  // Returns the surface in picture coordinates, where faces towards the viewer are oriented
+  // clockwise.
   const Triangle_soup& surface() const { return m_surface; }
 
   // returns the width of the stroke with which the curve is drawn
   double width() const { return m_width; }
 
-  // the place of a point of space, and of the plane that is given in space
+  // the position of a point, and of a plane, in the picture
   Vector place(const Vector& p) const;
   Plane place(const Plane& plane) const;
 

@@ -23,7 +23,7 @@ struct Drawn_edge
   std::array<double, 2> values; // which the colors tell, at both ends
 };
 
-// A curve in picture coordinates, or what a cut has left of it.
+// Curve in picture coordinates, or the remainder of it after a cut.
 struct Drawn_curve
 {
   Drawn_curve(const Curve& curve, const Curve_view& view, const Edge_values& values);

@@ -22,8 +22,9 @@ struct Half_space
   double offset;
 };
 
-// returns what a cut along a plane leaves: the viewer, in the direction of z, loses his side; if
-// the plane is seen edge-on, the side of its normal is lost. \pre the normal has the length 1
+// Returns the half-space that a cut along a plane leaves: the viewer's side, in the direction of z,
+// is removed; if the plane is seen edge-on, the side of its normal is removed. \pre the normal has
+// length 1
 inline Half_space side_kept(const Plane& plane)
 {
   constexpr double edge_on = 1e-9;

@@ -17,9 +17,9 @@
 
 namespace vfc {
 
-// Turns what is seen at each sample into the colors of pixels, the mean of the samples of a pixel.
-// The light comes from the upper left, over the viewer's shoulder; what is far away is pale, and
-// tubes are darker at their outlines, so that strands stand out from each other.
+// Shader that computes the color of a pixel as the mean of its samples. The light comes from the
+// upper left, over the viewer's shoulder; distant parts are pale, and tubes are darker at their
+// outlines, which separates strands visually.
 class Picture_shader
 {
 public:

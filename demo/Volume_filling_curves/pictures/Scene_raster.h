@@ -19,12 +19,12 @@
 
 namespace vfc {
 
-// The surface seen at each sample of a picture: the nearest point of a tube around the curve, and
-// how much of a translucent surface lies in front of it and behind. The viewer looks along the z
-// axis from far above (x to the right, y downwards, z towards the viewer). Tubes are chains of
-// capsules, which are met exactly. The order of the surface's layers does not matter: their optical
-// depths are added. A cut leaves of each tube what is in a half-space; where it goes through a
-// tube, the section is seen. Takes time linear in the number of samples covered.
+// Raster of a scene: at each sample of a picture, the nearest point of a tube around the curve, and
+// the amount of a translucent surface in front of it and behind. The viewer looks along the z axis
+// from far above (x to the right, y downwards, z towards the viewer). Tubes are chains of capsules,
+// which are met exactly. The order of the surface's layers does not matter: their optical depths
+// are added. A cut leaves the part of each tube in a half-space; where it passes through a tube,
+// the section is visible. Takes time linear in the number of covered samples.
 class Scene_raster
 {
 public:

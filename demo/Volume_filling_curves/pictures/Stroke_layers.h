@@ -33,17 +33,16 @@ struct Stroke_piece
   double depth() const { return source.z() + target.z(); }
 };
 
-// Puts the pieces of a curve into layers, so that drawing one layer over the other shows at every
-// crossing which strand passes over which. Wherever the strokes of two pieces come close in the
-// picture the upper one, at the place where they are closest, has to be in a higher layer; the
-// layers are the ranks of this partial order, and pieces then move to the layer of their neighbor
-// along the strand where the order permits, so that strands fall into few runs. O(n log n + k) for
-// n pieces and k close pairs.
+// Layers of the pieces of a curve: drawn one over the other, they show at every crossing which
+// strand is above. Where the strokes of two pieces come close in the picture, the piece that is
+// above at their closest points must be in a higher layer. The layers are the ranks of this partial
+// order; pieces then move to the layer of their neighbor along the strand if the order permits,
+// which leaves few runs per strand. O(n log n + k) for n pieces and k close pairs.
 class Stroke_layers
 {
 public:
-  // Pieces are so short that the values of neighbors, which the colors tell, differ by at most
-  // `value_step`, unless they change all the faster.
+  // Pieces are so short that the color values of neighbors differ by at most `value_step`, unless
+  // they change very fast.
   explicit Stroke_layers(const Drawn_curve& curve,
                          double value_step = std::numeric_limits<double>::infinity());
 

@@ -22,8 +22,8 @@ class Tube_colors
 public:
   Tube_colors(Coloring coloring, const Edge_values& values);
 
-  // the color at a distance: 1 for what is nearest to the viewer, 0 for what is farthest. What is
-  // far is pale, but not so pale that a color could be taken for another one of the scale.
+  // the color at a distance, from 1 for the nearest point to 0 for the farthest. Distant colors are
+  // pale, but not enough to be mistaken for another color of the scale.
   Color color(double value, double nearness) const;
 
   // Of the values that are drawn with the same color when colors are few.

@@ -17,11 +17,11 @@
 
 namespace vfc {
 
-// Leaves what is in the half-space; strands that are cut have new ends there.
+// Keeps the part in the half-space; strands that are cut get new ends.
 void cut(Drawn_curve& curve, const Half_space& half_space);
 
-// A surface that was cut, and the edges along the cut. Those of a closed surface form loops; they
-// run around what is inside the surface as the faces of the missing part did.
+// Surface after a cut, and the edges along the cut. For a closed surface these form loops around
+// its inside, oriented like the faces of the removed part.
 struct Cut_surface
 {
   Triangle_soup soup;

@@ -14,7 +14,7 @@
 
 namespace vfc {
 
-// For each edge of a curve what its color tells, at the source and at the target.
+// Color values of each edge of a curve, at its source and its target.
 using Edge_values = std::vector<std::array<double, 2>>;
 
 // COMPONENT: the number of the component, from 0. ARCLENGTH: along the component, from its first

@@ -18,10 +18,9 @@
 namespace vfc {
 
 // The outline of a surface in picture coordinates, as the path of an SVG file: closed loops of the
-// edges between a face that is turned to the viewer and one that is not. The loops run around the
-// faces that are turned to the viewer, so that they wind around each point of the picture as often
-// as layers of these lie there, and a fill with the rule "nonzero" paints just what the surface
-// covers. O(n log n).
+// edges between a front face and a back face. The loops run around the front faces: their winding
+// number at a point of the picture is the number of front faces there, and a fill with the rule
+// "nonzero" paints exactly the area that the surface covers. O(n log n).
 std::string silhouette_path(const Triangle_soup& surface);
 
 // The pairs of points that are joined.

@@ -25,7 +25,7 @@ public:
 
   void unite(std::size_t i, std::size_t j) { m_sets.unify_sets(m_handles[i], m_handles[j]); }
 
-  // returns the number that stands for the group of i
+  // Returns the representative of the group of i.
   std::size_t of(std::size_t i) const { return *m_sets.find(m_handles[i]); }
 
 private:

@@ -21,13 +21,13 @@ struct Combined_shells
   std::size_t cavities = 0; // the shells that were taken away
 };
 
-// Returns the surface of what shells enclose together, turned like the largest one. Shells that are
-// turned the other way are taken away from the union of the others. \throws Work_stopped
+// Returns the surface of the union of shells, oriented like the largest one. Shells with the
+// opposite orientation are subtracted from the union of the others. \throws Work_stopped
 // \pre the shells are closed, and none intersects itself
 Combined_shells combined(std::vector<Mesh> shells, Work_watch& watch);
 
-// Returns the surface of what one mesh encloses and another one does not; nothing where CGAL meets
-// what it does not expect, or the result touches itself in an edge. \throws Work_stopped
+// Returns the surface of the difference of two meshes, or nothing if CGAL reports unexpected input
+// or the result touches itself in an edge. \throws Work_stopped
 // \pre both bound a domain
 std::optional<Mesh> difference(Mesh mesh, Mesh other, Work_watch& watch);
 

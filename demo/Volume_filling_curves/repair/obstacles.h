@@ -14,13 +14,13 @@
 
 namespace vfc {
 
-// Reads obstacles and adds them to a mesh, whose vertices keep their places. \throws Input_error
-// also if an obstacle is not strictly inside, apart from all others
+// Reads obstacles and adds them to a mesh, whose vertices keep their positions. \throws Input_error
+// if they cannot be read, or an obstacle is not strictly inside and apart from all others
 void add_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>& files);
 
-// Reads obstacles, mends them and adds them to a mesh; what crosses the mesh or other obstacles is
-// cut out. \throws Input_error also if an obstacle is outside, within another one or around it, or
-// if what is left is nothing or touches itself
+// Reads obstacles, mends them and adds them to a mesh; those that cross the mesh or other obstacles
+// are cut out. \throws Input_error if they cannot be read, if an obstacle is outside, or within or
+// around another one, or if the remainder is empty or touches itself
 void add_or_cut_out_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>& files);
 
 } // namespace vfc

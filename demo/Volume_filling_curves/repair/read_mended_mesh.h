@@ -20,9 +20,9 @@ struct Mending_options
   double time_limit = std::numeric_limits<double>::infinity(); // in seconds
 };
 
-// Reads a mesh, and mends it by repair_mesh() if it has errors and all of them can be mended. Tells
-// the user and the report what was done, also that nothing had to be.
-// \throws Input_error \throws No_result when the time is over or the user interrupts
+// Reads a mesh, and mends it by repair_mesh() if it has errors and all of them can be mended.
+// Reports the repairs to the user and in the report, also if there are none. \throws Input_error
+// \throws No_result if the time is over or the user interrupts
 Mesh_and_defects read_mended_mesh(Session& session,
                                   const std::string& file,
                                   const Mending_options& options = {});

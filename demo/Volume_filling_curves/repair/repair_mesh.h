@@ -15,8 +15,8 @@
 
 namespace vfc {
 
-// The repairs of a mesh, step by step, and how far they moved its surface: the greatest distances
-// of points of either surface from the other one, which are estimated from some 10,000 points.
+// Repairs of a mesh, step by step, and the distance by which they moved its surface: the greatest
+// distances from points of either surface to the other one, estimated from some 10,000 points.
 struct Mending
 {
   std::vector<std::string> steps;
@@ -24,10 +24,10 @@ struct Mending
   double to_mended = 0; // of the surface in the file from the mended one, which may leave out parts
 };
 
-// Mends a mesh: by the steps that change least, and only if these do not suffice by wrapping it. Of
-// gaps narrower than `alpha`, in the unit of the mesh, wrapping does not enter any; 0 stands for a
-// fiftieth of the mesh's diagonal. The result is sound, unless no face has an area.
-// \throws Work_stopped
+// Mends a mesh by the steps that change it least, and only if these do not suffice by wrapping it.
+// Wrapping does not enter gaps narrower than `alpha`, in the unit of the mesh; 0 stands for a
+// fiftieth of the mesh's diagonal. The result is valid, unless no face has an area. \throws
+// Work_stopped
 Mending repair_mesh(const Mesh_soup& soup, double alpha, Mesh& mesh, Work_watch& watch);
 
 } // namespace vfc

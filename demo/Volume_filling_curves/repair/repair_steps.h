@@ -14,24 +14,23 @@
 
 namespace vfc {
 
-// The steps by which a mesh is mended, in the order in which they are taken; each is in a file of
-// its own. Every one does nothing where nothing is to be done, and returns in words what it did. A
-// mesh has no garbage, so that indices stay below its numbers of vertices and faces.
-// CGAL's functions throw where they meet what they do not expect; Work_stopped is thrown when the
-// watch wants it. Either leaves a mesh that is not to be used.
+// Steps that mend a mesh, in their order, each in its own file. A step leaves a mesh without its
+// kind of defect unchanged, and returns a description of its repairs. A mesh has no garbage:
+// indices are below its numbers of vertices and faces. CGAL's functions throw on unexpected input;
+// Work_stopped is thrown at the request of the watch. Both leave an unusable mesh.
 
-// Merges points at the same place, drops faces that use a vertex twice or stand there twice, and
-// orients the others as neighbors of each other. O(n log n).
+// Merges points at the same position, drops faces that use a vertex twice or occur twice, and
+// orients the others consistently. O(n log n).
 std::string assemble_faces(const Mesh_soup& soup, Mesh& mesh);
 
-// Merges vertices of borders that are closer than 1e-6 of the mesh's diagonal: the same place after
-// rounding, as exporters leave it.
+// Merges vertices of borders that are closer than 1e-6 of the mesh's diagonal: equal points that an
+// exporter rounded differently.
 std::string merge_near_vertices(Mesh& mesh, Work_watch& watch);
 
 // Drops components that are not closed if they have at most 1 % of the area, such as fins.
 std::string drop_sheets(Mesh& mesh, Work_watch& watch);
 
-// Takes out faces whose corners lie on a line, by moves of edges.
+// Removes faces whose corners lie on a line, by moves of edges.
 std::string remove_flat_faces(Mesh& mesh, Work_watch& watch);
 
 // Closes holes of at most 2000 edges, each by triangles between its vertices. Holes that touch in a
@@ -42,14 +41,13 @@ std::string close_holes(Mesh& mesh, Work_watch& watch);
 // makes new intersections, with ever more faces around them. Near linear in the number of faces.
 std::string remove_self_intersections(Mesh& mesh, Work_watch& watch);
 
-// Replaces closed shells that intersect, or of which one is within the other and turned the same
-// way, by the surface of their union; those that are turned the other way than the largest one are
-// taken away from it.
+// Replaces closed shells that intersect, or are nested with the same orientation, by the surface of
+// their union; shells with the opposite orientation of the largest one are subtracted.
 std::string unite_shells(Mesh& mesh, Work_watch& watch);
 
-// The last resort, when holes are closed: a surface around whatever the faces are, at a distance of
-// alpha / 30 from them, which enters no gap narrower than alpha (Portaneri et al., Alpha wrapping
-// with an offset, 2022), and no cavity.
+// Last resort, after holes are closed: a surface around all faces, at a distance of alpha / 30,
+// which enters no gap narrower than alpha (Portaneri et al., Alpha wrapping with an offset, 2022),
+// and no cavity.
 std::string wrap_faces(double alpha, Mesh& mesh, Work_watch& watch);
 
 } // namespace vfc

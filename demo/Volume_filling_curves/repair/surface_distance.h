@@ -11,8 +11,8 @@
 
 namespace vfc {
 
-// Returns the greatest distance of a point of one surface from another one, as the vertices and
-// some 10,000 random points of it tell, so never too much. O((n + 10,000) log m) as a rule.
+// Returns the greatest distance from points of one surface to another, over the vertices and some
+// 10,000 random points, hence a lower bound. O((n + 10,000) log m) as a rule.
 // \throws Work_stopped
 double surface_distance(const Mesh& from, const Mesh& to, Work_watch& watch);
 

@@ -15,7 +15,7 @@
 
 namespace vfc {
 
-// The location of a defect in a mesh file. Numbers count from 1; what is unknown is 0 or empty.
+// The location of a defect in a mesh file. Numbers count from 1; unknown ones are 0 or empty.
 struct Mesh_location
 {
   std::size_t line = 0;
@@ -23,8 +23,8 @@ struct Mesh_location
   std::size_t shell = 0;
 };
 
-// A defect of an input, curve or mesh, in the words of the report. Numbers count from 1;
-// what is unknown is 0 or empty.
+// A defect of an input, curve or mesh, in the words of the report. Numbers count from 1; unknown
+// ones are 0 or empty.
 struct Defect
 {
   std::string kind;
@@ -35,7 +35,7 @@ struct Defect
   std::vector<std::size_t> faces = {};
   std::size_t component = 0; // of a mesh the shell
   std::string message;
-  std::string text; // the line that tells all this
+  std::string text; // the complete line
 
   Defect(const CGAL::Volume_filling_curves::Curve_defect& defect, const std::string& file);
 
@@ -45,7 +45,7 @@ struct Defect
          const Mesh_location& location,
          const std::string& message);
 
-  // An error of a curve that does not stand in its file, such as a node outside of a mesh.
+  // Error of a curve without a line in its file, such as a node outside a mesh.
   Defect(const std::string& kind,
          const std::string& file,
          const std::vector<std::size_t>& nodes,

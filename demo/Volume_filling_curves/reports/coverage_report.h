@@ -31,7 +31,7 @@ inline Thickness constant_thickness(double r)
 // Reports how evenly a curve fills a domain, in units of the thickness.
 void report_coverage(Report& report, const CGAL::Volume_filling_curves::Coverage& coverage);
 
-// Reports where a curve did not get to.
+// Reports the regions that a curve did not reach.
 void report_empty_regions(
     Report& report,
     const std::vector<CGAL::Volume_filling_curves::Empty_region_3<Curve::Point_3>>& empty_regions);

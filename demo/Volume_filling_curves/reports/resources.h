@@ -11,7 +11,7 @@
 
 namespace vfc {
 
-// The resources used so far; negative or 0 where the system does not tell.
+// Resources used so far; negative or 0 if the system does not report them.
 double cpu_seconds();
 std::size_t peak_memory_bytes();
 

@@ -17,8 +17,8 @@ namespace vfc {
 
 class Report;
 
-// Reports what the curve is like at the end of a command. A thickness of 0 stands for none. What is
-// not measured when the function of the progress returns false is null.
+// Reports the measures of the final curve of a command. A thickness of 0 stands for none. Measures
+// that are still missing when the progress function returns false are null.
 void report_shape(
     Report& report,
     const Curve& curve,

@@ -24,11 +24,11 @@ class Session;
 
 Exit_status exit_status(CGAL::Volume_filling_curves::Untangling_status status);
 
-// Reports the stages of the flow, and what is left of the time since the last stage.
+// Reports the stages of the flow, and the remaining time since the last stage.
 void report_stages(Session& session,
                    const CGAL::Volume_filling_curves::Curve_flow_statistics& statistics);
 
-// Reports how often the guard was asked.
+// Reports the numbers of certified and refused changes.
 void report_work(Report& report, const CGAL::Volume_filling_curves::Curve_flow_statistics& work);
 
 void report_run(Report& report,

@@ -18,7 +18,7 @@ enum class Verbosity
   VERBOSE // every iteration
 };
 
-// Messages to the user, on standard error. Results go to standard output, but not through here.
+// Messages to the user, on standard error. Results are written to standard output elsewhere.
 class Console
 {
 public:

@@ -14,7 +14,7 @@
 
 namespace vfc {
 
-// A command was ended before it had a result, by its time limit or by the user.
+// Exception of a command that ended without a result, by its time limit or by the user.
 class No_result : public std::runtime_error
 {
 public:

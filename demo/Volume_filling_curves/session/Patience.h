@@ -15,9 +15,8 @@
 
 namespace vfc {
 
-// The time for which a report may be measured: until the time limit of the run, or a signal, but at
-// least for a moment, in which small curves are measured as a whole. A function for the parameter
-// `progress`.
+// Time limit for the measures of a report, as a function for the parameter `progress`: the time
+// limit of the run, or a signal, but at least a moment, which suffices for small curves.
 class Patience
 {
 public:

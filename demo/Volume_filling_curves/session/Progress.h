@@ -14,7 +14,7 @@
 
 namespace vfc {
 
-// Shows how far a run has come: a bar on a terminal, plain lines in a pipe.
+// Progress of a run: a bar on a terminal, plain lines in a pipe.
 class Progress
 {
 public:

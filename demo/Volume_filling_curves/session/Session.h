@@ -28,7 +28,7 @@ struct Common_options
   bool may_overwrite = false;
 };
 
-// One run of a command: where its messages, its results and its files go.
+// Session of a command: its messages, results and files.
 class Session
 {
 public:
@@ -41,7 +41,7 @@ public:
   // Checks whether the report can be written, and promises it. \throws Usage_error
   void start_report();
 
-  // Promises a report to somebody who has a place for it.
+  // Promises a report to a caller that stores it.
   void promise_report() { m_has_report = true; }
 
   bool has_report() const { return m_has_report; }
@@ -50,14 +50,14 @@ public:
   // neither a file nor a report
   void require_output() const;
 
-  // Tells of a file that is read, and of the option that may replace it, if any; a report never
-  // does. \throws Usage_error
+  // Adds an input file, and the option that may replace it, if any; a report never does. \throws
+  // Usage_error
   void add_input(const std::string& file, const std::string& replaced_by = "");
 
-  // Prints what the command found out, unless the report takes its place.
+  // Prints the findings of the command, unless the report replaces them.
   void print_result(const std::string& text) const;
 
-  // Prints what the command did, unless the report takes its place or the user wants quiet.
+  // Prints a summary of the command, unless the report replaces it or the user requested quiet.
   void print_summary(const std::string& text) const;
 
   // Reports the time since the end of the stage before, and returns it. Stages of the same name add
@@ -71,7 +71,7 @@ public:
   void write_report(int exit_status);
 
 private:
-  // Has a signal that ends the program at once leave a report.
+  // Makes a signal that ends the program at once write a report.
   void prepare_interruption() const;
 
   using Clock = std::chrono::steady_clock;

@@ -15,18 +15,18 @@
 
 namespace vfc {
 
-// Thrown when work is to end; no std::exception, so that nobody who tries one way after the other
-// takes it for a way that failed.
+// Exception that ends work; not a std::exception, since code that tries alternatives must not take
+// it for a failed attempt.
 struct Work_stopped
 {};
 
-// The time that work may take, and whoever wants to know what is being done.
+// Time limit of work, and its progress function.
 class Work_watch
 {
 public:
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  // is told the step, such as "closing holes", and the seconds so far; returns whether to go on
+  // receives the step, such as "closing holes", and the seconds so far; returns whether to continue
   using Progress_function = std::function<bool(const std::string& step, double seconds)>;
 
   // Starts the clock; the limit is in seconds.
@@ -42,7 +42,7 @@ public:
     check();
   }
 
-  // Throws Work_stopped if the time is over or progress is not to go on; takes 50 ns.
+  // Throws Work_stopped if the time is over or the progress function ends the work; takes 50 ns.
   void check()
   {
     const double now = seconds();

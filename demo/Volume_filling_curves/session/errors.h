@@ -14,14 +14,14 @@
 
 namespace vfc {
 
-// The user asked for something that cannot be done; the message names the option.
+// Error of usage: an impossible request; the message names the option.
 class Usage_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-// An input is not what it should be, such as "a valid curve".
+// Error of an input, which is not what it should be, such as "a valid curve".
 class Input_error : public std::runtime_error
 {
 public:

@@ -19,20 +19,20 @@ namespace vfc {
 
 // A file that becomes larger than the system allows is an error like a full disk (SIGXFSZ would end
 // the program and leave a part of the file). SIGINT and SIGTERM end the program at once, with the
-// status for interruptions, until somebody polls: reading and repair leave nothing that would be
-// worth saving. From then on the first signal is a request to wind up and save what there is, and
-// the second one ends the program at once.
+// status for interruptions, until the first poll: reading and repair have nothing worth saving.
+// From then on the first signal is a request to finish and save the result, and the second one ends
+// the program at once.
 
 void handle_signals();
 void poll_interruptions();
 void ignore_polls(); // for those who lose nothing that is complete when they end at once
 bool is_interruption_requested();
 
-// Returns whether a run of the library goes on, for its parameter `progress`.
+// Returns whether a run of the library continues, for its parameter `progress`.
 bool is_to_go_on(const CGAL::Volume_filling_curves::Run_progress& progress);
 
-// The traces of a program that is ended at once: a line on standard error, and a report. A
-// report is written to "-", which is standard output, to a file, or not at all if that is empty.
+// Output of a program that is ended at once: a line on standard error, and a report. A report is
+// written to "-", which is standard output, to a file, or not at all if that is empty.
 void prepare_last_words(const std::string& line,
                         const std::string& report_file,
                         const std::string& report);

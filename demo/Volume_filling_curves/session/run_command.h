@@ -19,7 +19,7 @@ class Session;
 // Runs a command, turns errors into messages, a report and an exit status, and returns the latter.
 int run_command(Session& session, const std::function<int(Session&)>& command);
 
-// Says what went wrong, in the report too, and returns the exit status.
+// Prints and reports the error, and returns the exit status.
 int fail(Session& session, Exit_status status, const std::string& message);
 
 } // namespace vfc
