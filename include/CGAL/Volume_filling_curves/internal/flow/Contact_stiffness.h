@@ -70,7 +70,7 @@ public:
   }
 
   // Adds the product of the matrix and a field that is zero at pinned nodes to the image, and
-  // returns the product of the field with what was added.
+  // returns the product of the field with the addend.
   double add_product(const Vector_field& field, Vector_field& image) const
   {
     double sum = 0;

@@ -38,7 +38,7 @@ public:
     if(p.rows() > largest_factorized)
       return m_conjugate_gradients(p, contacts, b, tolerance, watch);
     m_factorization.compute(p);
-    // b is a direction, too, should the factorization break down
+    // b serves as a direction if the factorization breaks down
     if(m_factorization.info() != Eigen::Success) return b;
     const Eigen::Matrix<double, Eigen::Dynamic, 3> columns = b;
     return m_factorization.solve(columns);

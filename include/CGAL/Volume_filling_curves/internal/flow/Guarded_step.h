@@ -33,7 +33,7 @@ struct Motion_outcome
   bool is_shortened() const { return mean_fraction < 1; }
 };
 
-// Takes the part of its way that each node has gone, and the direction of the way.
+// Takes the fraction of its displacement that each node moved, and the directions.
 inline Motion_outcome motion_outcome(const std::vector<double>& fractions,
                                      const Vector_field& direction)
 {
@@ -50,8 +50,8 @@ inline Motion_outcome motion_outcome(const std::vector<double>& fractions,
   return outcome;
 }
 
-// Moves a curve along a direction: as far as the step size tells, as far as the guard certifies,
-// and strands that hold one another apart. Remembers how the last steps went.
+// Step of a curve along a direction: by the step size, as far as the guard certifies, followed by
+// the separation of strands that block one another. It stores the outcome of the last steps.
 template <typename Guard, typename ConcurrencyTag>
 class Guarded_step
 {
@@ -95,8 +95,8 @@ public:
   auto history() { return m_size.history(); }
 
 private:
-  // Strands that hold one another go apart by more than an edge is long: at smaller distances the
-  // energy cannot tell them apart, and would bring them back together.
+  // Strands that block one another are separated by more than the length of an edge: at smaller
+  // distances the energy does not distinguish them, and would bring them back together.
   bool separate_strands(double least_thickness, double longest_way)
   {
     constexpr double separation_of_held_strands = 0.5;

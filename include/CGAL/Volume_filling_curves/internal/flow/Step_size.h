@@ -32,7 +32,7 @@ namespace internal {
 class Step_size
 {
 public:
-  // What cannot be certified is halved, six times at most; what is still too far then, the next
+  // A step that cannot be certified is halved at most six times; if it is still too long, the next
   // direction may do better.
   static constexpr double least_fraction = 1. / 64;
 
@@ -53,7 +53,7 @@ public:
 
   void set_largest_displacement(double largest) { m_largest = largest; }
 
-  // The nodes went that fraction of their ways on average.
+  // Takes the mean fraction of their displacements that the nodes moved.
   void note_fraction(double mean)
   {
     if(mean < tolerated_fraction) m_time_step *= after_shortened_step;

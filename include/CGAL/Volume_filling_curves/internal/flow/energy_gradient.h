@@ -82,11 +82,11 @@ std::vector<double> component_tensions(const Network& curve,
   return tensions;
 }
 
-// The gradient of the two-term energy
-//   E = length + alpha / 2 * sum_i w_i (1 / N) sum_l |x_i - m_il|^2
+// Gradient of the two-term energy E = length + alpha / 2 * sum_i w_i (1 / N) sum_l |x_i - m_il|^2
 // with the sphere centers m_il = x_i + R_il x_l and the weights w_i, half of the edges at a node,
-// held fixed (sections 3.1 and 3.3 of the paper). Zero at pinned nodes. Each node collects what its
-// edges and spheres pull, so that nodes are independent, and done in parallel if asked to. Linear.
+// held fixed (sections 3.1 and 3.3 of the paper). Zero at pinned nodes. Each node sums the forces
+// of its edges and spheres, hence nodes are independent, and processed in parallel with a parallel
+// tag. Linear time.
 template <typename Network, typename ConcurrencyTag = Sequential_tag>
 class Energy_gradient
 {
@@ -105,7 +105,8 @@ public:
     });
   }
 
-  // Beyond the paper: what edges across a direction field cost more, times a factor per component.
+  // Beyond the paper: the additional cost of edges across a direction field, times a factor per
+  // component.
   void add_direction_preference(const Direction_preference& preference,
                                 const std::vector<double>& tensions)
   {
@@ -149,7 +150,7 @@ public:
     });
   }
 
-  // The sum of the norms of what was added so far, pinned nodes left out.
+  // The sum of the norms of the terms so far, without pinned nodes.
   double sum_of_norms() const
   {
     double sum = 0;

@@ -50,9 +50,9 @@ public:
                          [&](std::size_t v) { return m_limits.is_corner_clear(v, end); });
   }
 
-  // Certifies the part `fraction` of the motion as a whole, in reverse order of the nodes, or in 2,
+  // Certifies the given fraction of the motion as a whole, in reverse order of the nodes, or in 2,
   // 4 and 8 smaller rounds (strands that travel together farther than their distance fail as a
-  // whole). Returns what was certified, no rounds if all fail.
+  // whole). Returns the certified rounds, or none if all fail.
   Rounds certify(double fraction) const
   {
     const std::vector<Point_3> start = positions(0);

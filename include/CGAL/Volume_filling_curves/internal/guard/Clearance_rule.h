@@ -30,7 +30,7 @@ public:
   double distance() const { return m_distance; }
   bool is_active() const { return m_distance > 0; }
 
-  // returns whether edges may be as close as `after`, where `before()` says how close they were
+  // Returns whether edges may be as close as `after`, given their former distance `before()`.
   template <typename SquaredDistance>
   bool allows_distance(double squared_after, const SquaredDistance& squared_before) const
   {
@@ -58,8 +58,8 @@ private:
   double m_distance = 0;
 };
 
-// Gives a guard another clearance for the life of this object: those who share a guard have
-// clearances of their own.
+// Sets another clearance of a guard during the lifetime of this object: the users of a guard have
+// their own clearances.
 template <typename Guard>
 class Clearance_scope
 {

@@ -111,7 +111,7 @@ private:
 
   Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
 
-  // whether v, on its way to the target, hits no neighbor and passes between each two of them
+  // Returns whether v, moving to the target, hits no neighbor and passes between each two of them.
   bool passes_between_neighbors(std::size_t v, const Point_3& target) const
   {
     if(m_curve.degree(v) == 1)

@@ -101,9 +101,9 @@ private:
   bool m_is_built = false;
 };
 
-// The clearance rule where a few edges are replaced by others that share one node b: the edges that
-// stay keep away from the new ones, and the new ones from each other, compared with what was there
-// before. In double arithmetic. Constant time for edges of similar lengths.
+// Clearance rule for a change that replaces a few edges by others with a common node b: remaining
+// edges keep their distance from the new ones, and new ones from each other, relative to the
+// situation before. In double arithmetic. Constant time for edges of similar lengths.
 template <typename Network>
 class Local_clearance
 {
@@ -119,8 +119,9 @@ public:
 
   explicit Local_clearance(Edge_locator<Network>& curve) : m_curve(curve) {}
 
-  // returns whether the clearance is kept where new edges replace old ones. Moved edges are
-  // compared one by one with what they were, in the order given; others with all that they replace.
+  // Returns whether the clearance is kept where new edges replace old ones. Moved edges are
+  // compared one by one with their former positions, in the order given; others with all edges that
+  // they replace.
   template <typename IsTakenOut>
   bool is_kept(const Edges& old_edges,
                const Edges& new_edges,

@@ -61,8 +61,9 @@ public:
   std::size_t number_of_pairs() const { return m_pairs.size(); }
   const std::array<std::uint32_t, 2>& pair(std::size_t k) const { return m_pairs[k]; }
 
-  // Where node v is after a part of its way, as it will be stored; inside the swept box whatever
-  // the rounding, and the very start and target at 0 and 1 even where their difference overflows.
+  // Returns the position of node v after a fraction of its displacement, as it will be stored:
+  // inside the swept box for any rounding, and exactly the start and the target at 0 and 1, even if
+  // their difference overflows.
   Point_3 position(std::size_t v, double fraction) const
   {
     const Vector a = row(m_start, v), b = row(m_target, v);

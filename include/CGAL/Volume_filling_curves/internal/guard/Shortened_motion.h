@@ -52,7 +52,7 @@ public:
         m_fractions(m_end.size(), 1)
   {}
 
-  // Finds out how far the nodes can go, and returns what was certified.
+  // Determines how far the nodes can move, and returns the certified rounds.
   Rounds operator()()
   {
     Indices blocked = blocked_nodes();
@@ -71,7 +71,7 @@ public:
     return one_round();
   }
 
-  // the part of its way that each node goes
+  // the fraction of its displacement that each node moves
   const std::vector<double>& fractions() const { return m_fractions; }
 
 private:
@@ -153,8 +153,8 @@ private:
     }
   }
 
-  // Returns the ends of pairs of edges, and nodes with their neighbors, each once, but for those
-  // that stand still.
+  // Returns the ends of pairs of edges, and nodes with their neighbors, each once, except for nodes
+  // that stay.
   Indices nodes_of(const Indices& pairs, const Indices& corners) const
   {
     const auto& curve = m_limits.curve();

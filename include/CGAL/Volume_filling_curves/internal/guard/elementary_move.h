@@ -36,9 +36,9 @@ struct No_clearance
   static constexpr bool allows(const Vector&, const Vector&) { return true; }
 };
 
-// returns whether the closed triangle abc meets the curve, but for the edges e with
-// is_taken_out(e), only in its corner a, and in its corner c if that is a node. Null stands for a
-// corner that is none.
+// Returns whether the closed triangle abc meets the curve, except for edges e with is_taken_out(e),
+// only in its corner a, and in its corner c if c is a node. Null stands for a corner that is not a
+// node.
 template <typename Curve, typename Node, typename Traits, typename IsTakenOut, typename Clearance>
 bool is_triangle_free(Curve& curve,
                       Node node_a,
@@ -67,8 +67,8 @@ bool is_triangle_free(Curve& curve,
   });
 }
 
-// returns whether the edges ab, bc may be exchanged for ac, or ac for ab, bc: if they lie on a
-// line, so that the curve stays the same set, b must lie strictly between a and c
+// Returns whether ac may replace the edges ab and bc, or the reverse: if they lie on a line, b must
+// lie strictly between a and c, which keeps the curve the same set.
 template <typename Curve, typename Node, typename Traits, typename IsTakenOut, typename Clearance>
 bool can_exchange_sides(Curve& curve,
                         Node node_a,

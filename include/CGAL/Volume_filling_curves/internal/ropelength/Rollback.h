@@ -38,7 +38,7 @@ public:
 
   double least_ropelength() const { return m_least; }
 
-  // Returns the fraction of the way that was certified.
+  // Returns the certified fraction of the motion.
   double move(const Vector_field& targets)
   {
     const Stage_timer timer(m_seconds_back); // it takes as long to go back
@@ -75,10 +75,10 @@ public:
     m_changes.clear();
   }
 
-  // the time that the way back takes, estimated
+  // the estimated time of the motion back
   double seconds_back() const { return m_seconds_back; }
 
-  // Returns whether it got there.
+  // Returns whether it arrived.
   bool return_to_least_ropelength()
   {
     const Clearance_scope<Guard> scope(m_guard, 0);

@@ -52,8 +52,8 @@ public:
     });
   }
 
-  // Moves the ends of edges that overlap apart, pair by pair, each by what it has to do with it
-  // (position based dynamics; Mueller et al. 2007).
+  // Moves the ends of overlapping edges apart, pair by pair, each in proportion to its share in the
+  // contact (position based dynamics; Mueller et al. 2007).
   void push_apart(Rope& rope) const
   {
     for(const auto& [v, w] : m_pairs) push_apart(rope, v, w);

@@ -45,8 +45,8 @@ public:
       : m_guard(guard), m_radius(radius), m_way(guard), m_rope(guard.curve(), radius)
   {}
 
-  // Calls go_on() after each certified motion, and stops if that returns false, or if the guard's
-  // watch says so, which is asked in each iteration. Returns whether it came to an end.
+  // Calls go_on() after each certified motion, and stops if it returns false, or if the guard's
+  // watch, checked in each iteration, requests it. Returns whether the descent was completed.
   template <typename Function>
   bool operator()(const Function& go_on)
   {
@@ -95,7 +95,7 @@ private:
   // Pulls with long edges. Symmetric curves get stuck where a less symmetric one would be shorter:
   // the Borromean rings, as the closure of a braid, at a ropelength of 72 instead of 58, the torus
   // knot of type (2, 7) at 64 instead of 61.6 (2026-11-22). So the rope is distorted and pulled
-  // again, as often as that helps.
+  // again, as long as this helps.
   template <typename Function>
   bool find_minimum(const Function& go_on)
   {
@@ -112,7 +112,7 @@ private:
     return true;
   }
 
-  // By a linear map close to the identity, on the way to which no strands meet.
+  // Distortion by a linear map close to the identity, along which no strands meet.
   void distort()
   {
     constexpr double strength = 0.05; // 0.02 frees the knots above, but not that soon
@@ -161,7 +161,7 @@ private:
     return false;
   }
 
-  // Iterates with a pull that fades by a factor each time, and carries out the rest of the way.
+  // Iterates with a tension that fades by a factor each time, and makes the remaining motion.
   template <typename Function>
   bool make_block(double strength, const Function& go_on, double fading = 1)
   {
@@ -180,7 +180,7 @@ private:
     return !has_moved_far() || carry_out(go_on);
   }
 
-  // The way back takes its share of the time.
+  // The motion back needs its share of the time.
   void check_time() const
   {
     Run_watch* const watch = m_guard.watch();

@@ -26,7 +26,7 @@ namespace internal {
 // Motion of a rope's nodes apart from contacts: by its tension, and by its stiffness where it bends
 // more tightly than its radius allows. Linear time.
 
-// The tightest bend's turn, and what a polygon needs more: a ring of 12 edges 2 %.
+// Turning of the tightest bend, and the excess of a polygon, 2 % for a ring of 12 edges.
 constexpr double least_length_of_ring = 1.05 * 2 * CGAL_PI;
 
 // Moves each node by `strength` times the sum of its edges' directions, times the mean edge: by 1/2

@@ -35,7 +35,8 @@ public:
       : m_curve(curve), m_boundary(boundary), m_wall(wall)
   {}
 
-  // Shortens the ways of centers from a circle's node to the boundary, if only they are limited.
+  // Shortens the paths of centers from a circle's node to the boundary, if only the centers are
+  // limited.
   void limit_centers(const Medial_spheres& spheres, std::size_t c, Planar_rays& rays) const
   {
     if(m_wall != Wall::COVER) return;
@@ -73,8 +74,8 @@ private:
   Wall m_wall;
 };
 
-// Returns what limits the medial spheres of a curve. Without a boundary that is of the type that
-// everybody uses, so that the search is not compiled twice.
+// Returns the limit of the medial spheres of a curve. Without a boundary it has a common type,
+// which avoids compiling the search twice.
 template <typename Network, typename Boundary>
 auto boundary_limit([[maybe_unused]] const Network& curve,
                     [[maybe_unused]] const Boundary& boundary,

@@ -121,7 +121,7 @@ private:
   Vector position(std::size_t c) const { return row(m_x, m_spheres.circles()[c].node); }
   double thickness(std::size_t c) const { return m_thickness[m_spheres.circles()[c].node]; }
 
-  // What consecutive circles share.
+  // Data that consecutive circles share.
   struct Workspace
   {
     Support_function support;
@@ -205,7 +205,7 @@ private:
       set(c, l, limit, limit < cap * unit ? Medial_spheres::no_node : still_open);
   }
 
-  // If a sphere reaches the cap, nothing is gained by knowing what others touch.
+  // If a sphere reaches the cap, knowing the nodes that others touch gains nothing.
   void note_touched(double cap, Workspace& work) const
   {
     work.touched.clear();

@@ -40,7 +40,7 @@ public:
     m_size = 0;
   }
 
-  // Adds the nodes of the places first, ..., beyond - 1 that are in the ball.
+  // Adds the nodes with the indices first, ..., beyond - 1 that are in the ball.
   void add(std::size_t first, std::size_t beyond)
   {
     grow(m_size + beyond - first);
@@ -91,7 +91,7 @@ private:
     }
   }
 
-  // Makes room for n nodes.
+  // Reserves space for n nodes.
   void grow(std::size_t n)
   {
     if(n <= m_x.size()) return;
@@ -110,9 +110,9 @@ private:
   std::vector<std::uint32_t> m_sifted; // places of these
 };
 
-// The nodes that the spheres of a circle can touch, for circle after circle along the curve: the
-// ball that they are sifted from is larger than need be, so that it serves for the next few
-// circles, too (Verlet 1967 does so in time). It lies ahead, where they will be.
+// Nodes that the spheres of a circle can touch, for successive circles along the curve: they are
+// filtered from a ball that is larger than necessary, and also serves the next few circles (as
+// Verlet 1967 does in time). It lies ahead, where these will be.
 class Moving_neighborhood
 {
 public:
@@ -133,7 +133,7 @@ private:
   // all spheres of a filling; skins of 0.2 to 0.4 that lie ahead differ by 2 % (2026-11-23).
   static constexpr double skin = 0.25, ahead = 0.2;
 
-  // Goes on in the direction of the last step, if that was a small one.
+  // Continues in the direction of the last step, if that was small.
   void move_to(const Vector& p, double diameter)
   {
     const Vector step = p - m_last;

@@ -44,21 +44,21 @@ public:
     ++m_size;
   }
 
-  // Adds the places first, ..., beyond - 1 of another list.
+  // Adds the entries first, ..., beyond - 1 of another list.
   void append(const Node_list& other, std::size_t first, std::size_t beyond)
   {
     grow(m_size + beyond - first);
     for(std::size_t k = first; k < beyond; ++k) copy(other, k, m_size++);
   }
 
-  // Adds some places of another list.
+  // Adds some entries of another list.
   void append(const Node_list& other, const std::vector<std::uint32_t>& places, std::size_t number)
   {
     grow(m_size + number);
     for(std::size_t k = 0; k < number; ++k) copy(other, places[k], m_size++);
   }
 
-  // Removes all that are farther from a place.
+  // Removes all nodes farther from a point.
   void keep_within(const Vector& p, double distance)
   {
     const double squared_distance = distance * distance;
@@ -80,7 +80,7 @@ private:
     m_z[to] = from.m_z[k];
   }
 
-  // Makes room for n nodes.
+  // Reserves space for n nodes.
   void grow(std::size_t n)
   {
     if(n <= m_indices.size()) return;

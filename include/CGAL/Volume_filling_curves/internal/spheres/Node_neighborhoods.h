@@ -57,8 +57,8 @@ public:
   // in the order of the tree's leaves
   const Node_list& nodes() const { return m_nodes; }
 
-  // Calls f(first, beyond) for places of `nodes()` that hold all nodes within `radius` of `center`,
-  // and some more.
+  // Calls f(first, beyond) for ranges of `nodes()` that contain all nodes within `radius` of
+  // `center`, and some more.
   template <typename Function>
   void for_each_run_near(const Vector& center, double radius, const Function& f) const
   {

@@ -50,7 +50,7 @@ public:
     m_axis_v = 2 * unit * circle.v;
   }
 
-  // Forgets what supported direction l so far.
+  // Resets the support in direction l.
   void bound(std::size_t l, double least)
   {
     m_support[l] = least;

@@ -44,7 +44,7 @@ Medial_spheres capped_medial_spheres(const Network& curve,
   return search(node_circles(curve, x), number_of_directions);
 }
 
-// likewise, for functions without a status. \throws Run_interrupted
+// The same, for functions without a status. \throws Run_interrupted
 template <typename ConcurrencyTag, typename Network, typename NamedParameters>
 Medial_spheres measured_medial_spheres(const Network& curve,
                                        double largest,
