@@ -19,14 +19,17 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 
+/// \ingroup PkgVolumeFillingCurvesKnots
+/// \headerfile CGAL/Volume_filling_curves/knot_diagram.h
+///
 /// The diagram of an oriented link, as planar diagram code (PD) in the convention of KnotTheory:
 /// each crossing lists its four arcs counterclockwise, beginning with the lower strand that comes
 /// in. The arcs 0 ... 2n - 1 of n crossings are numbered consecutively along each component, in its
 /// orientation: after arc k comes arc k + 1, and after the last arc of a component its first one.
 struct Planar_diagram
 {
-  std::vector<std::array<std::uint32_t, 4>> crossings;
-  std::size_t number_of_free_loops = 0; ///< components without crossings
+  std::vector<std::array<std::uint32_t, 4>> crossings; ///< the arcs of each
+  std::size_t number_of_free_loops = 0;                ///< components without crossings
 };
 
 namespace internal {

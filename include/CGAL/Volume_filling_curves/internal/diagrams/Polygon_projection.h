@@ -164,8 +164,8 @@ private:
     return true;
   }
 
-  // along the polygons; returns false if there are two at the same place. Doubles order nearly all of
-  // them, exact comparisons the rest.
+  // along the polygons; returns false if there are two at the same place. Doubles order nearly all
+  // of them, exact comparisons the rest.
   bool sort_passes()
   {
     std::sort(m_passes.begin(), m_passes.end(), [](const Pass& a, const Pass& b) {

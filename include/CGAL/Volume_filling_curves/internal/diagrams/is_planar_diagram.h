@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -125,6 +126,13 @@ private:
 inline bool is_planar_diagram(const Planar_diagram& diagram)
 {
   return Planar_diagram_check(diagram)();
+}
+
+// \throws std::invalid_argument unless it is one
+inline void check_planar_diagram(const Planar_diagram& diagram)
+{
+  if(!is_planar_diagram(diagram))
+    throw std::invalid_argument("the crossings are no planar diagram code");
 }
 
 } // namespace internal

@@ -19,8 +19,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Whether a link has the Alexander polynomial of the unknot, up to an accident at two places of a
-// prime field. If not, that proves that it is knotted or linked; if so, it proves nothing, although
+// Arguments modulo the largest prime below 2^31; no roots of unity of small order.
+inline constexpr std::uint64_t alexander_arguments[] = {1234567, 271828182};
+
+// Whether a knot has the Alexander polynomial of the unknot, up to an accident at two places of a
+// prime field. If not, that proves that it is knotted; if so, it proves nothing, although
 // no nontrivial knot of up to 10 crossings has that polynomial.
 // \throws Run_stopped if the watch, if there is one, says so
 inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
@@ -28,7 +31,7 @@ inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
 {
   const Alexander_matrix matrix(diagram, watch);
   const Prime_field field;
-  for(const std::uint64_t t : {1234567u, 271828182u}) // no roots of unity of small order
+  for(const std::uint64_t t : alexander_arguments)
     if(matrix.squared_norm(t, field) != 1) return false;
   return true;
 }

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_KNOTTEDNESS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_KNOTTEDNESS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/diagrams/Goeritz_form.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/looks_unknotted.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+
+#include <cstddef>
+#include <ostream>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesKnots
+/// \headerfile CGAL/Volume_filling_curves/knot_diagram.h
+///
+/// What is proved of a knot or link, and by what.
+enum class Knottedness
+{
+  UNKNOWN,                         ///< neither was proved
+  UNKNOTTED,                       ///< the diagram has lost all crossings: a trivial link
+  KNOTTED_BY_DETERMINANT,          ///< the determinant is not that of the trivial link
+  KNOTTED_BY_ALEXANDER_POLYNOMIAL, ///< likewise its Alexander polynomial
+  KNOTTED_BY_HOMFLY_POLYNOMIAL     ///< likewise its HOMFLY-PT polynomial
+};
+
+/// \ingroup PkgVolumeFillingCurvesKnots
+///
+/// returns the name in plain English, for example "knotted by determinant".
+inline const char* to_string(Knottedness knottedness)
+{
+  switch(knottedness) {
+  case Knottedness::UNKNOWN:
+    return "unknown";
+  case Knottedness::UNKNOTTED:
+    return "unknotted";
+  case Knottedness::KNOTTED_BY_DETERMINANT:
+    return "knotted by determinant";
+  case Knottedness::KNOTTED_BY_ALEXANDER_POLYNOMIAL:
+    return "knotted by Alexander polynomial";
+  case Knottedness::KNOTTED_BY_HOMFLY_POLYNOMIAL:
+    return "knotted by HOMFLY polynomial";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesKnots
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Knottedness knottedness)
+{
+  return out << to_string(knottedness);
+}
+
+namespace internal {
+
+// Cheap invariants come first: residues modulo a prime already prove that they differ. A trivial
+// link of several components has the determinant and the Alexander polynomial 0.
+// \pre the diagram is simplified
+// \throws Run_stopped if the watch, if there is one, says so
+inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch = nullptr)
+{
+  if(diagram.crossings.empty()) return Knottedness::UNKNOTTED;
+  const std::size_t components = number_of_components(diagram);
+  const Alexander_matrix matrix(diagram, watch);
+  const Prime_field field;
+  const Prime_field::Number trivial = components == 1 ? 1 : 0, minus_one = field.negative(1);
+  const auto determinant = matrix.value(minus_one, field);
+  if(determinant != trivial && determinant != field.negative(trivial))
+    return Knottedness::KNOTTED_BY_DETERMINANT;
+  for(const std::uint64_t t : alexander_arguments)
+    if(matrix.squared_norm(t, field) != trivial)
+      return Knottedness::KNOTTED_BY_ALEXANDER_POLYNOMIAL;
+  const auto homfly = homfly_polynomial(diagram);
+  auto of_trivial_link = Laurent_polynomial_2::monomial({0, 0});
+  for(std::size_t k = 1; k < components; ++k)
+    of_trivial_link = of_trivial_link * Homfly_skein::loop();
+  if(homfly && !(*homfly == of_trivial_link)) return Knottedness::KNOTTED_BY_HOMFLY_POLYNOMIAL;
+  return Knottedness::UNKNOWN;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_KNOTTEDNESS_H
