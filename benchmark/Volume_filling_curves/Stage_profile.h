@@ -18,7 +18,7 @@
 
 namespace vfc_benchmark {
 
-// A visitor that counts the nodes of all iterations, so that the time of each stage can be told in
+// A visitor that counts the nodes of all iterations, to report the time of each stage in
 // microseconds per node and iteration. What happens before the first step (thickness, first
 // remeshing) is the setup and does not count.
 class Stage_profile : public CGAL::Volume_filling_curves::Default_curve_flow_visitor

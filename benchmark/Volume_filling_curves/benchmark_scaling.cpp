@@ -9,7 +9,7 @@
 //   benchmark_scaling [--steps K] [--threads N] N...
 //
 // Lattice polygons are equally dense whatever their size. The flow's own spacing makes some seven
-// times as many nodes of them, then the number falls: the line tells the mean.
+// times as many nodes of them, then the number falls: the line has the mean.
 
 #include "Json_line.h"
 #include "Stage_profile.h"

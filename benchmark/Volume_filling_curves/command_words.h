@@ -30,7 +30,7 @@ inline const std::string& value_of_option(const Words& words, std::size_t& k)
 }
 
 // Calls run(word) for every word that is no option, and returns the exit status of the program.
-// read_option(words, k) tells whether words[k] is an option, and moves k to the last word of it.
+// read_option(words, k) returns whether words[k] is an option, and moves k to the last word of it.
 template <typename ReadOption, typename Run>
 int run_words(int argc, char** argv, const ReadOption& read_option, const Run& run)
 {

@@ -26,7 +26,7 @@ inline double cpu_seconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// the processor's name, where the system tells it
+// the processor's name, if the system reports it
 inline std::string machine()
 {
   std::ifstream info("/proc/cpuinfo");

@@ -26,7 +26,7 @@
 namespace vfc {
 namespace {
 
-// returns what follows an option on a command line that could not be parsed
+// Returns the word after an option on a command line that could not be parsed.
 std::string value_of(const std::string& option, const std::vector<std::string>& arguments)
 {
   for(std::size_t i = 0; i < arguments.size(); ++i) {
@@ -56,7 +56,7 @@ int refuse(const std::vector<std::string>& arguments, const std::string& message
     session.start_report();
     add_inputs(session, arguments);
   } catch(const Usage_error&) {
-    // the first error is the one to tell
+    // the first error is reported
   }
   return fail(session, FAILURE, message);
 }

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// A user who fills a ball.
+// User code that fills a ball.
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// A user who only reads curves.
+// User code that only reads curves.
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// A user who makes a curve and untangles it.
+// User code that makes a curve and untangles it.
 
 #include <CGAL/Volume_filling_curves/untangle.h>
 

@@ -40,7 +40,7 @@ class Program:
     name: str
     words: tuple
     is_peer: bool
-    versions: str  # as the program tells them
+    versions: str  # as the program prints them
     digest: str  # of the program's file
 
     def command(self, case, output, report, threads):

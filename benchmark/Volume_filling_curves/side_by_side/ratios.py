@@ -44,7 +44,7 @@ class Growth:
 
 
 def growth(points, least_value=0.0):
-    """None if fewer than two points are left that are large enough to tell anything."""
+    """None if fewer than two points are large enough to be significant."""
     points = [(x, y) for x, y in points if x > 0 and y > least_value]
     return Growth(points) if len({x for x, _ in points}) > 1 else None
 

@@ -49,7 +49,7 @@ class Measured:
         return self.report.get("nodes_end") or 0
 
     def stages(self):
-        """CPU seconds of each stage: its share of the time on the wall, which a report tells."""
+        """CPU seconds of each stage: its share of the wall time, which a report contains."""
         seconds = self.report.get("seconds_by_stage") or {}
         total = sum(seconds.values()) or 1
         return {stage: self.seconds * s / total for stage, s in seconds.items()}

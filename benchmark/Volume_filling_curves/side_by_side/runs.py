@@ -18,7 +18,7 @@ GROWTH = 1.2  # exponent with which the next time in a series is foreseen
 
 
 def machine():
-    """The processor's name, where the system tells it."""
+    """The processor's name, if the system reports it."""
     try:
         with open("/proc/cpuinfo") as file:
             lines = file.read().splitlines()
@@ -94,7 +94,7 @@ class Session:
         return line
 
     def asked(self, program, case, turn):
-        """What tells a run from others."""
+        """The identity of a run."""
         return dict(suite=case.suite, case=case.name, program=program.name, digest=program.digest, turn=turn,
                     job=case.job, input=case.input.name, thickness=case.thickness,
                     options=[str(word) for word in case.options], series=case.series, size=case.size,

@@ -44,7 +44,7 @@ bool is_in_folder(const std::string& input, const fs::path& folder)
   return fs::equivalent(fs::absolute(input).parent_path(), folder, error);
 }
 
-// Reads a list, line by line, and finds out what is wrong with it.
+// Reads a list line by line, and collects its defects.
 class List_reader
 {
 public:

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array crashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-// What a signal handler may read.
+// Data that a signal handler may read.
 std::string line_of_crash;
 volatile std::sig_atomic_t descriptor = -1;
 std::array<char, 1 << 16> stack; // the usual one may have overflowed

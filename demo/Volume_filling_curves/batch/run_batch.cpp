@@ -29,9 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A batch is alone in its folder, so that it may replace what a process that was killed left there.
-// Another process may start at the same time, whose first file is that of the results: this is
-// looked for last.
+// A batch has its folder to itself, and may replace files of a killed process. Another process may
+// start at the same time, whose first file is that of the results: this is looked for last.
 void check_folder(const fs::path& folder, const fs::path& results, bool may_overwrite)
 {
   std::error_code error;
@@ -45,7 +44,7 @@ void check_folder(const fs::path& folder, const fs::path& results, bool may_over
                       "overwrites existing files");
 }
 
-// What a process that was killed could not complete.
+// Incomplete files of a killed process.
 void remove_unfinished(const std::string& file)
 {
   std::error_code ignored;
@@ -58,7 +57,7 @@ int gravity(int exit_status)
   return static_cast<int>(std::find(order.begin(), order.end(), exit_status) - order.begin());
 }
 
-// The endings of the names of other files, as was asked for; empty ones for those that were not.
+// The requested extensions of other files; empty for those not requested.
 std::vector<std::string> endings_of(const File_options& files)
 {
   std::vector<std::string> endings;
@@ -106,7 +105,7 @@ public:
   }
 
 private:
-  // Does what a run of its own for this input would do.
+  // Does the same as a separate run for this input.
   std::string run(const Batch_item& item, Results& results) const
   {
     name_files(item);

@@ -71,7 +71,7 @@ int draw_picture(Session& session, const Draw_options& options)
   return finish(session, options.output, picture(curve, mesh, options.picture));
 }
 
-// The curves are those of the frames, so that the only argument is the surface.
+// The curves are those of the frames; the only argument is the surface.
 int draw_film(Session& session, const Draw_options& options)
 {
   if(!options.mesh.empty())

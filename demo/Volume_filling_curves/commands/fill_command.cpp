@@ -87,7 +87,7 @@ Filling_result fill(Session& session,
 {
   Flow_observer observer(session, options.parameters, 0, Frames(options.film));
   curves::Filling_parameters<> parameters = options.parameters;
-  // what reading and mending have left
+  // the rest after reading and mending
   parameters.time_limit = (std::max)(0., parameters.time_limit - session.seconds());
   parameters.thickness_field = field;
   parameters.direction_field = directions;

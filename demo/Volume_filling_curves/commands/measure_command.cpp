@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc measure: what a curve is like.
+// vfc measure: measures of a curve.
 
 #include "commands/commands.h"
 #include "files/curve_files.h"
@@ -62,7 +62,7 @@ std::string table(const Report& report)
   return text;
 }
 
-// What it is like in the mesh.
+// Measures inside the mesh.
 std::string table_of_filling(const Report& report)
 {
   std::string text;

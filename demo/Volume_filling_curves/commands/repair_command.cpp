@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc repair: makes a mesh what vfc fill accepts.
+// vfc repair: mends a mesh so that vfc fill accepts it.
 
 #include "commands/commands.h"
 #include "files/mesh_files.h"

@@ -62,7 +62,7 @@ void pin(Curve& curve, const Untangle_options& options)
                         " is pinned, so the result cannot be scaled");
 }
 
-// Whether the thickness that was asked for makes sense. The default is measured later, and may grow
+// Checks whether the requested thickness makes sense. The default is measured later, and may grow
 // on the way; only a small spacing can ask for too many nodes then, if there is time to find out.
 void check_flow_thickness(const Curve& curve,
                           const curves::Untangling_parameters& parameters,

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace files = CGAL::Volume_filling_curves::internal;
 
-// Only trying tells whether a file can be created.
+// Only an attempt shows whether a file can be created.
 std::error_code try_to_create(const fs::path& path)
 {
   fs::path written;

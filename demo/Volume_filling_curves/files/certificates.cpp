@@ -49,7 +49,7 @@ Curve read_end(Session& session, const std::string& file, const Curve_reading& r
   return std::move(read.curve);
 }
 
-// The kind of the defect says already that it is a rejection.
+// The kind of the defect already states the rejection.
 std::string without_first_word(const std::string& sentence)
 {
   return sentence.substr(sentence.find(' ') + 1);

@@ -26,7 +26,7 @@ namespace vfc {
 
 namespace curves = CGAL::Volume_filling_curves;
 
-// What a file that holds no valid curve should hold, and what would help.
+// Expected contents of a file without a valid curve, and the remedy.
 static std::string expected_curve(const std::string& file, const Defects& defects)
 {
   const auto has = [&](curves::Curve_defect_kind kind) {

@@ -84,7 +84,7 @@ bool is_curve_file(const std::string& file)
   return has_polylines || (extension == ".obj" && records_of(file).has_lines);
 }
 
-// What a file should be, and what to do if it is not.
+// Expected contents of a file, and the remedy.
 std::string expected(const Mesh_findings& findings)
 {
   if(findings.is_mendable()) return "a valid mesh; vfc repair, or fill with --repair, mends it";

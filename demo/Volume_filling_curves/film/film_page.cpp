@@ -20,7 +20,7 @@ void replace_all(std::string& text, const std::string& old, const std::string& r
     text.replace(i, old.size(), replacement);
 }
 
-// What would end the element, or begin a comment; it can only be part of a text.
+// Sequences that would end the element, or begin a comment; they only occur in texts.
 std::string in_script(std::string text)
 {
   replace_all(text, "</script", "<\\/script");

@@ -77,7 +77,7 @@ private:
     return line.substr((std::min)(first - 1, line.size()), last - first + 1);
   }
 
-  // likewise, without blanks around
+  // the same, without surrounding blanks
   static std::string_view field(std::string_view line, std::size_t first, std::size_t last)
   {
     const std::string_view text = columns(line, first, last);

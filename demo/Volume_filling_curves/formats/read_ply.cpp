@@ -35,7 +35,7 @@ bool is_strips(const Ply_element& element)
   return element.name == "tristrips";
 }
 
-// A surface's numbers, and values at its vertices, are what the file could hold in binary; those of
+// A surface's numbers, and values at its vertices, have the types of the binary form; those of
 // curves keep all digits.
 double in_type(double value, const Ply_property& property)
 {

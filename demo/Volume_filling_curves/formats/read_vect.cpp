@@ -23,8 +23,8 @@ using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
 
 // Reads Geomview's VECT, the format of KnotPlot, plCurve and Ridgerunner: the numbers of polylines,
 // vertices and colors; of each polyline the number of its vertices, negative if it is closed, and
-// the number of its colors; all vertices; all colors, which are read only to tell whether the file
-// is complete. It ends with its last color: what follows is not read. Braces may stand around it,
+// the number of its colors; all vertices; all colors, which are only read to check that the file is
+// complete. It ends with its last color; anything after it is not read. Braces may stand around it,
 // as Geomview writes them. Linear time.
 class Vect_reader
 {
@@ -48,7 +48,7 @@ private:
     Integer polylines = 0, vertices = 0, colors = 0;
   };
 
-  // Blanks take the place of braces around everything but comments.
+  // Blanks replace braces around everything but comments.
   static std::string without_braces(std::string_view text)
   {
     std::string result(text);

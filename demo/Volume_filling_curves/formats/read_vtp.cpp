@@ -164,7 +164,7 @@ private:
     return name == "offsets" ? &cells->offsets : nullptr;
   }
 
-  // returns those of the section, if they are a curve or a surface, as is asked for
+  // Returns those of the section, if they form the requested curve or surface.
   Cells* wanted_cells()
   {
     if(m_polygons == nullptr) return m_section == "Lines" ? &m_piece.lines : nullptr;
@@ -196,7 +196,7 @@ private:
     return m_decoded.back();
   }
 
-  // What is wrong with it stands in the first line, whatever array asks for it.
+  // Its errors are reported for the first line, whichever array needs it.
   void read_encoding()
   {
     const Xml_scanner array = std::exchange(m_tags, m_file_tag);

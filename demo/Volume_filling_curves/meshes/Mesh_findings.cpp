@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t max_listed = 1000;
 
-// What repair_mesh() does about errors.
+// Remedies of repair_mesh() for errors.
 struct Remedy
 {
   const char *kind, *text;

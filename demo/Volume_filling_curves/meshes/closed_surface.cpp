@@ -32,7 +32,7 @@ namespace rules = CGAL::Volume_filling_curves::internal;
 
 using Vertex_pair = std::pair<std::size_t, std::size_t>;
 
-// What CGAL finds while it orients a soup.
+// Findings of CGAL's orientation of a soup.
 struct Orientation
 {
   std::map<Vertex_pair, std::size_t> bad_edges; // with the number of their faces

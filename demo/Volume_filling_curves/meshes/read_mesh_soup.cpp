@@ -29,7 +29,7 @@ namespace {
 
 namespace files = CGAL::Volume_filling_curves::internal;
 
-// Replaces what continues a line, a backslash at its end, by blanks; all else keeps its place.
+// Replaces backslashes at the ends of continued lines by blanks; all else keeps its position.
 std::string with_continued_lines(std::string text)
 {
   for(std::size_t i = text.find('\\'); i != std::string::npos; i = text.find('\\', i + 1)) {
@@ -58,7 +58,7 @@ void read_obj(const std::string& text, Mesh_soup& soup, Polygons& polygons, Mesh
                               text.begin(), text.begin() + std::ptrdiff_t(start), '\n'))});
 }
 
-// Takes what was read of a file with the faces of a surface.
+// Takes the contents of a file with the faces of a surface.
 void take(const Curve_draft& file, Mesh_soup& soup, Mesh_findings& findings)
 {
   add_errors(file.defects, findings);

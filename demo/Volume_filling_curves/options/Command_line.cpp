@@ -57,7 +57,7 @@ public:
     return text;
   }
 
-  // A command shows its first group unless all are asked for.
+  // A command shows its first group unless all are requested.
   std::string make_help(const CLI::App* app,
                         std::string name,
                         CLI::AppFormatMode mode) const override

@@ -14,7 +14,7 @@ namespace {
 using CGAL::Volume_filling_curves::Filling_start;
 using CGAL::Volume_filling_curves::Wall;
 
-// The three ways to say how dense the curve is.
+// The three options for the density of the curve.
 void add_density_options(CLI::App& command, Fill_options& options)
 {
   CLI::Option& thickness =
@@ -47,7 +47,7 @@ void add_direction_options(CLI::App& command, Fill_options& options)
       .needs(&field);
 }
 
-// What to start from.
+// The start of the curve.
 void add_start_options(CLI::App& command, Fill_options& options)
 {
   CLI::Option& curve =

@@ -50,7 +50,7 @@ Title title_of(Coloring coloring)
 class Free_room
 {
 public:
-  // returns whether the label found room, and takes it
+  // Returns whether there is space for the label, and occupies it.
   bool take(double x, double y, double width)
   {
     std::set<Cell> wanted;

@@ -129,7 +129,7 @@ void Curve_view::scale(double factor)
   m_scale *= factor;
 }
 
-// Finds the place and the scale with which everything fits into the picture, beside the legend.
+// Determines the position and scale at which everything fits into the picture, beside the legend.
 void Curve_view::fit(const Curve& curve, const Wishes& wishes)
 {
   const Eigen::AlignedBox3d drawn = box(curve, wishes.cut);
@@ -142,7 +142,7 @@ void Curve_view::fit(const Curve& curve, const Wishes& wishes)
   m_middle = Vector(view_margin + room.x() / 2, wishes.size.y() / 2, 0);
 }
 
-// In the frame, the box of what is drawn: of what a cut leaves, if there is one.
+// Returns the box of the drawn parts in the frame: those that a cut leaves, if there is one.
 Eigen::AlignedBox3d Curve_view::box(const Curve& curve, const std::optional<Plane>& cut) const
 {
   std::optional<Half_space> kept;

@@ -67,8 +67,8 @@ void Scene_raster::add_at(double x, double y, const Capsule& capsule, Sample& sa
       values[0] + t * (values[1] - values[0]), part);
 }
 
-// What is nearest to the viewer has been cut off. As the capsule is convex, what is left is seen at
-// the plane, if the plane is inside the capsule there, and otherwise nothing is left.
+// The part nearest to the viewer has been cut off. As the capsule is convex, the remainder is seen
+// at the plane, if the plane is inside the capsule there, and otherwise nothing is left.
 void Scene_raster::add_section_at(double x, double y, const Capsule& capsule, Sample& sample) const
 {
   const Vector& n = m_cut->normal;

@@ -133,8 +133,8 @@ std::vector<Vector> Svg_painter::way(std::size_t i, bool is_forward, double leng
   return points;
 }
 
-// A strand that goes on in another layer is drawn there, too, in its colors, by less than the gap,
-// so that nothing else is covered: the higher layer's white stroke has cut into it.
+// A strand that continues in another layer is also drawn there, in its colors, by less than the
+// gap, which covers nothing else: the higher layer's white stroke has cut into it.
 void Svg_painter::append_to_other_layer(std::size_t i,
                                         bool is_forward,
                                         double extent,

@@ -107,8 +107,8 @@ private:
   Curve_view m_view;
 };
 
-// A surface as SVG: behind the strands, but for its creases on the viewer's side and the outline of
-// its section.
+// A surface as SVG: behind the strands, except for its creases on the viewer's side and the outline
+// of its section.
 class Svg_surface
 {
 public:

@@ -97,7 +97,7 @@ public:
 private:
   double height(std::size_t v) const { return m_half_space.height(m_surface.points[v]); }
 
-  // What is left of a triangle is a polygon with 3 or 4 corners, of which at most two are new.
+  // The remainder of a triangle is a polygon with 3 or 4 corners, at most two of them new.
   void cut(const std::array<std::size_t, 3>& triangle)
   {
     std::vector<std::size_t> polygon, rim;

@@ -62,7 +62,7 @@ Edge_values at_both_nodes(const Curve& curve, const std::vector<double>& values)
   return result;
 }
 
-// Calls measure(cap) for radii up to what matters; they are 0 if the curve has no extent.
+// Calls measure(cap) for radii up to a relevant cap; they are 0 if the curve has no extent.
 template <typename Measure>
 Edge_values capped_radii(const Curve& curve, const Measure& measure)
 {

@@ -13,7 +13,7 @@
 namespace vfc {
 namespace {
 
-// The edges of faces that are turned to the viewer, but those between two such faces.
+// The edges of front faces, except those between two front faces.
 Directed_edges outline_of(const Triangle_soup& surface)
 {
   Directed_edges front_edges, outline;

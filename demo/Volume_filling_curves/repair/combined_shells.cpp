@@ -28,7 +28,7 @@ auto watched(const Mesh& mesh, Work_watch& watch)
       .throw_on_self_intersection(true);
 }
 
-// CGAL may report success for what is none, where a shell touches itself in a vertex.
+// CGAL may wrongly report success if a shell touches itself in a vertex.
 void replace(Mesh& a, Mesh& result, bool is_manifold)
 {
   if(!is_manifold || !CGAL::is_closed(result) || !result.is_valid(false))
@@ -52,7 +52,7 @@ void take_away(Mesh& a, Mesh& b, Work_watch& watch)
   replace(a, rest, is_manifold);
 }
 
-// Unites them two by two, so that no shell takes part in more than log2(n) unions.
+// Unites them in pairs: no shell takes part in more than log2(n) unions.
 Mesh united(std::vector<Mesh> shells, Work_watch& watch)
 {
   for(; shells.size() > 1; shells.resize((shells.size() + 1) / 2))

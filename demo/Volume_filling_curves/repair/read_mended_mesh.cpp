@@ -50,7 +50,7 @@ void report_mending(Session& session, const std::string& file, const Mending& me
                          " from it, by estimate");
 }
 
-// A mesh, what was found in its file, and what was done about that.
+// A mesh, the findings in its file, and their repairs.
 struct Mended_mesh
 {
   explicit Mended_mesh(const std::string& file) : findings(file) {}

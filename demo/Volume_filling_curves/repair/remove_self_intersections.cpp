@@ -34,7 +34,7 @@ constexpr std::size_t max_rings = 7;        // of faces around those that inters
 constexpr std::size_t max_smoothings = 10;  // of noise; 3 do if it is as long as edges
 constexpr double max_area_of_scraps = 0.01; // each; the area of the shell is 1
 
-// Beyond these a shell is no longer what it was, and a wrap is closer to it.
+// Beyond these the shell changes too much, and a wrap is closer to it.
 constexpr double min_area = 0.5;     // of the shell's
 constexpr double max_distance = 0.1; // of the shell's diagonal
 
@@ -55,8 +55,8 @@ Mesh rest_of(const Mesh& shell, const Face_selection& selection)
   return shells_together(parts);
 }
 
-// Cuts out what intersects, and closes the gaps; where that makes new intersections, cuts out ever
-// more around them.
+// Cuts out intersecting faces, and closes the gaps; where that makes new intersections, cuts out
+// ever more around them.
 void cut_out(Mesh& shell, Work_watch& watch)
 {
   for(std::size_t rings = 0; rings < max_rings; ++rings) {
@@ -113,7 +113,7 @@ bool mend(Mesh& shell, Work_watch& watch)
   return false;
 }
 
-// returns false where CGAL meets what it does not expect
+// Returns false on input that CGAL does not expect.
 bool try_to_mend(Mesh& shell, Work_watch& watch)
 {
   try {

@@ -53,7 +53,7 @@ void group_intersecting(const Mesh& mesh, Shells& shells, Groups& groups, Work_w
     if(shells.are_sound[i] && shells.are_sound[j]) groups.unite(i, j);
 }
 
-// Unites the sets of shells one of which is directly within the other and turned the same way.
+// Unites the sets of shells that are directly nested with the same orientation.
 void group_nested(const Mesh& mesh, const Shells& shells, Groups& groups)
 {
   if(std::count(shells.are_sound.begin(), shells.are_sound.end(), false) > 0) return;

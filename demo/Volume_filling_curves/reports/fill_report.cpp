@@ -38,7 +38,7 @@ std::string radius(double mean)
   return std::isfinite(mean) ? to_text(mean) : "-";
 }
 
-// The share of the whole volume, and that without what is to be kept clear of.
+// The share of the whole volume, and the share without the layer to keep clear of.
 std::string beyond_2r(const Filling_result& result)
 {
   const double share = result.unfilled_fraction, whole = result.uncovered_fraction;

@@ -22,7 +22,7 @@ namespace curves = CGAL::Volume_filling_curves;
 
 namespace {
 
-// What a function measures, null if it is interrupted.
+// The value of a measuring function, null if it is interrupted.
 template <typename Measure>
 Report::Json unless_interrupted(const Measure& measure)
 {

@@ -22,7 +22,7 @@ using curves::Untangling_status;
 
 namespace {
 
-// The name of a proof or link, or null where it says that there is none.
+// The name of a proof or link status, or null for none.
 template <typename Enum>
 Report::Json name_or_null(Enum value, Enum none)
 {
@@ -44,7 +44,7 @@ bool has_free_end(const Curve& curve)
   return false;
 }
 
-// What a user would not expect of the result, and why it is so.
+// Unexpected properties of the result, and their reasons.
 std::string remark(const Curve& curve, const Untangling_result& result)
 {
   constexpr double length_of_point = 2; // in units of the thickness

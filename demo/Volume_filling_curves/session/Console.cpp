@@ -37,7 +37,7 @@ void Console::note(const std::string& line) const
   if(!is_quiet()) print(line + '\n');
 }
 
-// In one piece, so that the lines of several runs do not mix.
+// In one piece, which keeps the lines of several runs apart.
 void Console::print(const std::string& text) const
 {
   std::fwrite(text.data(), 1, text.size(), stderr);

@@ -70,7 +70,7 @@ void Session::require_output() const
                       m_outputs.options());
 }
 
-// An error that the report cannot tell of: it would replace the input.
+// Error that cannot be reported, since the report would replace the input.
 void Session::add_input(const std::string& file, const std::string& replaced_by)
 {
   forget_last_words();

@@ -31,7 +31,7 @@ std::string last_words, file_of_report, report_text;
 
 #ifndef _WIN32
 
-// Handlers may call nothing but what is safe there (POSIX, async-signal-safe).
+// Handlers may only call async-signal-safe functions (POSIX).
 void write_all(int file, const std::string& text)
 {
   for(std::size_t done = 0; done < text.size();) {

@@ -156,7 +156,7 @@ TEST(Certificate_in_domain, refuses_a_start_that_is_not_inside)
   EXPECT_NE(verdict_in(across, hollow).message.find("is not inside the domain"), std::string::npos);
 }
 
-// Isotopies, but through the wall; there and back again, which the end does not tell.
+// Isotopies, but through the boundary; there and back again, which the end does not reveal.
 TEST(Certificate_in_domain, refuses_a_forged_move_through_the_wall)
 {
   const meshes::Mesh mesh = meshes::to_mesh(meshes::cube(4));

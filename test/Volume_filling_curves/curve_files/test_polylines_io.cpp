@@ -149,7 +149,7 @@ TEST(Polylines, that_were_perhaps_meant_to_be_closed_are_warned_of)
   EXPECT_TRUE(defects.empty());
 }
 
-// What the constructor makes of polylines, the reader of polylines makes of them, too.
+// The reader of polylines gives the same result as the constructor.
 TEST(Polylines, become_the_same_network_with_and_without_a_report)
 {
   const std::vector<std::vector<Point_3>> polylines = {

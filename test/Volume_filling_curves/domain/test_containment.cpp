@@ -123,7 +123,7 @@ Lattice_point stepped(const Lattice_point& p, Random& random)
   return q;
 }
 
-// A random change of one node; `is_missed` tells whether its triangles miss the surface.
+// A random change of one node; `is_missed` returns whether its triangles miss the surface.
 template <typename SomeGuard>
 bool change(SomeGuard& guard, const Lattice_surface& surface, unsigned seed, bool& is_missed)
 {

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// A domain multiplied by a power of two is filled by the same curve, multiplied likewise, even at
-// sizes whose sixth powers overflow or underflow.
+// A domain multiplied by a power of two is filled by the same curve at that scale, even at sizes
+// whose sixth powers overflow or underflow.
 
 #include "support/fill_test_support.h"
 #include "support/mesh_test_support.h"

@@ -5,7 +5,7 @@
 // Author(s) : The Volume_filling_curves authors
 
 // Feeds arbitrary bytes, and words chosen by them, to the program's readers of meshes. What is
-// accepted must bound a domain for the library, too, and each defect takes one line. Build with
+// accepted must also bound a domain for the library, and each defect takes one line. Build with
 // clang++ -fsanitize=fuzzer,address,undefined.
 
 #include "fuzz/words_of_meshes.h"

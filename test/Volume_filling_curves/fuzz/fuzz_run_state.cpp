@@ -60,8 +60,8 @@ Run_state resume(Network& curve, std::size_t run, std::size_t iterations, const 
   return state;
 }
 
-// Replaces eight bytes for each two that tell where, or removes them there. The fingerprint, which
-// says whose state it is, stays.
+// Replaces or removes eight bytes at the position that each pair of bytes encodes. The fingerprint,
+// which says whose state it is, stays.
 std::string forged(std::string body, const std::uint8_t* data, std::size_t size)
 {
   constexpr std::size_t width = 8;

@@ -24,7 +24,7 @@ using Network = CGAL::Volume_filling_curves::Curve_network_3<>;
 using Guard = CGAL::Volume_filling_curves::Isotopy_guard_3<>;
 using Point = Network::Point_3;
 
-// Nodes and edges of its own, kept by nothing but what it is told.
+// Own nodes and edges, updated only by notifications.
 class Mirror final : public CGAL::Volume_filling_curves::Curve_network_observer_3<>
 {
 public:

@@ -116,7 +116,7 @@ TEST_F(Command_line_fill, can_be_verified_to_have_stayed_inside)
   EXPECT_EQ(run("fill cube.off --certificate c.cert").status, 1);
 }
 
-// A thickness that does not fit is told before, and after.
+// A thickness that does not fit is reported before and after the run.
 TEST_F(Command_line_fill, a_plate_that_is_too_thin_is_filled_in_part_only)
 {
   write("plate.off", "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 .1\n4 0 .1\n4 4 .1\n0 4 .1\n"

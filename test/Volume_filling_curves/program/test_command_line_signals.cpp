@@ -18,7 +18,7 @@
 #include <vector>
 
 // SIGINT and SIGTERM at places of a run that do not depend on a clock: an input that is a pipe has
-// the program wait, and tells when it has begun to read.
+// the program wait, and reports when it has begun to read.
 namespace test_command_line_signals {
 
 using program_test::Background_program;

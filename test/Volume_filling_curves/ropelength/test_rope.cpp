@@ -147,7 +147,7 @@ TEST(Rope, unbends_where_it_kinks)
   EXPECT_EQ(loose.x, before);
 }
 
-// Two rings, one through the other, too close; and a single one, of which no place is pushed.
+// Two linked rings that are too close; and a single one, of which no point is pushed.
 TEST(Rope_contacts, push_strands_a_diameter_apart)
 {
   Polygon first = circle(60, 2), second;

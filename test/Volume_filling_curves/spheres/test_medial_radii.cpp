@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-// What is told of the medial spheres of each node.
+// Statistics of the medial spheres of each node.
 namespace test_medial_radii {
 
 using namespace flow_test;

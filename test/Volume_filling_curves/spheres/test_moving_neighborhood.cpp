@@ -18,7 +18,7 @@ namespace test_moving_neighborhood {
 
 using namespace flow_test;
 
-// The place moves by less than the diameter mostly, which changes, too.
+// The center usually moves by less than the diameter, which also changes.
 TEST(Moving_neighborhood, misses_no_node_on_its_way)
 {
   Random random(1);

@@ -108,7 +108,7 @@ TEST(Certified_untangling, does_not_depend_on_the_number_of_threads)
 class Certified_untangling_of_shared_curves : public shared_curves::Shared_data_test
 {};
 
-// The certificate of the very file that is written, read again in the other format, too.
+// The certificate of the written file, also read again in the other format.
 TEST_F(Certified_untangling_of_shared_curves, holds_for_the_files)
 {
   const std::string input = (shared_curves::folder() / "paper/goeritz.obj").string();

@@ -18,8 +18,8 @@
 #include <functional>
 #include <set>
 
-// Runs report their progress from the first moment on, and end where they are told to, within a
-// step, too. What is tested are numbers of calls, not times.
+// Runs report their progress from the start, and end on request, even within a step. The tests
+// count calls, not times.
 namespace test_untangle_progress {
 
 using namespace untangle_test;
