@@ -37,13 +37,13 @@ namespace Volume_filling_curves {
 /// @{
 
 /*!
- * returns a diagram, with few crossings, of the knot or link that closed curves form.
+ * returns a diagram with few crossings of the knot or link formed by closed curves.
  *
  * The curves are projected along 20 directions, and the diagram with the fewest crossings is
  * simplified. Every crossing rests on exact predicates, and every step of the simplification is a
- * sequence of Reidemeister moves, so that it is a diagram of the curves for certain. 128 tangled
- * prime knots of up to 10 crossings come to their crossing number. Takes near-linear time in the
- * number of nodes and crossings; `simplify_curves()` before makes it faster.
+ * sequence of Reidemeister moves; hence the result is certainly a diagram of the curves. 128
+ * tangled prime knots of up to 10 crossings reach their crossing number. Takes near-linear time in
+ * the number of nodes and crossings; calling `simplify_curves()` first makes it faster.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of named parameters
@@ -53,7 +53,8 @@ namespace Volume_filling_curves {
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if a component is open or branches, or the curves meet themselves
+ * \throws std::invalid_argument if a component is open or has a junction, or if the curves are not
+ * embedded
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -69,11 +70,11 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns whether a link is known to be trivial or not, by a diagram.
+ * decides from a diagram whether a link is trivial, if it finds a proof.
  *
- * Crossings that can all be removed prove the former. A determinant, Alexander polynomial or
- * HOMFLY-PT polynomial that is not that of the trivial link proves the latter. HOMFLY-PT is left
- * out where it would take more than about a second. Takes milliseconds up to some hundred
+ * If all crossings can be removed, the link is trivial. If its determinant, Alexander polynomial or
+ * HOMFLY-PT polynomial differs from that of the trivial link, it is not. The HOMFLY-PT polynomial
+ * is skipped if it would take more than about a second. Takes milliseconds up to some hundred
  * crossings.
  *
  * \throws std::invalid_argument if the crossings are not a planar diagram code
@@ -85,8 +86,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns the coefficients of the Alexander polynomial, from the lowest power on: of the trefoil 1,
- * -1, 1; no coefficients if it is 0. Those of a knot have the sum 1. Takes 0.7 s for 257 crossings.
+ * returns the coefficients of the Alexander polynomial, from the lowest power: 1, -1, 1 for the
+ * trefoil; none if the polynomial is 0. For a knot their sum is 1. Takes 0.7 s for 257 crossings.
  *
  * \throws std::invalid_argument if the crossings are not a planar diagram code
  */
@@ -97,8 +98,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns the determinant of a link, the absolute value of the Alexander polynomial at -1, from the
- * form of Goeritz. Takes 0.2 s for 2,600 crossings.
+ * returns the determinant of a link, which is the absolute value of the Alexander polynomial at -1,
+ * from the Goeritz form. Takes 0.2 s for 2,600 crossings.
  *
  * \throws std::invalid_argument if the crossings are not a planar diagram code
  */
@@ -131,15 +132,15 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
   return internal::writhe(diagram);
 }
 
-/// returns the planar diagram code as KnotTheory reads it, with arcs from 1 on:
-/// `PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]`; a component without crossings is `Loop[7]`.
+/// returns the planar diagram code in the form of KnotTheory, with arcs numbered from 1: `PD[X[1,
+/// 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]`; a component without crossings is `Loop[7]`.
 [[nodiscard]] inline std::string pd_code(const Planar_diagram& diagram)
 {
   internal::check_planar_diagram(diagram);
   return internal::pd_code(diagram);
 }
 
-/// returns the signed Gauss code: the passes of each component in its order, such as
+/// returns the signed Gauss code: the passes of each component in order, such as
 /// `O1+U2+O3+U1+O2+U3+`, with ` / ` between components and `-` for one without crossings.
 [[nodiscard]] inline std::string gauss_code(const Planar_diagram& diagram)
 {
@@ -147,8 +148,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
   return internal::gauss_code(diagram);
 }
 
-/// returns the Dowker-Thistlethwaite code of a knot, such as `4 6 2`, with a minus where the even
-/// pass is the upper one. It leaves open which of two mirror images the knot is.
+/// returns the Dowker-Thistlethwaite code of a knot, such as `4 6 2`, with a minus if the even pass
+/// is the upper one. It does not distinguish a knot from its mirror image.
 /// \throws std::invalid_argument unless there is one component
 [[nodiscard]] inline std::string dt_code(const Planar_diagram& diagram)
 {
@@ -156,16 +157,16 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
   return internal::dt_code(diagram);
 }
 
-/// returns the diagram with a planar diagram code, as `pd_code()` writes it or in any other
-/// notation with four numbers for each crossing, from 0 or 1 on.
-/// \throws std::invalid_argument with the reason if it is not one
+/// returns the diagram with a planar diagram code, as written by `pd_code()` or in any other
+/// notation with four numbers per crossing, from 0 or 1.
+/// \throws std::invalid_argument if the code is invalid; the message gives the reason
 [[nodiscard]] inline Planar_diagram diagram_of_pd_code(const std::string& text)
 {
   return internal::diagram_of_pd_code(text);
 }
 
-/// returns the diagram with a signed Gauss code, as `gauss_code()` writes it.
-/// \throws std::invalid_argument with the reason if it is not one
+/// returns the diagram with a signed Gauss code, as written by `gauss_code()`.
+/// \throws std::invalid_argument if the code is invalid; the message gives the reason
 [[nodiscard]] inline Planar_diagram diagram_of_gauss_code(const std::string& text)
 {
   return internal::Gauss_code_reader(text)();

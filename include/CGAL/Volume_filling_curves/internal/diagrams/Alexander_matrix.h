@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The Alexander polynomial of a link at places of prime fields: the determinant of the matrix with
-// a row for each crossing and a column for each face, but for two faces side by side (Alexander
-// 1928). Its value is the polynomial's times a unit, plus or minus a power of t, which depends on
-// the diagram only. Of a split link it is 0.
+// Alexander polynomial of a link at points of prime fields: the determinant of the matrix with a
+// row for each crossing and a column for each face except two adjacent ones (Alexander 1928). Its
+// value is that of the polynomial times a unit, plus or minus a power of t, which only depends on
+// the diagram. For a split link it is 0.
 class Alexander_matrix
 {
 public:
@@ -46,7 +46,7 @@ public:
   // the degree of the polynomial in t that value() is, at most
   std::size_t max_degree() const { return m_size; }
 
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   Number value(Number t, const Prime_field& field) const
   {
     if(m_is_split) return 0;

@@ -28,7 +28,7 @@ struct Polynomial_limit : std::runtime_error
   Polynomial_limit() : std::runtime_error("a polynomial exceeds the limits") {}
 };
 
-// Operations on terms that a polynomial may take unless the caller says otherwise: about a second.
+// Default limit of operations on terms for a polynomial: about a second.
 constexpr std::size_t default_work = 25'000'000;
 
 // half of the range: sums of two such numbers are in the range

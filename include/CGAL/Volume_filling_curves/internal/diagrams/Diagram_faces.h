@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The faces of a diagram in two colors, as on a checkerboard, and its connected parts. Corner k of
-// a crossing lies between its arcs k and k + 1. The outer face counts once for each part. Linear.
+// Faces of a diagram in two colors, as on a checkerboard, and its connected parts. Corner k of a
+// crossing lies between its arcs k and k + 1. The outer face counts once for each part. Linear.
 class Diagram_faces
 {
 public:

@@ -35,14 +35,14 @@ struct Sweep_step
   std::size_t last_end; // the end at the crossing, 0 to 3, of the last of them; 0 if there are none
 };
 
-// An order in which a disk grows over a connected diagram without nugatory crossings, one crossing
-// at a time. The boundary of the disk crosses the arcs between what is done and what is not, and
-// is listed counterclockwise. A crossing can be taken in if its arcs to the disk are consecutive,
-// else a hole would be left; there always is one: with each crossing whose removal leaves the rest
-// connected the order goes on, as in an st-numbering (Lempel, Even, Cederbaum 1967). Of these the
-// crossing with the most arcs to the disk comes next. Several crossings are tried as the first one,
-// and the order with the least sum of k! wins, if 2k arcs are on the boundary: about the time that
-// HOMFLY-PT takes. O(n w^2) for w arcs.
+// Order in which a disk grows over a connected diagram without nugatory crossings, one crossing at
+// a time. The boundary of the disk crosses the arcs between processed and remaining crossings,
+// which are listed counterclockwise. A crossing can be added if its arcs to the disk are
+// consecutive; otherwise a hole would remain. There always is one: each crossing whose removal
+// leaves the rest connected qualifies, as in an st-numbering (Lempel, Even, Cederbaum 1967). Of
+// these, the crossing with the most arcs to the disk is next. Several first crossings are tried,
+// and the order with the least sum of k! wins, where 2k arcs are on the boundary: about the time of
+// HOMFLY-PT. O(n w^2) for w arcs.
 class Disk_sweep
 {
 public:

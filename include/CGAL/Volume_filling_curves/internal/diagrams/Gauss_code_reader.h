@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Reads what gauss_code() writes; crossings may have any numbers.
+// Reader of the codes that gauss_code() writes; crossings may have any numbers.
 class Gauss_code_reader
 {
 public:

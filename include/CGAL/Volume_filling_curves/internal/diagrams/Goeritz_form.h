@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The quadratic form of the surface that the faces of one color make up (Goeritz 1933): a sparse
-// symmetric matrix, with a row for each face of the other color but one in each part. Its
-// determinant is that of the link, and its signature, corrected by the crossings at which the
-// surface does not follow the orientation, is that of the link (Gordon and Litherland 1978).
+// Quadratic form of the surface that the faces of one color form (Goeritz 1933): a sparse symmetric
+// matrix, with a row for each face of the other color except one in each part. Its determinant is
+// that of the link, and its signature, corrected by the crossings at which the surface does not
+// follow the orientation, is that of the link (Gordon and Litherland 1978).
 class Goeritz_form
 {
 public:
@@ -53,7 +53,7 @@ public:
   }
 
   // |Alexander(-1)|, exactly, for thousands of crossings
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   Exact_integer determinant(Run_watch* watch = nullptr) const
   {
     if(m_is_split) return Exact_integer(0);
@@ -70,7 +70,7 @@ public:
   }
 
   // -2 for the right-handed trefoil
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   int signature(Run_watch* watch = nullptr) const
   {
     Symmetric_form form(m_size, watch);

@@ -28,10 +28,10 @@ namespace internal {
 // H(+) - H(-) = z H(0). A kink of sign e multiplies by v^-e, a split loop by (1/v - v) / z.
 //
 // A descending tangle: its strands lie in layers, and in the plane each is a straight chord of the
-// disk. The end where a strand comes in has a rank, which is the layer, 0 on top; the end where it
-// goes out has a label. So a tangle is the list of labels by rank, and k strands have k! of them,
-// a basis (Hecke algebras have the same one, with all ends that come in on one side; see Morton and
-// Traczyk, Knots and Algebras, 1990). Every operation keeps the ranks the same for all tangles.
+// disk. The incoming end of a strand has a rank, which is the layer, 0 on top; the outgoing end has
+// a label. So a tangle is the list of labels by rank, and k strands have k! tangles, which form a
+// basis (that of Hecke algebras, which have all incoming ends on one side; see Morton and Traczyk,
+// Knots and Algebras, 1990). Every operation keeps the ranks equal for all tangles.
 class Homfly_skein
 {
 public:

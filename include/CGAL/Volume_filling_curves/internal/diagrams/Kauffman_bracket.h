@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The Kauffman bracket <D> in A, of a connected diagram without nugatory crossings or of its cable:
-// a crossing is A times one smoothing plus 1/A times the other one, a loop -A^2 - A^-2, and the
-// empty diagram 1. A disk sweeps over the diagram; its content is a combination of pairings of the
-// arcs on its boundary, of which 2k arcs have at most a Catalan number, (2k)! / (k! (k + 1)!).
+// Kauffman bracket <D> in A, of a connected diagram without nugatory crossings or of its cable: a
+// crossing is A times one smoothing plus 1/A times the other one, a loop -A^2 - A^-2, and the empty
+// diagram 1. A disk sweeps over the diagram; its content is a combination of pairings of the arcs
+// on its boundary, of which 2k arcs have at most a Catalan number, (2k)! / (k! (k + 1)!).
 class Kauffman_bracket
 {
 public:

@@ -25,14 +25,14 @@ namespace Volume_filling_curves {
 /// \ingroup PkgVolumeFillingCurvesKnots
 /// \headerfile CGAL/Volume_filling_curves/knot_diagram.h
 ///
-/// What is proved of a knot or link, and by what.
+/// Proofs that a knot or link is trivial or not.
 enum class Knottedness
 {
-  UNKNOWN,                         ///< neither was proved
-  UNKNOTTED,                       ///< the diagram has lost all crossings: a trivial link
+  UNKNOWN,                         ///< no proof
+  UNKNOTTED,                       ///< all crossings can be removed: a trivial link
   KNOTTED_BY_DETERMINANT,          ///< the determinant is not that of the trivial link
-  KNOTTED_BY_ALEXANDER_POLYNOMIAL, ///< likewise its Alexander polynomial
-  KNOTTED_BY_HOMFLY_POLYNOMIAL     ///< likewise its HOMFLY-PT polynomial
+  KNOTTED_BY_ALEXANDER_POLYNOMIAL, ///< the Alexander polynomial is not that of the trivial link
+  KNOTTED_BY_HOMFLY_POLYNOMIAL     ///< the HOMFLY-PT polynomial is not that of the trivial link
 };
 
 /// \ingroup PkgVolumeFillingCurvesKnots
@@ -68,7 +68,7 @@ namespace internal {
 // Cheap invariants come first: residues modulo a prime already prove that they differ. A trivial
 // link of several components has the determinant and the Alexander polynomial 0.
 // \pre the diagram is simplified
-// \throws Run_stopped if the watch, if there is one, says so
+// \throws Run_stopped if a watch requests it
 inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch = nullptr)
 {
   if(diagram.crossings.empty()) return Knottedness::UNKNOTTED;

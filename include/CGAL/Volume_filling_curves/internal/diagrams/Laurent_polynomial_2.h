@@ -22,7 +22,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // A polynomial in two variables and their inverses, with integer coefficients. Sparse: its terms
-// are sorted by their exponents, so that sums and shifts are linear.
+// are sorted by exponents, which makes sums and shifts linear.
 class Laurent_polynomial_2
 {
 public:

@@ -23,19 +23,19 @@ namespace Volume_filling_curves {
 /// \headerfile CGAL/Volume_filling_curves/knot_diagram.h
 ///
 /// The diagram of an oriented link, as planar diagram code (PD) in the convention of KnotTheory:
-/// each crossing lists its four arcs counterclockwise, beginning with the lower strand that comes
-/// in. The arcs 0 ... 2n - 1 of n crossings are numbered consecutively along each component, in its
-/// orientation: after arc k comes arc k + 1, and after the last arc of a component its first one.
+/// each crossing lists its four arcs counterclockwise, starting with the incoming lower strand. The
+/// arcs 0 ... 2n - 1 of n crossings are numbered consecutively along each component, in its
+/// orientation: arc k is followed by arc k + 1, and the last arc of a component by its first one.
 struct Planar_diagram
 {
-  std::vector<std::array<std::uint32_t, 4>> crossings; ///< the arcs of each
+  std::vector<std::array<std::uint32_t, 4>> crossings; ///< the arcs of each crossing
   std::size_t number_of_free_loops = 0;                ///< components without crossings
 };
 
 namespace internal {
 
-// The strands of a diagram: where its arcs end, how its components and upper strands are oriented.
-// A component of two arcs that is the upper strand at both crossings can be read in either
+// Strands of a diagram: the ends of its arcs, and the orientations of its components and upper
+// strands. A component of two arcs that is the upper strand at both crossings can be read in either
 // orientation, and lies above all others; it then passes the crossing with the smaller index from
 // its first arc to its second one. Linear.
 class Diagram_strands

@@ -44,10 +44,10 @@ struct Closed_polygons
   void close() { ends.push_back(points.size()); } // the points since the last one that was closed
 };
 
-// The diagram of disjoint closed polygons that are seen along a direction. Every decision rests on
-// exact signs; doubles only propose pairs of edges, by boxes with a margin. A direction is generic
-// if no node lies on an edge, no edge on a point and no crossing on a crossing in the image; any
-// other one is refused. O(n log n + k) for k pairs of boxes that overlap.
+// Diagram of disjoint closed polygons, projected along a direction. Every decision rests on exact
+// signs; doubles only select pairs of edges, by boxes with a margin. A direction is generic if in
+// the image no node lies on an edge, no edge is a point and no two crossings coincide; others are
+// refused. O(n log n + k) for k pairs of overlapping boxes.
 class Polygon_projection
 {
 public:
@@ -70,7 +70,7 @@ public:
   }
 
   // Returns nothing if the direction is not generic.
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   std::optional<Planar_diagram> operator()()
   {
     if(!find_crossings() || !sort_passes()) return std::nullopt;

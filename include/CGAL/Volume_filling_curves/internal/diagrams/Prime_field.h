@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Arithmetic modulo a prime below 2^31, so that products fit into 64 bits.
+// Arithmetic modulo a prime below 2^31; products fit into 64 bits.
 class Prime_field
 {
 public:

@@ -28,12 +28,12 @@ namespace internal {
 // curve that does not meet itself.
 using Viewing_direction = std::array<int, 3>;
 
-// Exact answers about points that are seen along an integer direction. A double and the bound of
-// its error decide nearly always, and rational numbers where the bound does not suffice.
+// Exact predicates of points projected along an integer direction. A double and its error bound
+// nearly always decide; rational numbers decide the remaining cases.
 class Projection_predicates
 {
 public:
-  // A double, and how far it can be from the number that it stands for.
+  // A double, and a bound of its error.
   struct Approximation
   {
     double value, error;

@@ -24,10 +24,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The determinant of a sparse square matrix modulo a prime, by elimination. The next row is always
-// one of the shortest ones, and in it a column with the fewest entries (Markowitz 1957): matrices
-// of planar diagrams hardly fill in. A diagram of 7,600 crossings takes some hundredths of a
-// second.
+// Determinant of a sparse square matrix modulo a prime, by elimination. The next pivot is in one of
+// the shortest rows, in a column with the fewest entries (Markowitz 1957): matrices of planar
+// diagrams hardly fill in. A diagram of 7,600 crossings takes some hundredths of a second.
 class Sparse_determinant
 {
 public:
@@ -47,8 +46,8 @@ public:
     m_rows[row].push_back({static_cast<std::uint32_t>(column), x});
   }
 
-  // Returns the determinant. Leaves no matrix.
-  // \throws Run_stopped if the watch, if there is one, says so
+  // Returns the determinant. Consumes the matrix.
+  // \throws Run_stopped if a watch requests it
   Number operator()()
   {
     begin();

@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Moves a strand that passes above all it meets, or below all of it, to another place: to a
-// shortest path through the faces from its start to its end. The loops and bigons that
-// Reidemeister's first two moves remove, and his third move, are the simplest cases; long strands
-// go far at once. (The simplification of SnapPy and that of Knoodle, Cantarella and Schumacher
-// 2025, rest on the same move.) Each search visits faces within the length of the strand only.
+// Rerouting of a strand that passes above, or below, all other strands, to a shortest path through
+// the faces from its start to its end. The loops and bigons of Reidemeister's first two moves, and
+// his third move, are the simplest cases; long strands move far at once. (The simplifications of
+// SnapPy, and of Knoodle, Cantarella and Schumacher 2025, use the same move.) Each search only
+// visits faces within the length of the strand.
 class Strand_rerouting
 {
   using Slot = Editable_diagram::Slot;

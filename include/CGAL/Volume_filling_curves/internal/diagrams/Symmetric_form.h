@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The signature of a sparse symmetric matrix, by exact elimination. The next row is one of the
-// shortest ones with a diagonal entry, so that matrices of planar diagrams hardly fill in. Where
-// all diagonal entries are 0, a row is added to another one first.
+// Signature of a sparse symmetric matrix, by exact elimination. The next row is one of the shortest
+// with a diagonal entry: matrices of planar diagrams hardly fill in. If all diagonal entries are 0,
+// a row is first added to another one.
 class Symmetric_form
 {
 public:
@@ -41,8 +41,8 @@ public:
     if(CGAL::is_zero(entry->second)) m_rows[i].erase(entry);
   }
 
-  // Leaves no matrix.
-  // \throws Run_stopped if the watch, if there is one, says so
+  // Consumes the matrix.
+  // \throws Run_stopped if a watch requests it
   int signature()
   {
     for(std::size_t i = 0; i < m_rows.size(); ++i) enqueue(i);

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The coefficients, from the lowest power on, of the polynomial of degree below n with values at
-// 0, 1, ..., n - 1. Newton's divided differences; quadratic.
+// Coefficients, from the lowest power, of the polynomial of degree below n with given values at 0,
+// 1, ..., n - 1, by Newton's divided differences. Quadratic time.
 inline std::vector<Prime_field::Number> interpolation(std::vector<Prime_field::Number> values,
                                                       const Prime_field& field)
 {
@@ -45,12 +45,11 @@ inline std::vector<Prime_field::Number> interpolation(std::vector<Prime_field::N
   return result;
 }
 
-// The coefficients of the Alexander polynomial, from the lowest power on: the first one is not 0,
-// and their sum is 1 for a knot; for a link the first one is positive. None if it is 0, as that of
-// a split link. Every row of the matrix has the norm 2 on the unit circle, which bounds them
-// (Hadamard). O(n^2.5) operations modulo each of n / 31 primes: 0.7 s for
-// 257 crossings.
-// \throws Run_stopped if the watch, if there is one, says so
+// Coefficients of the Alexander polynomial, from the lowest power: the first one is not 0, and
+// their sum is 1 for a knot; for a link the first one is positive. None if the polynomial is 0, as
+// for a split link. Every row of the matrix has norm 2 on the unit circle, which bounds them
+// (Hadamard). O(n^2.5) operations modulo each of n / 31 primes: 0.7 s for 257 crossings.
+// \throws Run_stopped if a watch requests it
 inline std::vector<Exact_integer> alexander_polynomial(const Planar_diagram& diagram,
                                                        Run_watch* watch = nullptr)
 {

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The diagram of so many parallel strands for each strand, with the framing of the diagram: each
-// crossing becomes a square grid of crossings, with arcs of its own.
+// Cable of a diagram: a given number of parallel strands for each strand, with the framing of the
+// diagram. Each crossing becomes a square grid of crossings with its own arcs.
 class Cable
 {
 public:
@@ -42,7 +42,7 @@ public:
 private:
   using Arcs = std::array<std::uint32_t, 4>;
 
-  // Lower strands are columns, counted from the left, and upper ones rows, counted likewise in
+  // Lower strands are columns, counted from the left, and upper ones rows, counted from the left of
   // their own direction: from above if they go to the right, which is the positive crossing.
   Arcs crossing(std::size_t c, std::size_t row, std::size_t column) const
   {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The colored Jones polynomials J_c(t) of a knot, J_c(unknot) = 1: those of the representation of
+// Colored Jones polynomials J_c(t) of a knot, J_c(unknot) = 1: those of the representation of
 // dimension c + 1. J_1 is the Jones polynomial. They are multiplicative under connected sums. The
 // bracket of color c is that of a Chebyshev polynomial of cables (S_1 = z, S_2 = z^2 - 1, S_3 = z^3
 // - 2z, where z^k is the k-cable with the framing of the diagram), and a positive curl of the

@@ -40,9 +40,9 @@ inline std::string pd_code(const Planar_diagram& diagram)
   return "PD[" + text + ']';
 }
 
-// The passes of each component in its order, as the crossing with its level and sign:
-// "O1+U2+O3+U1+O2+U3+". Crossings are numbered as they come. Components are separated by " / "; one
-// without crossings is "-". It determines the diagram on the sphere.
+// Signed Gauss code: the passes of each component in order, as the crossing with its level and
+// sign: "O1+U2+O3+U1+O2+U3+". Crossings are numbered by first occurrence. Components are separated
+// by " / "; one without crossings is "-". It determines the diagram on the sphere.
 inline std::string gauss_code(const Planar_diagram& diagram)
 {
   const Diagram_strands strands(diagram);
@@ -62,9 +62,9 @@ inline std::string gauss_code(const Planar_diagram& diagram)
   return text;
 }
 
-// The code of Dowker and Thistlethwaite (1983) of a knot: passes are numbered from 1 on, and for
-// each odd one follows the number of the even one at the same crossing, with a minus if that is the
-// upper one: "4 6 2". It leaves open which of two mirror images the knot is.
+// Code of Dowker and Thistlethwaite (1983) of a knot: passes are numbered from 1, and each odd one
+// contributes the number of the even one at the same crossing, with a minus if that is the upper
+// one: "4 6 2". It does not distinguish a knot from its mirror image.
 // \throws std::invalid_argument unless there is one component
 inline std::string dt_code(const Planar_diagram& diagram)
 {

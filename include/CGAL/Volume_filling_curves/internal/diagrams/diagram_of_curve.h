@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Nodes of closed curves in their order.
-// \throws std::invalid_argument if a component is open or branches
+// Nodes of closed curves in order. \throws std::invalid_argument if a component is open or has a
+// junction
 template <typename Network>
 Closed_polygons closed_polygons(const Network& curve)
 {
@@ -54,7 +54,7 @@ inline Viewing_direction viewing_direction(std::size_t k)
 
 // The diagram with the fewest crossings of several directions, the first one if there are many.
 // \throws std::invalid_argument if the polygons meet, so that no direction is generic
-// \throws Run_stopped if the watch, if there is one, says so
+// \throws Run_stopped if a watch requests it
 inline Planar_diagram best_diagram(const Closed_polygons& polygons,
                                    std::size_t number_of_directions,
                                    Run_watch* watch = nullptr)

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Whether crossings are the code of a diagram in the plane: each arc has two ends, the arcs of a
+// Test whether crossings are the code of a planar diagram: each arc has two ends, the arcs of a
 // component are numbered in its order, every lower strand runs forward, and the faces have Euler's
 // number (codes of virtual knots do not). Linear.
 class Planar_diagram_check

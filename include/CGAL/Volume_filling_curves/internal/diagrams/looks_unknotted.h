@@ -22,10 +22,10 @@ namespace internal {
 // Arguments modulo the largest prime below 2^31; no roots of unity of small order.
 inline constexpr std::uint64_t alexander_arguments[] = {1234567, 271828182};
 
-// Whether a knot has the Alexander polynomial of the unknot, up to an accident at two places of a
-// prime field. If not, that proves that it is knotted; if so, it proves nothing, although
-// no nontrivial knot of up to 10 crossings has that polynomial.
-// \throws Run_stopped if the watch, if there is one, says so
+// Returns whether a knot seems to have the Alexander polynomial of the unknot, by its values at two
+// points of a prime field. If not, the knot is proved knotted; otherwise nothing is proved,
+// although no nontrivial knot of up to 10 crossings has this polynomial.
+// \throws Run_stopped if a watch requests it
 inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
                                              Run_watch* watch = nullptr)
 {
@@ -36,8 +36,8 @@ inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
   return true;
 }
 
-// Whether a knot is likely to be an unknot by its Alexander polynomial. Very large curves do not
-// look unknotted, since the answer would take longer than a second.
+// Returns whether a knot is likely to be an unknot by its Alexander polynomial. Very large curves
+// count as knotted, since the answer would take longer than a second.
 // \pre the curve is a single closed component, and has no garbage
 template <typename Network>
 bool looks_unknotted(const Network& curve)

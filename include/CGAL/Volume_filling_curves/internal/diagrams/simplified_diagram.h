@@ -23,10 +23,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Fewer crossings for the same link. First every strand that passes above or below all it meets is
-// moved to a shortest path, until none gets shorter; near-linear in practice. Then strands move at
-// random between paths of equal length, which gives way to others, until that has not helped for
-// long.
+// Simplification of a diagram. First every strand that passes above or below all others is moved to
+// a shortest path, until none gets shorter; near-linear in practice. Then strands move at random
+// between paths of equal length, which frees others, until this stops helping.
 class Diagram_simplification
 {
   using Slot = Editable_diagram::Slot;
@@ -40,7 +39,7 @@ public:
   std::size_t number_of_crossings() const { return m_diagram.number_of_crossings(); }
 
   // Shortens strands until none gets shorter.
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped if a watch requests it
   void shorten_strands()
   {
     for(std::size_t before = number_of_crossings() + 1; number_of_crossings() < before;) {
@@ -81,7 +80,7 @@ private:
 // A diagram of the same link, of few crossings. 128 tangled prime knots of up to 10 crossings, seen
 // from 10 directions each, all come to their crossing number, in 0.6 ms on average; a random
 // polygon of 100,000 nodes comes from 15,349 crossings to 2,700 in half a second.
-// \throws Run_stopped if the watch, if there is one, says so
+// \throws Run_stopped if a watch requests it
 inline Planar_diagram simplified_diagram(const Planar_diagram& diagram, Run_watch* watch = nullptr)
 {
   constexpr std::size_t moves_per_crossing = 16;
