@@ -20,6 +20,7 @@
  * \cgalHasModels{CGAL::Volume_filling_curves::Implicit_domain_3}
  * \cgalHasModels{CGAL::Volume_filling_curves::Ball_domain_3}
  * \cgalHasModels{CGAL::Volume_filling_curves::Box_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Polygon_domain_3}
  * \cgalHasModelsEnd
  */
 class ScalableVolumeFillingDomain_3

@@ -9,7 +9,7 @@
  * \cgalConcept
  *
  * The concept `VolumeFillingDomainWithSurface_3` describes a domain whose boundary is a searchable
- * surface, such as a mesh: `distance()` returns exact distances instead of lower bounds, queries
+ * surface, such as a mesh, or a curve in the plane: `distance()` returns exact distances instead of lower bounds, queries
  * are answered in batches, and connected parts are known exactly. This makes
  * `CGAL::Volume_filling_curves::fill()` faster.
  *
@@ -19,6 +19,7 @@
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Volume_filling_curves::Triangle_mesh_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Polygon_domain_3}
  * \cgalHasModelsEnd
  */
 class VolumeFillingDomainWithSurface_3

@@ -23,11 +23,13 @@
  * \cgalHasModels{CGAL::Volume_filling_curves::Implicit_domain_3}
  * \cgalHasModels{CGAL::Volume_filling_curves::Ball_domain_3}
  * \cgalHasModels{CGAL::Volume_filling_curves::Box_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Polygon_domain_3}
  * \cgalHasModels{CGAL::Volume_filling_curves::Unbounded_domain_3}
  * \cgalHasModelsEnd
  *
  * \sa `ScalableVolumeFillingDomain_3`
  * \sa `VolumeFillingDomainWithSurface_3`
+ * \sa `PlanarVolumeFillingDomain_3`
  * \sa `CurveFlowTraits_3`
  */
 class VolumeFillingDomain_3

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
@@ -193,13 +194,19 @@ public:
   /*!
    * makes the curve follow a direction field: in the energy, the length of an edge at an angle
    * \f$\alpha\f$ to the field counts \f$1 + w \sin^2 \alpha\f$ times. Takes effect with the next
-   * `update()`. An empty function stands for no field.
+   * `update()`. An empty function stands for no field. In a planar domain, the projection of the
+   * field to the plane counts.
    *
    * \param field the field
    * \param weight the weight \f$w\f$, not negative, dimensionless
    */
   void set_direction_field(Direction_field field, double weight)
   {
+    if(internal::Space_of<Domain>::is_plane && field)
+      field = [in_space = std::move(field)](const Point_3& p) {
+        const internal::Field_vector v = in_space(p);
+        return internal::Field_vector::Array{v[0], v[1], 0};
+      };
     m_direction.follow(std::move(field), weight);
   }
 
@@ -221,8 +228,8 @@ public:
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     update_thickness();
-    m_direction.update(curve(), m_guard.boundary(), m_parameters, m_node_thickness, m_statistics,
-                       m_guard.watch());
+    m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(), m_node_thickness,
+                       m_statistics, m_guard.watch());
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -322,11 +329,22 @@ private:
     internal::check_parameters(m_parameters);
     if(!m_thickness.is_given()) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
-          curve(), m_parameters.number_of_directions, m_guard.watch());
+          curve(), parameters_in_domain().number_of_directions, m_guard.watch());
       m_thickness = Thickness(measure());
     }
     remesh_until_even();
     update();
+  }
+
+  // In the plane two directions are orthogonal to a curve. Each of them holds it as much as two
+  // do that are across each other in space: half of the weight makes strands as stiff.
+  Curve_flow_parameters parameters_in_domain() const
+  {
+    Curve_flow_parameters p = m_parameters;
+    if(!internal::Space_of<Domain>::is_plane) return p;
+    p.number_of_directions = 2;
+    p.medial_weight /= 2;
+    return p;
   }
 
   void update_thickness()

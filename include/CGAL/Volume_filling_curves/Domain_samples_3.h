@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
@@ -70,10 +71,11 @@ public:
                             const std::function<bool()>& go_further = nullptr)
       : m_domain(domain), m_traits(traits)
   {
+    using Space = internal::Space_of<Domain>;
     const CGAL::Bbox_3 box = domain.bbox();
-    if(!(box.x_span() > 0) || !(box.y_span() > 0) || !(box.z_span() > 0))
+    if(!(box.x_span() > 0) || !(box.y_span() > 0) || (!Space::is_plane && !(box.z_span() > 0)))
       throw std::invalid_argument("the domain's box is empty");
-    const double box_volume = box.x_span() * box.y_span() * box.z_span();
+    const double box_volume = Space::content(box);
     if(!std::isfinite(box_volume)) throw std::invalid_argument("the domain is unbounded");
     // If every 10,000th point is inside, hundred fewer than expected have a chance of e^-50.
     const double max_attempts_per_sample = 10000, lag = 100;
@@ -87,10 +89,7 @@ public:
       if(static_cast<double>(attempts) >= max_attempts_per_sample * enough) throw_no_samples();
       if(go_further && attempts > 0 && attempts % attempts_per_question == 0 && !go_further())
         break;
-      const double x = random.real(), y = random.real(), z = random.real();
-      const internal::Vector p(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
-                               box.zmin() + z * box.z_span());
-      const Point_3 point = internal::to_point(p, m_traits);
+      const Point_3 point = internal::to_point(Space::random_point(box, random), m_traits);
       if(domain.is_inside(point)) m_points.push_back(point);
     }
     if(number > 0 && m_points.empty()) throw_no_samples();
@@ -107,8 +106,8 @@ public:
   /// returns the traits object.
   const Traits_& traits() const { return m_traits; }
 
-  /// returns an estimate of the volume of the domain: the volume of the box times the share of its
-  /// points that were inside.
+  /// returns an estimate of the volume of the domain, or of the area of a planar one: that of the
+  /// box times the share of its points that were inside.
   double volume() const { return m_volume; }
 
 private:

@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Empty_region_search.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
@@ -79,7 +79,8 @@ struct Empty_region_3
   /// the radius of the ball
   double radius;
 
-  /// the volume of the region, estimated from its share of the samples
+  /// the volume of the region, or its area in a planar domain, estimated from its share of the
+  /// samples
   double volume;
 };
 
@@ -189,7 +190,7 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
   const Distance_to_curve tree(curve);
   Empty_region_search<Traits, Domain, BoundaryDistance, decltype(thickness_at)> search(
       tree, samples.domain(), thickness_at, samples.points(), distances, boundary_distance,
-      internal::cube_root(sample_volume), samples.traits(), watch);
+      Space_of<Domain>::side(sample_volume), samples.traits(), watch);
   std::vector<Empty_region_3<typename Traits::Point_3>> regions;
   for(const auto& region : search.run())
     regions.push_back({to_point(region.center, samples.traits()), region.radius,

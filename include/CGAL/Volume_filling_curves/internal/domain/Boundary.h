@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
@@ -68,6 +69,7 @@ public:
     m_cell = m_diagonal / cells_along_diagonal;
     for(int i = 0; i < 3; ++i)
       m_size[i] = static_cast<std::size_t>((box.max(i) - box.min(i)) / m_cell) + 1;
+    if(Space_of<Domain>::is_plane) m_middle[2] = 0;
     const std::size_t n = m_size[0] * m_size[1] * m_size[2];
     m_distance = std::make_unique<std::atomic<double>[]>(n);
     for(std::size_t k = 0; k < n; ++k) m_distance[k].store(unknown, std::memory_order_relaxed);
@@ -80,6 +82,7 @@ public:
   {
     const Vector x = to_vector(p);
     const double reach = (std::max)((to_vector(q) - x).norm(), (to_vector(r) - x).norm());
+    if(Space_of<Domain>::is_plane && (to_vector(q).z() != 0 || to_vector(r).z() != 0)) return false;
     return clearance(p, reach) > reach || m_domain->is_triangle_inside(p, q, r);
   }
 
@@ -141,7 +144,7 @@ public:
 private:
   static constexpr double tolerance = 1e-4;    // of a radius, relative
   static constexpr double least_radius = 1e-6; // in units of the limit
-  static constexpr double cells_along_diagonal = 64;
+  static constexpr double cells_along_diagonal = Space_of<Domain>::is_plane ? 512 : 64;
   static constexpr double slack = 1e-9; // for the rounding of distances
   static constexpr double unknown = -1;
 
@@ -157,7 +160,7 @@ private:
       const std::size_t c =
           !(index > 0) ? 0 : (std::min)(static_cast<std::size_t>((std::min)(index, 1e6)), last);
       k = k * m_size[i] + c;
-      center[i] = m_low[i] + (static_cast<double>(c) + 0.5) * m_cell;
+      center[i] = m_low[i] + (static_cast<double>(c) + m_middle[i]) * m_cell;
     }
     double d = m_distance[k].load(std::memory_order_relaxed);
     if(d == unknown) {
@@ -170,7 +173,8 @@ private:
   const Domain* m_domain;
   Vector m_low;
   double m_diagonal, m_cell;
-  std::size_t m_size[3]; // cells along the axes
+  std::size_t m_size[3];          // cells along the axes
+  Vector m_middle{0.5, 0.5, 0.5}; // of the first cell, in cells from its corner
   std::unique_ptr<std::atomic<double>[]> m_distance;
 };
 

@@ -14,8 +14,8 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Linked_samples.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -43,6 +43,7 @@ class Domain_parts
 {
   using Point_3 = typename Traits::Point_3;
   using Samples = Domain_samples_3<Traits, Domain>;
+  using Space = Space_of<Domain>;
 
 public:
   using Widest = Widest_place<Domain, Traits>;
@@ -122,10 +123,7 @@ private:
     const Domain& domain = m_samples.domain();
     Random_source random(label);
     for(std::size_t k = 0; k < points_per_box && !m_watch.must_stop(); ++k) {
-      const double x = random.real(), y = random.real(), z = random.real();
-      const Vector q(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
-                     box.zmin() + z * box.z_span());
-      const Point_3 p = to_point(q, m_samples.traits());
+      const Point_3 p = to_point(Space::random_point(box, random), m_samples.traits());
       if(domain.is_inside(p) && domain.part(p) == label) add(label, p, domain.distance(p));
     }
   }
@@ -134,7 +132,7 @@ private:
   {
     const std::vector<Point_3>& points = m_samples.points();
     const double n = static_cast<double>(points.size());
-    Linked_samples<Domain> linked(m_samples.domain(), points, cube_root(m_samples.volume() / n));
+    Linked_samples<Domain> linked(m_samples.domain(), points, Space::side(m_samples.volume() / n));
     for(std::size_t k = 0; k < points.size(); ++k)
       add(linked.sets().find(k), points[k], distances[k]);
   }

@@ -17,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -39,6 +40,7 @@ class Domain_survey
 {
   using Point_3 = typename Traits::Point_3;
   using Parts = Domain_parts<Traits, Domain>;
+  using Space = Space_of<Domain>;
 
 public:
   using Samples = Domain_samples_3<Traits, Domain>;
@@ -61,7 +63,7 @@ public:
         m_distances(domain, m_samples.points(), sufficient_distance(), &watch, ConcurrencyTag()),
         m_parts(m_samples, m_distances, watch),
         m_widest_radius(m_parts.largest_radius()),
-        m_size(m_samples.volume(), m_distances.up_to_limit(), parameters.spacing)
+        m_size(m_samples.volume(), m_distances.up_to_limit(), parameters.spacing, Space::dimension)
   {
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
@@ -145,18 +147,22 @@ private:
 
   Thickness<Point_3> thickness_of_length() const
   {
-    return Thickness<Point_3>(thickness_of_filling(m_samples.volume(), m_parameters.length));
+    const double content = m_samples.volume(), length = m_parameters.length;
+    return Thickness<Point_3>(Space::is_plane ? thickness_of_planar_filling(content, length)
+                                              : thickness_of_filling(content, length));
   }
 
-  // returns the constant thickness with as many nodes, which are as many as 1 / r^3 is large
+  // returns the constant thickness with as many nodes, which are as many as 1 / r^3 is large, or
+  // 1 / r^2 in the plane
   double thickness_with_as_many_nodes() const
   {
     if(!m_thickness.varies()) return m_thickness.number();
     const std::vector<double> values = m_thickness.at_each(m_samples.points());
     const double least = *std::min_element(values.begin(), values.end());
     double sum = 0;
-    for(const double r : values) sum += least / r * (least / r) * (least / r);
-    return least / std::cbrt(sum / static_cast<double>(values.size()));
+    for(const double r : values) sum += Space::content(least / r);
+    const double mean = sum / static_cast<double>(values.size());
+    return least / (Space::is_plane ? std::sqrt(mean) : std::cbrt(mean));
   }
 
   // Grown for fewer nodes, but at most to the width of the domain: a curve that is thicker does not

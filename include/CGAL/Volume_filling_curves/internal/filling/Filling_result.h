@@ -70,7 +70,8 @@ inline std::ostream& operator<<(std::ostream& out, Filling_status status)
 /// \headerfile CGAL/Volume_filling_curves/fill.h
 ///
 /// The result of `fill()`. Whatever the status, the curve lies strictly inside the domain and is
-/// ambient isotopic to the start.
+/// ambient isotopic to the start. In a planar domain, the shares of the volume are shares of the
+/// area.
 ///
 /// \tparam Point_3 the type of points
 template <typename Point_3>

@@ -23,6 +23,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -202,9 +203,9 @@ private:
     const bool has_ended_early =
         result.status != Filling_status::PARTIAL && result.status != Filling_status::STALLED;
     if(has_ended_early || !(result.unfilled_fraction > tolerated_unfilled_fraction))
-      return scale(result, m_unit, m_curves.traits());
+      return scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
     const Missed_regions missed = missed_regions(result);
-    scale(result, m_unit, m_curves.traits());
+    scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
     result.reason = unfilled_reason(result, missed);
   }
 

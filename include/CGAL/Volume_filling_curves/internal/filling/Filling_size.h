@@ -37,10 +37,10 @@ public:
   // thickness would not fit.
   static constexpr double most_nodes_by_default = 2e5, most_nodes_of_thin_by_default = 2e6;
 
-  // Takes the distances of uniform samples to the boundary, and the length of edges in units of the
-  // thickness.
-  Filling_size(double volume, std::vector<double> distances, double spacing)
-      : m_volume(volume), m_edge(mean_edge * spacing)
+  // Takes the volume, or the area of a planar domain, the distances of uniform samples to the
+  // boundary, and the length of edges in units of the thickness.
+  Filling_size(double volume, std::vector<double> distances, double spacing, int dimension = 3)
+      : m_is_planar(dimension == 2), m_volume(volume), m_edge(mean_edge * spacing)
   {
     if(distances.empty()) return;
     const std::size_t outermost = distances.size() / 5;
@@ -52,6 +52,7 @@ public:
 
   double length(double thickness) const
   {
+    if(m_is_planar) return (std::max)(length_of_planar_filling(m_volume, thickness), m_area / 2);
     return (std::max)(length_of_filling(m_volume, thickness), m_area / (4 * thickness));
   }
 
@@ -66,6 +67,9 @@ public:
   // returns the thickness with which there are that many nodes
   double thickness_with(double nodes) const
   {
+    if(m_is_planar)
+      return (std::max)(std::sqrt(planar_filling_density * m_volume / (m_edge * nodes)),
+                        m_area / (2 * m_edge * nodes));
     return (std::max)(std::cbrt(filling_density * m_volume / (m_edge * nodes)),
                       std::sqrt(m_area / (4 * m_edge * nodes)));
   }
@@ -93,7 +97,9 @@ private:
   // The bunny with 949,000 nodes takes 131 s and 1.3 GB.
   static constexpr double seconds_per_node = 1.5e-4, gigabytes_per_node = 1.4e-6;
 
-  double m_volume, m_edge, m_area = 0;
+  bool m_is_planar;
+  double m_volume, m_edge;
+  double m_area = 0; // of the boundary; its length in the plane
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -74,6 +75,9 @@ public:
 
   // the edge of the tip. \pre the finger has grown
   std::size_t tip() const { return m_tip; }
+
+  // the edges of the sides, which lead to the tip and back. \pre the finger has grown
+  std::array<std::size_t, 2> sides() const { return {m_half, edge_after(m_tip)}; }
 
 private:
   const Network& curve() const { return m_guard.curve(); }

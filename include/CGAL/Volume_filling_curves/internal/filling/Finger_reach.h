@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_stations.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <algorithm>
@@ -89,6 +90,10 @@ private:
     for(const double half_width : half_widths)
       if(finger.grow(to.position, (std::min)(half_width * to.thickness, free / 2), has_room)) {
         to.edges.push_back(finger.tip());
+        // In the plane the tip has one side, and branches grow out of the finger's sides as well:
+        // without those one in six stations is reached by detours or not at all.
+        if(Space_of<Domain>::is_plane)
+          for(const std::size_t side : finger.sides()) to.edges.push_back(side);
         return true;
       }
     finger.withdraw();

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <boost/functional/hash.hpp>
@@ -115,6 +116,8 @@ public:
 private:
   using Cell = std::array<std::int64_t, 4>; // the place in the grid, and the size's exponent
 
+  static constexpr bool is_plane = Space_of<Domain>::is_plane;
+
   // At the center, in units of the size: balls around neighboring centers meet.
   static constexpr double room_of_cell = 0.55;
 
@@ -137,14 +140,15 @@ private:
   {
     return m_origin + m_size * Vector(static_cast<double>(c[0]) + 0.5,
                                       static_cast<double>(c[1]) + 0.5,
-                                      static_cast<double>(c[2]) + 0.5);
+                                      static_cast<double>(c[2]) + (is_plane ? 0 : 0.5));
   }
 
-  static std::array<Cell, 6> neighbors(const Cell& c)
+  static auto neighbors(const Cell& c)
   {
-    std::array<Cell, 6> result;
+    constexpr std::size_t dimension = Space_of<Domain>::dimension;
+    std::array<Cell, 2 * dimension> result;
     result.fill(c);
-    for(std::size_t i = 0; i < 3; ++i) {
+    for(std::size_t i = 0; i < dimension; ++i) {
       --result[2 * i][i];
       ++result[2 * i + 1][i];
     }

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -20,6 +21,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +42,8 @@ template <typename Samples>
 class Thin_walls
 {
   using Point_3 = typename Samples::Point_3;
+  using Domain = std::decay_t<decltype(std::declval<const Samples&>().domain())>;
+  static constexpr bool is_plane = Space_of<Domain>::is_plane;
 
 public:
   // Takes the distances of the samples to the boundary, those up to `needed_width` times the
@@ -122,7 +127,8 @@ private:
   {
     for(int k = 0; k < 27; ++k) {
       const Vector offset(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-      if(offset.squaredNorm() == 0 || offset.squaredNorm() == 2) continue;
+      const bool is_excluded = is_plane ? offset.z() != 0 : offset.squaredNorm() == 2;
+      if(offset.squaredNorm() == 0 || is_excluded) continue;
       const Vector direction = offset.normalized();
       const Ball next = ball_at(ball.center + (std::min)(step, ball.radius) * direction);
       if((next.center - p).norm() > farthest) continue;

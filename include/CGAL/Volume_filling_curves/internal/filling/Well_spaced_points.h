@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
@@ -38,6 +39,7 @@ class Well_spaced_points
 {
   using Point_3 = typename Traits::Point_3;
   using Index = std::uint32_t;
+  using Space = Space_of<Domain>;
 
 public:
   // Takes the distance at a point, also to be kept from points that are there already, and what
@@ -78,7 +80,7 @@ private:
   static constexpr int most_halvings = 20;      // of the box
   static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
 
-  struct Cube
+  struct Cube // or square
   {
     Vector low;
     double side;
@@ -103,13 +105,12 @@ private:
 
   void divide(const Cube& cube, Random_source& random)
   {
-    const double x = random.real(), y = random.real(), z = random.real();
-    const Vector p = cube.low + cube.side * Vector(x, y, z);
+    const Vector p = cube.low + cube.side * Space::random_point(random);
     constexpr double slack = 1 + 1e-9;
     if(cube.side <= slack * size_of_cube(p) || cube.side <= m_least_side)
       add_candidate(p);
     else if(!is_outside(cube) && !m_watch.must_stop())
-      for(int k = 0; k < 8; ++k)
+      for(int k = 0; k < 1 << Space::dimension; ++k)
         divide({cube.low + cube.side / 2 * Vector(k % 2, k / 2 % 2, k / 4), cube.side / 2}, random);
   }
 
@@ -123,7 +124,7 @@ private:
 
   bool is_outside(const Cube& cube) const
   {
-    const Point_3 center = to_point(cube.low + cube.side / 2 * Vector::constant(1), m_traits);
+    const Point_3 center = to_point(cube.low + cube.side / 2 * Space::ones(), m_traits);
     return !m_domain.is_inside(center) && m_domain.distance(center) > 0.87 * cube.side;
   }
 

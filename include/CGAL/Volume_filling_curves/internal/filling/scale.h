@@ -57,7 +57,8 @@ inline void scale(Run_progress& progress, double factor)
   progress.expected_length *= factor;
 }
 
-template <typename Point_3, typename Traits>
+// Takes the space, in which volumes are measured.
+template <typename Space, typename Point_3, typename Traits>
 void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
 {
   result.thickness *= factor;
@@ -67,7 +68,7 @@ void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
   for(auto& region : result.empty_regions) {
     region.point = scaled(region.point, factor, traits);
     region.radius *= factor;
-    region.volume *= factor * factor * factor;
+    region.volume *= Space::content(factor);
   }
   for(auto& circle : result.start)
     for(Point_3& p : circle) p = scaled(p, factor, traits);

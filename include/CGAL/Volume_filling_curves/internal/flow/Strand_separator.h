@@ -87,16 +87,24 @@ private:
     return std::sqrt(squared_segment_distance(source(e), target(e), source(f), target(f)));
   }
 
-  // Edges that are almost parallel have their offset for a perpendicular.
+  // Edges that are almost parallel have their offset for a perpendicular, and edges in a plane the
+  // way between their nearest points, so that planar curves stay in their plane.
   Vector normal_from(std::size_t f, std::size_t e) const
   {
     constexpr double least_sine = 0.05;
     const Vector u = (target(e) - source(e)).normalized(), v = (target(f) - source(f)).normalized();
     const Vector offset = (source(e) + target(e) - source(f) - target(f)) / 2;
     const Vector normal = u.cross(v);
-    if(normal.norm() > least_sine)
-      return (normal.dot(source(e) - source(f)) > 0 ? 1 : -1) * normal.normalized();
-    return Vector(offset - offset.dot(u) * u).normalized();
+    if(!(normal.norm() > least_sine)) return Vector(offset - offset.dot(u) * u).normalized();
+    const double height = normal.dot(source(e) - source(f));
+    if(height == 0) return chord_from(f, e).normalized();
+    return (height > 0 ? 1 : -1) * normal.normalized();
+  }
+
+  Vector chord_from(std::size_t f, std::size_t e) const
+  {
+    const auto [s, t] = nearest_points(source(e), target(e), source(f), target(f));
+    return source(e) + s * (target(e) - source(e)) - source(f) - t * (target(f) - source(f));
   }
 
   void move(std::size_t v, const Vector& way)

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -33,7 +34,7 @@ class Linked_samples
   using Point_3 = typename Domain::Point_3;
 
 public:
-  // `spacing` is the edge of the cube that holds one sample on average.
+  // `spacing` is the edge of the cube, or the square, that holds one sample on average.
   // \throws Run_stopped if a watch requests it
   Linked_samples(const Domain& domain,
                  const std::vector<Point_3>& samples,
@@ -65,7 +66,7 @@ private:
 
   // Within this many spacings a sample has 14 neighbors on average; random gaps do not tear a
   // region apart.
-  static constexpr double link_length = 1.5;
+  static constexpr double link_length = Space_of<Domain>::is_plane ? 2.1 : 1.5;
 
   Cell cell(const Vector& p) const
   {

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_RING_TREE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_RING_TREE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/domain/Ray_entry.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/planar_predicates.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
+#include <CGAL/Volume_filling_curves/internal/search/Surface_area_order.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// A closed polygon of a region in the plane: the outer boundary of a polygon, or one of its holes.
+struct Ring
+{
+  std::vector<Planar_point> corners; // no two consecutive ones are equal
+  std::vector<std::size_t> numbers;  // of the corners, in the input
+  std::size_t polygon = 0;
+  std::size_t hole = outer; // the number among the holes of the polygon
+
+  static constexpr std::size_t outer = static_cast<std::size_t>(-1);
+
+  bool is_outer() const { return hole == outer; }
+
+  Planar_point source(std::size_t k) const { return corners[k]; }
+  Planar_point target(std::size_t k) const { return corners[k + 1 == corners.size() ? 0 : k + 1]; }
+};
+
+// The edges of rings in the plane z = 0, in a tree. What lies around a point and what meets a
+// triangle is decided exactly; distances are computed in double. Logarithmic time per query for
+// most points.
+class Ring_tree
+{
+public:
+  struct Edge
+  {
+    std::size_t ring, number; // from the corner with that number to the next one
+    Planar_point source, target;
+  };
+
+  explicit Ring_tree(const std::vector<Ring>& rings)
+  {
+    std::vector<Edge> edges;
+    for(std::size_t r = 0; r < rings.size(); ++r)
+      for(std::size_t k = 0; k < rings[r].corners.size(); ++k)
+        edges.push_back({r, k, rings[r].source(k), rings[r].target(k)});
+    std::vector<Bbox_3> boxes;
+    for(const Edge& edge : edges) boxes.push_back(box_of(edge.source) + box_of(edge.target));
+    const Surface_area_order order(boxes);
+    m_tree = Box_tree(order.sorted(boxes), order.run_ends());
+    m_edges = order.sorted(edges);
+    for(int i = 0; i < 2; ++i)
+      m_largest = (std::max)({m_largest, std::abs(bbox().min(i)), std::abs(bbox().max(i))});
+  }
+
+  // in the order of the tree
+  const std::vector<Edge>& edges() const { return m_edges; }
+
+  const Bbox_3& bbox() const { return m_tree.root().hull(); }
+
+  // Hands the edges that meet a closed triangle, which may be degenerate, to a function, until it
+  // returns true. Exact.
+  template <typename Function>
+  void for_each_meeting(const std::array<Planar_point, 3>& triangle, const Function& function) const
+  {
+    const Bbox_3 box = box_of(triangle[0]) + box_of(triangle[1]) + box_of(triangle[2]);
+    bool is_done = false;
+    const auto visit = [&](const Edge& edge) {
+      if(!is_done && does_triangle_meet_segment(triangle, edge.source, edge.target))
+        is_done = function(edge);
+      return is_done;
+    };
+    for_each_in([&](const Bbox_3& other) { return CGAL::do_overlap(box, other); }, visit);
+  }
+
+  bool does_meet(const std::array<Planar_point, 3>& triangle) const
+  {
+    bool is_met = false;
+    for_each_meeting(triangle, [&](const Edge&) { return is_met = true; });
+    return is_met;
+  }
+
+  // Returns the rings but for one that have the point strictly inside, in their order, by the
+  // parity of the edges that the ray in the direction of the x-axis crosses. Exact.
+  // \pre the point is on none of them
+  std::vector<std::size_t> rings_around(const Planar_point& p, std::size_t except = none) const
+  {
+    std::set<std::size_t> odd;
+    cross(p, except, [&](const Edge& edge) {
+      if(!odd.insert(edge.ring).second) odd.erase(edge.ring);
+    });
+    return {odd.begin(), odd.end()};
+  }
+
+  // returns whether the point is on no ring, and strictly inside of an odd number of them; exact
+  bool encloses(const Planar_point& p) const
+  {
+    bool is_odd = false;
+    return cross(p, none, [&](const Edge&) { is_odd = !is_odd; }) && is_odd;
+  }
+
+  // returns the distance to the nearest edge, or `limit` if that is less
+  double distance(const Vector& p, double limit = std::numeric_limits<double>::infinity()) const
+  {
+    Distance_query query{*this, p, limit * limit};
+    Nearest_first_descent<Distance_query>(m_tree, query).run();
+    return query.nearest < limit * limit ? std::sqrt(query.nearest) : limit;
+  }
+
+  // returns the least t <= limit for which p + t u lies on an edge, or `limit`. \pre p and u lie in
+  // the plane
+  double distance_along(const Vector& p, const Vector& u, double limit) const
+  {
+    Ray_query query{*this, p, u, Ray_entry(p, u, m_largest), limit};
+    Nearest_first_descent<Ray_query>(m_tree, query).run();
+    return query.nearest;
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  // Visits edges in the boxes for which a predicate holds.
+  template <typename Holds, typename Visit>
+  struct Search
+  {
+    const Ring_tree& rings;
+    const Holds& holds;
+    const Visit& visit_edge; // returns whether the search is done
+    bool is_done = false;
+
+    double bound() const { return is_done ? 0 : 1; }
+    double entry(const Bbox_3& box) const { return holds(box) ? 0 : 1; }
+    void visit(std::size_t i) { is_done = is_done || visit_edge(rings.m_edges[i]); }
+  };
+
+  template <typename Holds, typename Visit>
+  void for_each_in(const Holds& holds, const Visit& visit) const
+  {
+    Search<Holds, Visit> search{*this, holds, visit};
+    Nearest_first_descent<Search<Holds, Visit>>(m_tree, search).run();
+  }
+
+  // Hands the edges that the ray crosses, those of one ring left out, to a function, unless the
+  // point lies on one; returns whether it does not. An edge holds its lower end, so that a corner
+  // counts once.
+  template <typename Function>
+  bool cross(const Planar_point& p, std::size_t except, const Function& function) const
+  {
+    bool is_on_ring = false;
+    const auto may_cross = [&](const Bbox_3& box) {
+      return box.ymin() <= p.y() && p.y() <= box.ymax() && p.x() <= box.xmax();
+    };
+    for_each_in(may_cross, [&](const Edge& e) {
+      if(e.ring == except) return false;
+      is_on_ring = is_on_ring || does_segment_hold(e.source, e.target, p);
+      const bool is_upward = e.source.y() <= p.y();
+      if(is_upward != (e.target.y() <= p.y()) &&
+         CGAL::orientation(e.source, e.target, p) == (is_upward ? LEFT_TURN : RIGHT_TURN))
+        function(e);
+      return is_on_ring;
+    });
+    return !is_on_ring;
+  }
+
+  struct Distance_query
+  {
+    const Ring_tree& rings;
+    Vector p;
+    double nearest; // squared
+
+    double bound() const { return nearest; }
+    double entry(const Bbox_3& box) const { return squared_distance_to_box(p, box); }
+
+    void visit(std::size_t i)
+    {
+      const Edge& edge = rings.m_edges[i];
+      nearest = (std::min)(
+          nearest, squared_distance_to_segment(p, position(edge.source), position(edge.target)));
+    }
+  };
+
+  struct Ray_query
+  {
+    const Ring_tree& rings;
+    Vector p, u;
+    Ray_entry ray_entry;
+    double nearest;
+
+    double bound() const { return nearest; }
+    double entry(const Bbox_3& box) const { return ray_entry(box, nearest); }
+
+    // Edges that are parallel to the ray are left to their neighbors.
+    void visit(std::size_t i)
+    {
+      constexpr double slack = 1e-12; // for the rounding where the ray goes through a corner
+      const Vector a = position(rings.m_edges[i].source) - p;
+      const Vector edge = position(rings.m_edges[i].target) - p - a;
+      const double height = u.cross(edge).z();
+      if(height == 0) return;
+      const double s = u.cross(a).z() / -height, t = a.cross(edge).z() / height;
+      if(s >= -slack && s <= 1 + slack && t >= 0) nearest = (std::min)(nearest, t);
+    }
+  };
+
+  static Vector position(const Planar_point& p) { return {p.x(), p.y(), 0}; }
+  static Bbox_3 box_of(const Planar_point& p) { return {p.x(), p.y(), 0, p.x(), p.y(), 0}; }
+
+  Box_tree m_tree;
+  std::vector<Edge> m_edges; // in the order of the leaves
+  double m_largest = 0;      // absolute value of a coordinate
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_RING_TREE_H
