@@ -157,8 +157,8 @@ TEST(Verify_certificate, accepts_what_the_guard_has_done)
   EXPECT_EQ(kinds.size(), 3u);
 }
 
-// Forged certificates have hashes that fit, and lead where they say; only the geometry is wrong.
-// Those that are right by accident are certificates like others.
+// Forged certificates have matching hashes and ends; only the geometry is wrong. Those that are
+// right by accident are certificates like others.
 TEST(Verify_certificate, decides_as_the_guard_on_forged_certificates)
 {
   Random random(4);

@@ -155,7 +155,7 @@ TEST(Origins, of_a_closed_curve_run_around_it_once)
 }
 
 // Two junctions that three arcs join, and a loop at one of them: the arcs have the same ends, so
-// that only the labels of their edges tell which is which when none of their nodes is left.
+// that only the labels of their edges identify them when none of their nodes is left.
 TEST(Origins, in_a_network_stay_on_their_chains)
 {
   std::mt19937 random(3);

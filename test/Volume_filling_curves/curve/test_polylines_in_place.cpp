@@ -66,7 +66,8 @@ Polyline coil()
   return points;
 }
 
-// Whether the numbers along the input grow, but for at most one new start of a closed curve.
+// Returns whether the numbers along the input grow, except for at most one restart of a closed
+// curve.
 void expect_to_run_once(const Origins& origins, bool is_closed)
 {
   std::size_t number_of_starts = 0;

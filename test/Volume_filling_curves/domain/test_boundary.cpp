@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-// What the flow asks the boundary of a domain, against brute force and closed forms.
+// Queries of the flow to the boundary of a domain, against brute force and closed forms.
 namespace test_boundary {
 
 using namespace exact_surface;

@@ -18,8 +18,8 @@
 #include <map>
 #include <vector>
 
-// Whatever the guard accepts keeps a curve inside its domain, and nothing else is refused on
-// account of the domain: by brute force on lattices, and recounted exactly along random walks.
+// Every change that the guard accepts keeps a curve inside its domain, and nothing else is refused
+// on account of the domain: by brute force on lattices, and recounted exactly along random walks.
 namespace test_containment {
 
 using namespace guard_test;

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// What a curve becomes in a scene of CGAL 6; CGAL 5 has none without a window.
+// A curve in a scene of CGAL 6; CGAL 5 has no scene without a window.
 
 #include <CGAL/Volume_filling_curves/draw_curve_network_3.h>
 #include <CGAL/Volume_filling_curves/generators.h>

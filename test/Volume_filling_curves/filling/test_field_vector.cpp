@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Results of direction and thickness fields, of whatever type.
+// Results of direction and thickness fields, of any type.
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>

@@ -105,7 +105,7 @@ TEST(Fill, takes_a_struct_of_parameters_and_a_visitor)
     EXPECT_EQ(first.point(v), second.point(v));
 }
 
-// what the error says, or nothing
+// the message of the error, or nothing
 template <typename Parameters>
 std::string complaint(const Parameters& p)
 {

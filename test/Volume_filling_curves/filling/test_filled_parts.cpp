@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Every connected part of the inside is filled, or the result says which is not.
+// Every connected part of the inside is filled, or the result reports which is not.
 
 #include "support/fill_test_support.h"
 #include "support/mesh_test_support.h"

@@ -17,7 +17,7 @@
 #include <tuple>
 #include <vector>
 
-// Fillings of what lies beyond a neck.
+// Fillings of regions beyond a neck.
 namespace test_necks {
 
 using namespace CGAL::Volume_filling_curves;

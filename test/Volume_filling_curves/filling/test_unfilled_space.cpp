@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-// What a filling has left empty.
+// Regions that a filling has left empty.
 namespace test_unfilled_space {
 
 using namespace CGAL::Volume_filling_curves;
@@ -52,7 +52,7 @@ struct Thin_stick
   }
 };
 
-TEST(Unfilled_space, is_driven_at_where_it_is_far_though_no_region)
+TEST(Unfilled_space, is_pushed_into_where_it_is_far_though_no_region)
 {
   const Thin_stick stick;
   const auto unfilled = stick.unfilled(Wall::COVER);

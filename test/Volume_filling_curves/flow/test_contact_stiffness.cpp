@@ -72,7 +72,7 @@ Eigen::MatrixXd brute_force_contacts(const Network& curve)
   return matrix;
 }
 
-// What acts on nodes that are not pinned, and leaves the others out.
+// Forces on unpinned nodes; the others are left out.
 Eigen::MatrixXd without_pinned_nodes(Eigen::MatrixXd matrix, const Network& curve)
 {
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {

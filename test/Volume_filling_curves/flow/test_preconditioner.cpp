@@ -157,7 +157,7 @@ TEST(Touching_nodes, occur_once_with_the_least_radius)
   }
 }
 
-// Whatever the order of the nodes, the pairs are the same, and so are the radii.
+// The pairs and the radii do not depend on the order of the nodes.
 TEST(Touching_nodes, do_not_depend_on_the_order_of_the_nodes)
 {
   Random random(2);

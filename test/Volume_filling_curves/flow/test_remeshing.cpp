@@ -165,7 +165,7 @@ TEST(Curve_flow_3, keeps_edges_even)
   EXPECT_LT(number_of_uneven, number_of_edges / 100);
 }
 
-// What others did with the guard before does not count.
+// Earlier changes through the guard do not count.
 TEST(Curve_flow_3, counts_changes_from_where_it_began)
 {
   Network ring = internal::closed_network({circle(40)});

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-// How long a step is, and when a flow gets nowhere.
+// The length of a step, and the detection of a flow without progress.
 namespace test_step_size {
 
 using namespace flow_test;

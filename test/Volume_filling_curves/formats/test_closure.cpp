@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Which components of a file are closed: as the format has it, or as the user says.
+// Closed components of a file: by the format, or by the user's choice.
 
 #include "support/curve_formats_test_support.h"
 

@@ -40,7 +40,7 @@ Vec<Rational> to_rational(const Point& p)
   return {p.x(), p.y(), p.z()};
 }
 
-// counts how often each predicate says yes and no
+// Counts the positive and negative answers of each predicate.
 struct Tally
 {
   std::array<int, 2> meets{}, corner{}, line{}, segments{}, on{}, between{};

@@ -40,8 +40,8 @@ using brute_force::operator-;
 const Traits traits;
 constexpr int cases_per_scale = 1000000;
 
-// The border of what the filters trust (1e-97 and 1e102), of what is accepted (1e-150 and 1e150),
-// and beyond, where differences overflow and coordinates are denormal.
+// The limits of the filters (1e-97 and 1e102), of accepted coordinates (1e-150 and 1e150), and
+// beyond, where differences overflow and coordinates are denormal.
 const std::vector<Exponents> scales = {
     {0, 0, 0},          {-324, -324, -324},    {-340, -340, -340},
     {-498, -498, -498}, {-1060, -1060, -1060}, {324, 324, 324},

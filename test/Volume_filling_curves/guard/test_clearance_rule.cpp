@@ -97,8 +97,8 @@ double opening(const Network& network, std::size_t v, std::size_t e, std::size_t
   return (direction(e) - direction(f)).norm();
 }
 
-// returns whether each two edges after a change are as far apart as the rule says, where former[e]
-// are the edges that edge e was before
+// returns whether each two edges after a change are as far apart as the rule requires, where
+// former[e] are the edges that edge e was before
 bool is_clear(const Network& before,
               const Network& after,
               const std::vector<Edge_list>& former,
@@ -149,7 +149,7 @@ Point near(const Point& p, double size, Random& random)
   return {x, y, p.z() + offset(random)};
 }
 
-// A random change; `former` says which edges the edges were.
+// A random change; `former` has the former indices of the edges.
 bool change(Guard& guard, unsigned seed, std::vector<Edge_list>& former)
 {
   const Network& network = guard.curve();

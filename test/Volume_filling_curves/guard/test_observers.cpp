@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-// What observers hear is enough to follow every change of a network.
+// Notifications suffice to follow every change of a network.
 namespace test_observers {
 
 using namespace guard_test;

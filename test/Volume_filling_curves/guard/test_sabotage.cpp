@@ -50,7 +50,7 @@ bool is_spoilt(const Network& network, std::size_t v, const Lattice_point& targe
          !(invariants_of(loops_of(to_network(curve))) == invariants_of(loops_of(network)));
 }
 
-// Whatever spoils a knot is refused: all moves of all nodes on a lattice.
+// Every move that would change a knot is refused: all moves of all nodes on a lattice.
 void expect_spoiling_moves_to_be_refused(const Curve& curve, Integer reach, Integer step, int least)
 {
   int number_of_spoilt = 0;

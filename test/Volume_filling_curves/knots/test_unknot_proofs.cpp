@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-// What counts as a proof that a curve is unknotted and a link trivial, and what does not.
+// Proofs that a curve is unknotted and a link trivial, and cases that are no proof.
 namespace test_unknot_proofs {
 
 using namespace flow_test;

@@ -131,8 +131,8 @@ TEST_F(Mesh_file, survives_headers_that_announce_too_much)
   EXPECT_FALSE(read("f.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n1999999999OFF\n"));
 }
 
-// A gigabyte for the corners of a face, or more, is asked for by files of a hundred bytes.
-// CGAL's reader crashed where a line had no texture, and read beyond it where it had no color.
+// Files of a hundred bytes may request a gigabyte or more for the corners of a face. CGAL's reader
+// crashed where a line had no texture, and read beyond it where it had no color.
 TEST_F(Mesh_file, normals_colors_and_textures_of_vertices_are_passed_over)
 {
   EXPECT_FALSE(read("a.off", "STOFF\n2 0 1\n"));
@@ -246,7 +246,7 @@ TEST_F(Mesh_file, reads_the_nearest_doubles)
   }
 }
 
-// What the manifest of the shared data expects of every mesh.
+// Expectations of the shared data's manifest for every mesh.
 TEST(Shared_domains, get_what_their_manifest_says)
 {
   const fs::path folder = VFC_SHARED_DATA;

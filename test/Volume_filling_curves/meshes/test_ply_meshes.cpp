@@ -112,7 +112,7 @@ TEST_F(Ply_mesh, may_consist_of_strips)
           "there is no vertex -2 (numbered from 0)", 14);
 }
 
-// Numbers of a file that says float are those that it could hold in binary.
+// Numbers of type float have the values that a binary file could store.
 TEST_F(Ply_mesh, rounds_coordinates_to_their_type)
 {
   const std::string text = "0.1 0 0\n1 0 0\n0 1 0\n0 0 1\n" + corners;

@@ -166,7 +166,7 @@ TEST(Named_parameters, tell_a_thickness_from_a_function)
   EXPECT_EQ(p.thickness_field(Point(0, 0, 0)), 1);
 }
 
-// what the error says, or nothing
+// the message of the error, or nothing
 template <typename Function>
 std::string complaint(const Function& function)
 {

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// What the random search, and the search with the flow, make of the shared curves.
+// Results of the random search, and of the search with the flow, on the shared curves.
 namespace test_long_polygon_search {
 
 namespace parameters = CGAL::Volume_filling_curves::parameters;

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// What the program vfc does with values at the vertices of meshes that are not in order.
+// Values at the vertices of meshes in a different order, in the program vfc.
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// What the program vfc fill does.
+// The command vfc fill.
 
 #include <gtest/gtest.h>
 

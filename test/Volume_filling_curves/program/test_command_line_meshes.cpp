@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// What the program vfc does with surfaces.
+// Surfaces in the program vfc.
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// What vfc untangle does to curves.
+// The command vfc untangle.
 
 #include <gtest/gtest.h>
 

@@ -149,7 +149,7 @@ TEST_F(Repair, keeps_cavities_that_touch_or_cross_the_wall)
   EXPECT_NEAR(volume(), 729 - 27 + 1, 1e-9);
 }
 
-// What is inside out as a whole is turned first.
+// A mesh that is inside out as a whole is reversed first.
 TEST_F(Repair, takes_the_largest_of_shells_that_meet_for_a_solid)
 {
   mend((meshes::cube(3) + at(meshes::cube(), Point(1, 1, -.5)).inverted()).inverted());
@@ -181,7 +181,7 @@ TEST_F(Repair, gives_equal_meshes_for_equal_inputs)
   EXPECT_EQ(vfc::to_text(mesh, ".ply"), text);
 }
 
-// A step that finds nothing to do says nothing.
+// A step without any repair reports nothing.
 TEST_F(Repair, leaves_a_sound_mesh_alone)
 {
   const Soup soup = meshes::sphere(1, 2);

@@ -19,7 +19,7 @@
 #include <stdexcept>
 #include <vector>
 
-// What a replay knows of a mesh, compared with all faces one by one in rational arithmetic.
+// The mesh enclosure of a replay, compared with all faces one by one in rational arithmetic.
 namespace test_mesh_enclosure {
 
 namespace internal = CGAL::Volume_filling_curves::internal;

@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-// What lowering the ropelength makes of curves that untangle() has brought to a tight shape.
+// The ropelength descent of tight curves from untangle().
 namespace test_ropelength_descent {
 
 using namespace untangle_test;
@@ -136,7 +136,7 @@ TEST(Ropelength_descent, is_certified)
   }
 }
 
-// What has been reached at each moment is no worse than what the flow ends with, and certified.
+// At each moment the curve is no worse than that of the flow, and certified.
 TEST(Ropelength_descent, never_ends_worse_than_it_began)
 {
   const Network start = braid("1 1 1", 60);

@@ -138,7 +138,7 @@ TEST(Box_tree, finds_the_nearest_pair)
   });
 }
 
-// Boxes in an order in space, far apart but for one pair.
+// Boxes in spatial order, far apart except for one pair.
 TEST(Box_tree, visits_few_pairs)
 {
   Boxes boxes;

@@ -266,8 +266,8 @@ TYPED_TEST(Spheres_in, a_domain_with_a_thickness_that_varies)
   }
 }
 
-// What is known of one node's spheres helps to find those of the next, and does not show: they are
-// the same bits if each node is asked for alone.
+// The spheres of one node speed up the search for the next, without an effect on the result: the
+// bits are the same in separate queries.
 TYPED_TEST(Spheres_in, a_domain_do_not_depend_on_what_else_is_sought)
 {
   Random random(5);

@@ -13,7 +13,7 @@
 #include <set>
 #include <vector>
 
-// Medial spheres and neighborhoods against what their definitions say, over all nodes.
+// Medial spheres and neighborhoods against their definitions, over all nodes.
 namespace test_medial_spheres {
 
 using namespace flow_test;
@@ -223,8 +223,8 @@ TEST(Medial_spheres, turn_with_a_bent_curve)
   EXPECT_GT(number_of_bends, 200u);
 }
 
-// What is known of one node's spheres helps to find those of the next, and does not show: they are
-// the same bits if each node is asked for alone.
+// The spheres of one node speed up the search for the next, without an effect on the result: the
+// bits are the same in separate queries.
 TEST(Medial_spheres, do_not_depend_on_what_else_is_sought)
 {
   Random random(8);

@@ -53,7 +53,7 @@ struct Interruption : Default_curve_flow_visitor
   bool on_search(const Search_progress&) { return looks-- > 0; }
 };
 
-// All that a run leaves behind, but for the time that it took, and its last state.
+// All results of a run, except its time and its last state.
 struct Outcome
 {
   std::vector<double> numbers;
@@ -86,7 +86,7 @@ Outcome run_from(const Run& run, Network curve, P p, const Run_state& state, Int
   return outcome;
 }
 
-// Interrupts a run as each of the visitors wants, one after another.
+// Interrupts a run at the request of each of the visitors, one after another.
 template <typename Run, typename P>
 void expect_resumed(const Run& run,
                     const Network& curve,

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// What is found in the texts of curve files.
+// Defects in the texts of curve files.
 namespace curve_defects_test {
 
 using namespace CGAL::Volume_filling_curves;

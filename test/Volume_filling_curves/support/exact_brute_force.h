@@ -12,10 +12,10 @@
 #include <cstddef>
 #include <vector>
 
-// What the exact predicates decide, decided in another way: two convex hulls meet iff the hull of
-// their points' differences contains the origin, and then (Caratheodory) so does a simplex of at
-// most four of the differences. No case distinctions between degenerate and other positions. NT is
-// an integer type for lattice points, or a rational one.
+// The exact predicates, decided in another way: two convex hulls meet iff the hull of their points'
+// differences contains the origin, and then (Caratheodory) so does a simplex of at most four of the
+// differences. No case distinctions between degenerate and other positions. NT is an integer type
+// for lattice points, or a rational one.
 namespace brute_force {
 
 template <typename NT>

@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-// What the tests of filling share.
+// Common parts of the tests of filling.
 namespace fill_test {
 
 namespace vfc = CGAL::Volume_filling_curves;

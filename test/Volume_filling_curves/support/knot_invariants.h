@@ -359,7 +359,7 @@ inline int signature(const Diagram& diagram, bool is_black = false)
   return correction - std::move(matrix).signature();
 }
 
-// What two curves of the same type must have in common.
+// Invariants that two curves of the same type must share.
 struct Invariants
 {
   Alexander_values alexander;

@@ -36,7 +36,7 @@ inline std::string read_file(const std::filesystem::path& path)
   return text.str();
 }
 
-// What a run of the program left behind.
+// Results of a run of the program.
 struct Finished
 {
   int status;

@@ -25,8 +25,8 @@
 #include <string>
 #include <vector>
 
-// What becomes of the shared curves; the benchmark run_shared_curves does the same with all of
-// them, and with the oracle.
+// Results for the shared curves; the benchmark run_shared_curves does the same with all of them,
+// and with the oracle.
 namespace test_long_shared_curves {
 
 using CGAL::Volume_filling_curves::Link_status;

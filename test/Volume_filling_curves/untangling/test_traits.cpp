@@ -29,7 +29,7 @@ using CGAL::Volume_filling_curves::Curve_network_3;
 using CGAL::Volume_filling_curves::Isotopy_guard_3;
 using Rational = CGAL::Exact_rational;
 
-// What happened: the answers of all operations, and what came out.
+// A log: the answers of all operations, and the resulting curve.
 struct Record
 {
   std::vector<double> answers, contents;

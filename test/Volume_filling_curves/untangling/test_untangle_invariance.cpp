@@ -16,8 +16,8 @@
 #include <cmath>
 #include <vector>
 
-// What must not change the result: a second run, threads, another traits class; and what changes it
-// in a known way: scaling, moving, mirroring.
+// Changes that must not affect the result: a second run, threads, another traits class; and changes
+// that affect it in a known way: scaling, moving, mirroring.
 namespace test_untangle_invariance {
 
 using namespace untangle_test;

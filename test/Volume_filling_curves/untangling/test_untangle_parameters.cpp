@@ -207,7 +207,7 @@ TEST(Untangle_parameters, can_be_given_as_a_struct)
   EXPECT_EQ(contents(first), contents(second));
 }
 
-// what the error says, or nothing
+// the message of the error, or nothing
 template <typename Parameters>
 std::string complaint(Network& curve, const Parameters& p)
 {

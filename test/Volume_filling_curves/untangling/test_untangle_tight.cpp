@@ -13,8 +13,8 @@
 #include <cmath>
 #include <cstddef>
 
-// What is called converged is tight: however smooth a curve is on the scale of its thickness, the
-// pull of its length must be carried.
+// Converged curves are tight: however smooth a curve is on the scale of its thickness, the pull of
+// its length must be carried.
 namespace test_untangle_tight {
 
 using namespace untangle_test;

@@ -2,7 +2,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// What the tests of usage build: a program of somebody else.
+// User program that the tests of usage build.
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 
