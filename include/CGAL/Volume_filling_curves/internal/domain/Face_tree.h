@@ -158,7 +158,7 @@ private:
     {
       const Triangle& face = faces.m_triangles[i];
       if(has_met || !CGAL::do_overlap(box, box_of(face))) return;
-      has_met = Triangle_intersection<Kernel>().do_intersect(face, triangle);
+      has_met = Triangle_intersection<Curve_flow_traits_3<Kernel>>().do_intersect(face, triangle);
     }
   };
 

@@ -197,11 +197,15 @@ private:
 // Intersection test of two closed triangles. Exact, and each of them may be a segment or a point,
 // for which CGAL's `do_intersect()` is unspecified: they meet if and only if an edge of one meets
 // the other. The plane of one of them separates most pairs beforehand. Constant time.
-template <typename Kernel>
+template <typename Traits>
 class Triangle_intersection
 {
 public:
-  using Triangle = std::array<typename Kernel::Point_3, 3>;
+  using Triangle = std::array<typename Traits::Point_3, 3>;
+
+  explicit Triangle_intersection(const Traits& traits = Traits())
+      : m_orientation(traits.orientation_3_object()), m_predicates(traits)
+  {}
 
   bool do_intersect(const Triangle& s, const Triangle& t) const
   {
@@ -210,8 +214,6 @@ public:
   }
 
 private:
-  using Traits = Curve_flow_traits_3<Kernel>;
-
   bool is_on_one_side(const Triangle& plane, const Triangle& t) const
   {
     const Orientation side = m_orientation(plane[0], plane[1], plane[2], t[0]);
@@ -227,8 +229,8 @@ private:
     return false;
   }
 
-  typename Traits::Orientation_3 m_orientation = Traits().orientation_3_object();
-  Exact_predicates<Traits> m_predicates{Traits()};
+  typename Traits::Orientation_3 m_orientation;
+  Exact_predicates<Traits> m_predicates;
 };
 
 } // namespace internal
