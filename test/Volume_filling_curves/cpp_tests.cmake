@@ -51,7 +51,8 @@ endfunction()
 
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
 if(NOT TARGET vfc_parts)
-  list(FILTER sources EXCLUDE REGEX "/(film|formats|meshes|pictures|repair)/") # modules of the program vfc
+  list(FILTER sources EXCLUDE REGEX
+    "/(arc_files|film|formats|meshes|pictures|repair|resampling)/") # modules of the program vfc
 endif()
 set(long_sources ${sources})
 list(FILTER long_sources INCLUDE REGEX "/test_long_")

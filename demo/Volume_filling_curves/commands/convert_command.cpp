@@ -4,8 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc convert: a curve or a mesh in another format, or the surface of the tube around it.
+// vfc convert: a curve or a mesh in another format, resampled, as arcs, or as a tube's surface.
 
+#include "arc_files/convert_to_arcs.h"
 #include "commands/commands.h"
 #include "files/curve_files.h"
 #include "files/mesh_files.h"
@@ -15,13 +16,16 @@
 #include "meshes/mesh_to_text.h"
 #include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
+#include "options/counted.h"
 #include "options/numbers.h"
+#include "resampling/resample.h"
 #include "session/Exit_status.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -34,14 +38,19 @@ struct Convert_options
 {
   std::string file, second, output; // the latter two are the same, given in either way
   double radius = 0, thickness = 0; // 0: no tube, and no medial radii
+  double spacing = 0;               // 0: the nodes stay
   std::size_t number_of_sides = 16;
+  Arc_options arcs;
   Curve_reading reading;
 };
 
 void plan_files(Session& session, const Convert_options& options)
 {
+  check_unit(options.arcs.unit, options.output);
   session.add_input(options.file, "--output");
-  if(options.radius > 0)
+  if(options.arcs.is_wanted)
+    plan_arc_files(session, options.arcs, options.output);
+  else if(options.radius > 0)
     add_tube_file(session.outputs(), "--output", options.output);
   else
     add_curve_file(session.outputs(), "--output", options.output);
@@ -55,7 +64,7 @@ void convert_to_tube(Session& session, const Convert_options& options, const Cur
     session.console().warn(
         "--tube: the surface may intersect itself, since the radius is not less than " +
         to_text(thickness) + ", the polygonal thickness");
-  write_tube(options.output, mesh);
+  write_tube(options.output, mesh, to_string(options.arcs.unit));
   session.report()["radius"] = options.radius;
   session.report()["polygonal_thickness"] = thickness;
   session.report()["faces"] = mesh.number_of_faces();
@@ -77,7 +86,7 @@ bool is_surface(const std::string& file)
 int convert_mesh(Session& session, const Convert_options& options)
 {
   const std::string extension = lower_case_extension(options.output);
-  if(options.radius > 0 || options.thickness > 0)
+  if(options.radius > 0 || options.thickness > 0 || options.spacing > 0 || options.arcs.is_wanted)
     throw Usage_error("CURVE: " + options.file + ": is a surface, not a curve");
   if(!is_written_mesh_extension(extension))
     throw Usage_error("--output: " + options.output +
@@ -98,14 +107,31 @@ int convert_mesh(Session& session, const Convert_options& options)
   return GOAL_REACHED;
 }
 
-int convert(Session& session, Convert_options options)
+void resample_evenly(Session& session, double spacing, Curve& curve)
 {
-  if(options.output.empty() == options.second.empty())
-    throw Usage_error("--output: needs one file, here or as the second argument");
-  if(options.output.empty()) options.output = options.second;
-  if(is_surface(options.file)) return convert_mesh(session, options);
-  plan_files(session, options);
-  const Curve curve = read_curve(session, options.file, options.reading);
+  Resampling resampling;
+  try {
+    resampling = resample(curve, spacing);
+  } catch(const std::invalid_argument& error) {
+    throw Usage_error(std::string("--spacing: ") + error.what());
+  }
+  session.end_stage("resampling");
+  session.report()["distance"] = resampling.max_distance;
+  session.print_summary("resampled: " + counted(curve.number_of_nodes(), "node") + ", edges " +
+                        to_text(resampling.min_spacing) + " to " + to_text(resampling.max_spacing) +
+                        ", within " + to_text(resampling.max_distance) + " of CURVE\n");
+  if(resampling.number_of_kept_nodes > 0)
+    session.console().warn("--spacing: " + counted(resampling.number_of_kept_nodes, "node") +
+                           " of CURVE stayed, pinned or in the way of another strand");
+}
+
+// Returns the exit status.
+int convert_curve(Session& session, const Convert_options& options, const Curve& curve)
+{
+  session.report()["nodes_end"] = curve.number_of_nodes();
+  session.report()["length_end"] = curves::length(curve);
+  if(options.arcs.is_wanted)
+    return convert_to_arcs(session, options.arcs, curve, options.file, options.output);
   if(options.radius > 0) {
     convert_to_tube(session, options, curve);
   } else {
@@ -113,11 +139,22 @@ int convert(Session& session, Convert_options options)
     session.print_summary("wrote " + options.output + ": nodes " +
                           std::to_string(curve.number_of_nodes()) + '\n');
   }
-  session.end_stage("writing");
-  session.report()["nodes_end"] = curve.number_of_nodes();
-  session.report()["length_end"] = curves::length(curve);
-  session.report()["status"] = "done";
   return GOAL_REACHED;
+}
+
+int convert(Session& session, Convert_options options)
+{
+  if(options.output.empty() == options.second.empty())
+    throw Usage_error("--output: needs one file, here or as the second argument");
+  if(options.output.empty()) options.output = options.second;
+  if(is_surface(options.file)) return convert_mesh(session, options);
+  plan_files(session, options);
+  Curve curve = read_curve(session, options.file, options.reading);
+  if(options.spacing > 0) resample_evenly(session, options.spacing, curve);
+  const int exit_status = convert_curve(session, options, curve);
+  session.end_stage("writing");
+  session.report()["status"] = "done";
+  return exit_status;
 }
 
 } // namespace
@@ -126,24 +163,31 @@ void add_convert_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Convert_options>();
   CLI::App& command = command_line.add_command(
-      "convert", "a curve or a mesh in another format, or the tube around a curve",
+      "convert", "a curve or a mesh in another format, a curve as arcs, or the tube around it",
       [options](Session& session) { return convert(session, *options); });
   add_curve(command, options->file);
   add_file(command, "OUT", options->second, "the same as --output");
   add_curve_output(command, options->output)
-      .description("the curve in another format, or with --tube a surface, .stl, .off, .ply or "
-                   ".obj");
+      .description("the curve in another format, with --arcs .csv, .step or .svg, or with --tube a "
+                   "surface, .stl, .off, .ply or .obj");
+  add_number(
+      command, "--spacing", options->spacing,
+      "resample evenly, with nodes this far apart along CURVE; the largest distance to CURVE "
+      "is printed")
+      .type_name("H");
+  CLI::Option& arcs = add_arc_options(command, options->arcs);
   CLI::Option& tube =
       add_number(command, "--tube", options->radius,
                  "write the surface of the tube of this radius, in the input's unit");
-  tube.type_name("R");
+  tube.type_name("R")->excludes(&arcs);
   add_whole_number(command, "--sides", options->number_of_sides, "of the tube's sections", 3, 1024)
       .capture_default_str()
       ->needs(&tube);
   add_number(command, "--thickness", options->thickness,
              "r, in the input's unit; .ply and .vtp then contain medial radii, capped at 2 r")
       .type_name("R")
-      ->excludes(&tube);
+      ->excludes(&tube)
+      ->excludes(&arcs);
   add_reading_flags(command, options->reading);
   command.footer(
       "Coordinates keep all digits; .ply, .vtp and .obj files also keep pinned nodes, and the "

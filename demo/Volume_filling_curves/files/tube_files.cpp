@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 
@@ -41,13 +42,18 @@ bool is_fit_for_single_precision(const Mesh& mesh)
   return true;
 }
 
-// Binary, with the numbers of single precision that the format has.
-std::string to_stl(const Mesh& mesh)
+// Binary, with the numbers of single precision that the format has. Its header is free text.
+std::string to_stl(const Mesh& mesh, const std::string& unit)
 {
+  constexpr std::size_t header_size = 80;
   std::ostringstream out(std::ios::binary);
   CGAL::IO::set_binary_mode(out);
   CGAL::IO::write_STL(out, mesh);
-  return out.str();
+  std::string text = out.str();
+  if(unit.empty()) return text;
+  std::string header = "UNITS=" + unit;
+  header.resize(header_size, ' ');
+  return text.replace(0, header_size, header);
 }
 
 } // namespace
@@ -73,7 +79,7 @@ Mesh tube(const Curve& curve, double radius, std::size_t number_of_sides)
   return mesh;
 }
 
-void write_tube(const std::string& file, const Mesh& mesh)
+void write_tube(const std::string& file, const Mesh& mesh, const std::string& unit)
 {
   const std::string extension = lower_case_extension(file);
   const bool is_stl = extension == ".stl";
@@ -81,7 +87,7 @@ void write_tube(const std::string& file, const Mesh& mesh)
     throw Usage_error("--output: " + file +
                       ": the numbers of STL have single precision, in which " +
                       "the surface is lost; .off, .ply and .obj keep it");
-  Output_files::write(file, is_stl ? to_stl(mesh) : to_text(mesh, extension));
+  Output_files::write(file, is_stl ? to_stl(mesh, unit) : to_text(mesh, extension));
 }
 
 } // namespace vfc

@@ -21,8 +21,8 @@ void add_tube_file(Output_files& outputs, const std::string& option, const std::
 // \throws Usage_error if the curve has a junction
 Mesh tube(const Curve& curve, double radius, std::size_t number_of_sides);
 
-// \throws Usage_error
-void write_tube(const std::string& file, const Mesh& mesh);
+// Notes the unit, if it is not empty, in the header of an .stl file. \throws Usage_error
+void write_tube(const std::string& file, const Mesh& mesh, const std::string& unit = "");
 
 } // namespace vfc
 

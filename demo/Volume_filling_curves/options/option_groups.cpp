@@ -7,6 +7,7 @@
 #include "options/option_groups.h"
 
 #include <initializer_list>
+#include <string>
 
 namespace vfc {
 namespace {
@@ -29,13 +30,20 @@ const Option_group groups[] = {
       "--spacing", "--lambda", "--beta", "--tau", "--preconditioner"}},
     {"General", {"--threads", "--quiet", "--verbose"}}};
 
+// convert resamples with an option that has the name of a parameter of the flow.
+bool is_for_few(const CLI::App& command, const std::string& name)
+{
+  return name != "--spacing" || command.get_name() != "convert";
+}
+
 } // namespace
 
 void group_options(CLI::App& command)
 {
   for(const Option_group& group : groups)
     for(const char* const name : group.options)
-      if(CLI::Option* const option = command.get_option_no_throw(name)) option->group(group.name);
+      if(CLI::Option* const option = command.get_option_no_throw(name))
+        if(is_for_few(command, name)) option->group(group.name);
 }
 
 } // namespace vfc

@@ -72,6 +72,9 @@ constexpr const char* keys[] = {"command",
                                 "defects",
                                 "faces",
                                 "radius",
+                                "arcs",
+                                "segments",
+                                "distance",
                                 "mending",
                                 "error"};
 

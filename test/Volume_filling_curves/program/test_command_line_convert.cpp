@@ -168,6 +168,95 @@ TEST_F(Command_line_convert, frames_for_paraview_have_a_list)
   EXPECT_EQ(run("untangle trefoil.obj --frame-format vtp").status, 1) << "without --frames";
 }
 
+// A corner that the second strand cuts.
+constexpr const char* cut_corner =
+    "v 2 0 0\nv 0 0 0\nv 0 1 0\nv .2 .2 -1\nv .2 .2 1\nl 1 2 3\nl 4 5\n";
+
+TEST_F(Command_line_convert, writes_arcs_of_a_tight_knot)
+{
+  make_trefoil();
+  ASSERT_EQ(run("untangle trefoil.obj -o tight.obj").status, 0);
+  for(const std::string name : {"arcs.csv", "arcs.step", "arcs.stp"}) {
+    const Finished made = run("convert tight.obj --arcs --report r.json --force -o " + name);
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_TRUE(exists(name));
+  }
+  const Json report = json("r.json");
+  EXPECT_EQ(report["arcs"], report["nodes_end"]);
+  EXPECT_GT(report["min_bend_radius"], 0);
+  EXPECT_GT(report["distance"], 0);
+  EXPECT_LT(report["length_end"], report["length_start"]);
+  EXPECT_NE(run("convert tight.obj --arcs -o again.csv").out.find(", certified\n"),
+            std::string::npos);
+}
+
+TEST_F(Command_line_convert, writes_arcs_without_certificate_only_when_asked_to)
+{
+  write("cut.obj", cut_corner);
+  const Finished refused = run("convert cut.obj --arcs -o cut.csv");
+  EXPECT_EQ(refused.status, 4);
+  EXPECT_NE(refused.err.find("another strand (nodes 2 4)"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--uncertified"), std::string::npos) << refused.err;
+  EXPECT_FALSE(exists("cut.csv"));
+  const Finished warned = run("convert cut.obj --arcs -o cut.csv --uncertified");
+  EXPECT_EQ(warned.status, 2);
+  EXPECT_NE(warned.err.find("not certified"), std::string::npos) << warned.err;
+  EXPECT_TRUE(exists("cut.csv"));
+}
+
+TEST_F(Command_line_convert, certifies_arcs_inside_a_mesh)
+{
+  write("cube.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+                    "3 0 2 1\n3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n3 2 6 3\n3 3 6 7\n"
+                    "3 0 4 2\n3 2 4 6\n3 1 3 5\n3 3 7 5\n");
+  write("in.obj", "v .2 .2 .5\nv .8 .2 .5\nv .8 .8 .5\nl 1 2 3 1\n");
+  write("out.obj", "v .2 .2 .5\nv 1.8 .2 .5\nv .8 .8 .5\nl 1 2 3 1\n");
+  EXPECT_EQ(run("convert in.obj --arcs --domain cube.off -o in.svg").status, 0);
+  const Finished refused = run("convert out.obj --arcs --domain cube.off -o out.svg");
+  EXPECT_EQ(refused.status, 4);
+  EXPECT_NE(refused.err.find("inside cube.off"), std::string::npos) << refused.err;
+}
+
+TEST_F(Command_line_convert, refuses_arcs_and_units_that_a_file_cannot_hold)
+{
+  make_trefoil();
+  for(const std::string wrong :
+      {"--arcs -o x.obj", "--arcs -o x.svg", "--arcs --tube 1 -o x.stl", "-o x.csv",
+       "--domain m.off -o x.obj", "--uncertified -o x.obj", "--arcs --unit mm -o x.csv",
+       "--unit mm -o x.obj", "--arcs --unit km -o x.step", "--spacing 0 -o x.obj",
+       "--spacing 1e-9 -o x.obj"}) {
+    const Finished refused = run("convert trefoil.obj " + wrong);
+    EXPECT_EQ(refused.status, 1) << wrong;
+    EXPECT_NE(refused.err, "") << wrong;
+  }
+  EXPECT_NE(run("convert trefoil.obj --arcs -o x.svg").err.find("planar"), std::string::npos);
+}
+
+TEST_F(Command_line_convert, notes_the_unit_in_the_header_of_stl)
+{
+  make_trefoil();
+  ASSERT_EQ(run("convert trefoil.obj --tube 0.5 --unit inch -o inch.stl").status, 0);
+  ASSERT_EQ(run("convert trefoil.obj --tube 0.5 -o plain.stl").status, 0);
+  const std::string inch = read("inch.stl");
+  EXPECT_EQ(inch.substr(0, 11), "UNITS=inch ");
+  EXPECT_EQ(inch.substr(80), read("plain.stl").substr(80));
+  EXPECT_EQ(run("check inch.stl").status, 0);
+}
+
+TEST_F(Command_line_convert, resamples_evenly_and_says_how_far_away)
+{
+  make_trefoil();
+  const Finished made = run("convert trefoil.obj --spacing 0.5 --report r.json -o even.obj");
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Json report = json("r.json");
+  EXPECT_GT(report["distance"], 0);
+  EXPECT_EQ(report["nodes_end"], points("even.obj").size());
+  EXPECT_NEAR(double(report["length_end"]) / double(report["nodes_end"]), 0.5, 0.05);
+  EXPECT_NE(run("convert trefoil.obj --spacing 0.5 -o again.obj").out.find("resampled: "),
+            std::string::npos);
+  EXPECT_EQ(run("convert trefoil.obj --spacing 0.5 --arcs -o even.csv").status, 0);
+}
+
 } // namespace test_command_line_convert
 
 #endif // json.hpp

@@ -103,8 +103,8 @@ struct Arc_spline
   std::size_t number_of_arcs = 0;     ///< the number of arcs
   std::size_t number_of_segments = 0; ///< the number of segments
 
-  /// the least radius of an arc, that is, `min_bend_radius()` of a curve without junctions; infinity
-  /// if there are no arcs
+  /// the least radius of an arc, which is `min_bend_radius()` of a curve without junctions;
+  /// infinity if there are no arcs
   double min_radius = std::numeric_limits<double>::infinity();
 
   double max_distance = 0; ///< the largest distance of a point of the curve to the spline
