@@ -10,11 +10,11 @@
  *
  * The concept `PlanarVolumeFillingDomain_3` describes a domain in the plane z = 0. The inside is
  * open in the plane, and points off the plane are outside. Curves therefore stay in the plane:
- * every z coordinate is 0. Instead of the volume, `CGAL::Volume_filling_curves::fill()` considers
- * the area, and results that are volumes are areas.
+ * every z coordinate is 0. `CGAL::Volume_filling_curves::fill()` considers areas instead of
+ * volumes, also in its results.
  *
  * The boundary is that of the inside in the plane: `distance()` and `distance_along()` return
- * distances to it. They are asked for points and directions of the plane only. The box is flat.
+ * distances to it. They are only called with points and directions in the plane. The box is flat.
  *
  * \cgalRefines{VolumeFillingDomain_3}
  *

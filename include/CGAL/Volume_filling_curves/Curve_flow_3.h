@@ -194,8 +194,8 @@ public:
   /*!
    * makes the curve follow a direction field: in the energy, the length of an edge at an angle
    * \f$\alpha\f$ to the field counts \f$1 + w \sin^2 \alpha\f$ times. Takes effect with the next
-   * `update()`. An empty function stands for no field. In a planar domain, the projection of the
-   * field to the plane counts.
+   * `update()`. An empty function stands for no field. In a planar domain, the field is projected
+   * to the plane.
    *
    * \param field the field
    * \param weight the weight \f$w\f$, not negative, dimensionless
@@ -336,8 +336,8 @@ private:
     update();
   }
 
-  // In the plane two directions are orthogonal to a curve. Each of them holds it as much as two
-  // do that are across each other in space: half of the weight makes strands as stiff.
+  // In the plane only two directions are orthogonal to a curve. Both act along one line, like two
+  // pairs of opposite directions in space: half of the weight makes strands equally stiff.
   Curve_flow_parameters parameters_in_domain() const
   {
     Curve_flow_parameters p = m_parameters;

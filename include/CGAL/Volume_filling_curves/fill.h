@@ -42,7 +42,7 @@ namespace Volume_filling_curves {
 
 namespace internal {
 
-// Returns the domain itself, or that inside a polygon or a mesh.
+// Returns the domain itself, or the domain that a polygon or a mesh bounds.
 template <typename Traits, typename Domain, typename NamedParameters>
 decltype(auto) as_filled_domain(const Domain& domain, const NamedParameters& np)
 {
@@ -52,7 +52,7 @@ decltype(auto) as_filled_domain(const Domain& domain, const NamedParameters& np)
     return as_domain<Traits>(domain, np);
 }
 
-// Those are meshes that have parameters of their own.
+// Whether a domain is a mesh, which has its own named parameters.
 template <typename Domain>
 constexpr bool is_mesh = !Is_domain<Domain>::value && !Is_polygonal<Domain>::value;
 
@@ -94,9 +94,8 @@ auto fill(Curve_network_3<Traits>& curves,
  * the volume ended within r of the curve and 99 % within 1.4 r. If every point must lie within d of
  * the curve, use r = d / 1.4.
  *
- * In a planar domain, such as a polygon with holes, the curve lies in the plane z = 0, exactly, and
- * area takes the place of volume. There 93 to 95 % of the area ended within r of the curve and 99 %
- * within 1.2 r.
+ * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
+ * areas replace volumes; 93 to 95 % of the area ended within r of the curve and 99 % within 1.2 r.
  *
  * The run ends when the curve has settled at the required thickness and has been pushed into every
  * empty region. A settled curve need not fill its domain: if more than 1 % of the volume is farther

@@ -37,21 +37,21 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesDomains
  * \headerfile CGAL/Volume_filling_curves/fill.h
  *
- * \brief The class `Polygon_domain_3` is the inside of a polygon with holes, or of several, in the
- * plane z = 0.
+ * \brief The class `Polygon_domain_3` is the inside of one or more polygons with holes in the plane
+ * z = 0.
  *
- * A curve that fills it is planar: every z coordinate of its nodes is 0, and its closed components
+ * A curve that fills it is planar: the z coordinates of its nodes are 0, and its closed components
  * are simple polygons. Points off the plane are outside.
  *
- * The boundaries must not meet or cross themselves or one another, not even in a corner. A polygon
+ * The boundaries must not touch or cross themselves or one another, not even in a corner. A polygon
  * may lie in a hole of another one. The orientation of boundaries does not matter, and consecutive
  * equal corners count as one.
  *
  * `is_inside()` and `is_triangle_inside()` are exact. Distances are computed in double arithmetic.
  *
- * Constructing takes \cgalBigO{n \log n} time for `n` edges. A query takes \cgalBigO{\log n} time
- * for most points, and up to linear time for points that are equally far from many edges. The
- * member functions may be called concurrently. Copies share their data.
+ * Construction takes \cgalBigO{n \log n} time for `n` edges. A query takes \cgalBigO{\log n} time
+ * for most points, and up to linear time for points at equal distances from many edges. The member
+ * functions may be called concurrently. Copies share their data.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
@@ -76,9 +76,9 @@ public:
   /*!
    * constructs the domain from a polygon with holes. Coordinates are rounded to `double`.
    *
-   * \throws std::invalid_argument if a boundary has fewer than three different corners, meets
-   * itself or another one, if a hole lies outside of its polygon or within another hole, or if a
-   * coordinate is not finite, or beyond 1e100; with the corners in the message, counted from 0
+   * \throws std::invalid_argument if a boundary has fewer than three different corners, or meets
+   * itself or another one; if a hole lies outside its polygon or within another hole; or if a
+   * coordinate is not finite or beyond 1e100. The message lists the corners, numbered from 0
    */
   template <typename Kernel, typename Container>
   explicit Polygon_domain_3(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon)
@@ -88,19 +88,19 @@ public:
     store(std::move(rings));
   }
 
-  /// constructs the domain from a polygon without holes. The same is thrown.
+  /// constructs the domain from a polygon without holes, with the same exceptions.
   template <typename Kernel, typename Container>
   explicit Polygon_domain_3(const CGAL::Polygon_2<Kernel, Container>& polygon)
       : Polygon_domain_3(CGAL::Polygon_with_holes_2<Kernel, Container>(polygon))
   {}
 
   /*!
-   * constructs the domain from several polygons, each of which becomes a part with a curve of its
-   * own.
+   * constructs the domain from several polygons, each of which becomes a connected part.
    *
    * \tparam Polygons a range of `CGAL::Polygon_with_holes_2`
    *
-   * \throws std::invalid_argument as above, and if there are no polygons, or two of them overlap
+   * \throws std::invalid_argument like the first constructor, and if there are no polygons, or two
+   * of them overlap
    */
   template <typename Polygons, typename = decltype(std::begin(std::declval<const Polygons&>()))>
   explicit Polygon_domain_3(const Polygons& polygons)
@@ -112,7 +112,7 @@ public:
   }
 
   /// returns the domain with all coordinates multiplied by `factor`, a power of two. Takes as long
-  /// as constructing it.
+  /// as the construction.
   Polygon_domain_3 scaled(double factor) const
   {
     Rings rings = m_region->rings;
@@ -122,7 +122,7 @@ public:
     return Polygon_domain_3(std::make_shared<const Region>(std::move(rings)));
   }
 
-  /// returns a box that holds the domain, flat in the direction of z.
+  /// returns a box that contains the domain, flat in the direction of z.
   CGAL::Bbox_3 bbox() const { return m_region->tree.bbox(); }
 
   /// returns whether `p` lies in the plane, strictly inside.
@@ -142,20 +142,20 @@ public:
            !m_region->tree.does_meet({in_plane(p), in_plane(q), in_plane(r)});
   }
 
-  /// returns the distance of `p` to the boundary, the edges of the polygons, wherever `p` lies.
+  /// returns the distance from `p`, inside or outside, to the boundary, the edges of the polygons.
   double distance(const Point_3& p) const
   {
     return m_region->tree.distance(internal::to_vector(p));
   }
 
-  /// returns how far it is from `p` along the unit vector `direction` to the boundary, or `limit`
-  /// if that is less, and 0 if `p` or `direction` does not lie in the plane.
+  /// returns the distance from `p` to the boundary along the unit vector `direction`, at most
+  /// `limit`; 0 if `p` or `direction` does not lie in the plane.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
     return distance_along(internal::to_vector(p), internal::to_vector(direction), limit);
   }
 
-  /// returns the distance of `p` to the boundary, or `limit` if that is less.
+  /// returns the distance from `p` to the boundary, at most `limit`.
   double distance_up_to(const Point_3& p, double limit) const
   {
     return m_region->tree.distance(internal::to_vector(p), limit);
@@ -174,7 +174,7 @@ public:
   /// \name Connected Parts
   /// @{
 
-  /// returns the number of the polygon that `p` lies in, in the order in which they were given.
+  /// returns the index of the polygon that contains `p`, in the order of the input.
   ///
   /// \pre `is_inside(p)`
   std::size_t part(const Point_3& p) const
@@ -272,7 +272,7 @@ private:
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// Whether a type is a polygon, with or without holes, or a range of such.
+// Whether a type is a polygon, with or without holes, or a range of these.
 template <typename T, typename = void>
 struct Is_polygonal : std::false_type
 {};

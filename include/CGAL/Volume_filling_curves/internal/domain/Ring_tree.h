@@ -33,7 +33,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A closed polygon of a region in the plane: the outer boundary of a polygon, or one of its holes.
+// Ring: the outer boundary of a polygon, or one of its holes.
 struct Ring
 {
   std::vector<Planar_point> corners; // no two consecutive ones are equal
@@ -49,8 +49,8 @@ struct Ring
   Planar_point target(std::size_t k) const { return corners[k + 1 == corners.size() ? 0 : k + 1]; }
 };
 
-// The edges of rings in the plane z = 0, in a tree. What lies around a point and what meets a
-// triangle is decided exactly; distances are computed in double. Logarithmic time per query for
+// Tree of the edges of rings in the plane z = 0. The rings around a point, and intersections with
+// triangles, are decided exactly; distances are computed in double. Logarithmic time per query for
 // most points.
 class Ring_tree
 {
@@ -81,7 +81,7 @@ public:
 
   const Bbox_3& bbox() const { return m_tree.root().hull(); }
 
-  // Hands the edges that meet a closed triangle, which may be degenerate, to a function, until it
+  // Calls a function for the edges that meet a closed triangle, which may be degenerate, until it
   // returns true. Exact.
   template <typename Function>
   void for_each_meeting(const std::array<Planar_point, 3>& triangle, const Function& function) const
@@ -103,8 +103,8 @@ public:
     return is_met;
   }
 
-  // Returns the rings but for one that have the point strictly inside, in their order, by the
-  // parity of the edges that the ray in the direction of the x-axis crosses. Exact.
+  // Returns the rings, except a given one, that have the point strictly inside, in order, by the
+  // parity of the edges that the ray along the x-axis crosses. Exact.
   // \pre the point is on none of them
   std::vector<std::size_t> rings_around(const Planar_point& p, std::size_t except = none) const
   {
@@ -163,8 +163,8 @@ private:
     Nearest_first_descent<Search<Holds, Visit>>(m_tree, search).run();
   }
 
-  // Hands the edges that the ray crosses, those of one ring left out, to a function, unless the
-  // point lies on one; returns whether it does not. An edge holds its lower end, so that a corner
+  // Calls a function for the edges that the ray crosses, except those of one ring, unless the point
+  // lies on an edge; returns whether it does not. An edge contains its lower end, hence a corner
   // counts once.
   template <typename Function>
   bool cross(const Planar_point& p, std::size_t except, const Function& function) const
@@ -212,7 +212,7 @@ private:
     double bound() const { return nearest; }
     double entry(const Bbox_3& box) const { return ray_entry(box, nearest); }
 
-    // Edges that are parallel to the ray are left to their neighbors.
+    // The neighbors of edges parallel to the ray decide.
     void visit(std::size_t i)
     {
       constexpr double slack = 1e-12; // for the rounding where the ray goes through a corner

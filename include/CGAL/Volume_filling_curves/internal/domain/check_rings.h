@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What is wrong with the rings of a region. Corners, holes and polygons are counted from 0, in
-// their order in the input. Near linear in the number of edges.
+// Check of the rings of a region. Corners, holes and polygons are numbered from 0, in their order
+// in the input. Near-linear in the number of edges.
 class Ring_check
 {
 public:
@@ -47,8 +47,8 @@ public:
   }
 
   // Checks them together. \pre check_each() has not thrown
-  // \throws std::invalid_argument if edges meet elsewhere than in a common corner, or if rings are
-  // nested otherwise than polygons and holes are
+  // \throws std::invalid_argument if edges meet elsewhere than in a common corner, or if the
+  // nesting of rings is not that of polygons and holes
   void check_all(const Ring_tree& tree) const
   {
     for(const Ring_tree::Edge& edge : tree.edges()) {

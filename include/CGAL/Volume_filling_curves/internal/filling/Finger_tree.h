@@ -94,9 +94,9 @@ public:
   std::size_t number_of_fingers() const { return m_number_of_fingers; }
 
 private:
-  // In units of the thickness. A finger is two strands, which lie side by side in the plane, and
-  // among six others in space. From 3.4 to 4.6 planar fillings end alike: with 92.8 to 94.7 % of
-  // the area within r, and strands 1.84 to 1.94 r apart (medians).
+  // In units of the thickness. A finger consists of two strands, which lie side by side in the
+  // plane, and among six others in space. Planar fillings end alike from 3.4 to 4.6: with 92.8 to
+  // 94.7 % of the area within r, and strands 1.84 to 1.94 r apart (medians).
   static constexpr double spacing = Space_of<Domain>::is_plane ? 4 : 2.9; // of the stations
   // Strands side by side leave longer gaps: with 2.9 the bunny ends with p99 1.43 (2026-11-22).
   static constexpr double spacing_along_field = Space_of<Domain>::is_plane ? 3.65 : 2.65;

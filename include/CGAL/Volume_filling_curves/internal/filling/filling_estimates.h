@@ -22,7 +22,7 @@ namespace internal {
 // 0.269 on nine domains of run_filling (2026-11-21).
 constexpr double filling_density = 0.26;
 
-// The length of a curve that fills an area A with thickness r is this times A / r: 0.48 to 0.52 on
+// Length of a curve that fills an area A with thickness r, as a multiple of A / r: 0.48 to 0.52 on
 // plates, an L-shape and a star.
 constexpr double planar_filling_density = 0.49;
 
