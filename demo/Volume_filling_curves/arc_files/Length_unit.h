@@ -13,7 +13,7 @@
 
 namespace vfc {
 
-// The unit of a file's numbers. Numbers are never converted: the user says what they are.
+// Unit of a file's numbers, declared by the user. Numbers are never converted.
 enum class Length_unit
 {
   NONE,

@@ -16,7 +16,7 @@
 
 namespace vfc {
 
-// Writers of arc splines compose the whole text in memory, with all digits, whatever the locale.
+// Writers of arc splines, which compose the whole text in memory, with all digits, in any locale.
 // Linear time.
 
 using Arcs = CGAL::Volume_filling_curves::Arc_spline<Curve::Point_3>;
@@ -25,8 +25,8 @@ using Arcs = CGAL::Volume_filling_curves::Arc_spline<Curve::Point_3>;
 std::string to_csv(const Arcs& arcs);
 
 // ISO 10303-21 with the schema AP214: a composite curve of lines and circles per path, in
-// millimeters if there is no unit. \throws std::invalid_argument if readers would take each piece
-// for a point
+// millimeters if there is no unit. \throws std::invalid_argument if all pieces are so short that
+// readers would take them for points
 std::string to_step(const Arcs& arcs, Length_unit unit);
 
 // A path of lines and arcs per path, seen from above. \throws std::invalid_argument if z varies

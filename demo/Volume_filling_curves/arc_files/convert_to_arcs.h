@@ -16,7 +16,7 @@
 
 namespace vfc {
 
-// How a curve becomes an arc spline, and where it is written.
+// Options of the conversion to an arc spline, and of its output.
 struct Arc_options
 {
   bool is_wanted = false, is_uncertified_welcome = false;
@@ -24,15 +24,15 @@ struct Arc_options
   Length_unit unit = Length_unit::NONE;
 };
 
-// Adds --arcs, and the options that only it has.
+// Adds --arcs, and its own options.
 CLI::Option& add_arc_options(CLI::App& command, Arc_options& options);
 
 // Plans to write an arc spline, .csv, .step, .stp or .svg. \throws Usage_error
 void plan_arc_files(Session& session, const Arc_options& options, const std::string& output);
 
 // Writes the arc spline of a curve that was read from a file, and returns the exit status.
-// \throws Input_error if it is not certified, unless that is welcome, and Usage_error if the format
-// cannot hold it
+// \throws Input_error if it is not certified, unless this is allowed, and Usage_error if the format
+// cannot represent it
 int convert_to_arcs(Session& session,
                     const Arc_options& options,
                     const Curve& curve,

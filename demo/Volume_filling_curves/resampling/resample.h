@@ -13,7 +13,7 @@
 
 namespace vfc {
 
-// How a resampled curve differs from what it was. Lengths are in the input's unit.
+// Difference of a resampled curve from its input. Lengths are in the input's unit.
 struct Resampling
 {
   double max_distance = 0;                 // between the two curves
@@ -21,10 +21,10 @@ struct Resampling
   std::size_t number_of_kept_nodes = 0;    // that are in the way of a certified change, or pinned
 };
 
-// Replaces the nodes of a curve by evenly spaced ones that lie on it, as near to the spacing as the
-// length of each component allows. Ends, junctions and the first nodes of closed components stay.
-// Every change is certified by the guard: where a strand would be crossed, nodes stay. Takes near
-// linear time. \throws std::invalid_argument if there would be more than 20 million nodes
+// Replaces the nodes of a curve by evenly spaced ones on it, as close to the spacing as the length
+// of each component allows. Ends, junctions and the first nodes of closed components stay. The
+// guard certifies every change: where a strand would be crossed, nodes stay. Takes near-linear
+// time. \throws std::invalid_argument if there would be more than 20 million nodes
 Resampling resample(Curve& curve, double spacing);
 
 } // namespace vfc

@@ -30,26 +30,26 @@ namespace Volume_filling_curves {
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief rounds the corners of a curve inside a domain: returns the smooth curve of circular arcs
- * and segments through it, and whether it is certified.
+ * \brief rounds the corners of a curve inside a domain: returns a smooth curve of circular arcs and
+ * segments, and whether it is certified.
  *
- * Each corner becomes the arc that is tangent to both of its edges and touches the shorter one in
- * its middle; segments join the arcs. The direction of the curve is continuous, and the radius is
- * nowhere less than `min_bend_radius()`. Straight corners and ends stay; paths end at junctions,
- * where the direction jumps.
+ * Each corner is replaced by the arc that is tangent to both of its edges and touches the shorter
+ * one in its middle; segments join the arcs. The direction of the curve is continuous, and the
+ * radius is nowhere less than `min_bend_radius()`. Straight corners and ends stay; paths end at
+ * junctions, where the direction jumps.
  *
  * The spline is certified if it is ambient isotopic to the curve and strictly inside the domain.
- * That holds if the closed triangles of the arcs' ends and corners meet neither one another nor the
- * rest of the curve elsewhere than in common ends, and lie inside. It is decided with exact
- * predicates, as exactly as the domain can tell, for the points `start`, `corner` and `end` as they
- * are returned, and curves in the triangles between them: the rational quadratic Bezier curves with
- * the weights 1, \f$\cos(\theta/2)\f$, 1 at a corner that turns by \f$\theta\f$, which are the
- * arcs. Points on the arcs, such as `middle`, are rounded as any number is.
+ * This holds if the closed triangles of the arcs' ends and corners lie inside, and meet one another
+ * and the rest of the curve only in common ends. Exact predicates decide this, as exactly as the
+ * domain answers, for the returned points `start`, `corner` and `end`, and curves in the triangles
+ * between them: the arcs are rational quadratic Bezier curves with the weights 1,
+ * \f$\cos(\theta/2)\f$, 1 at a corner with the turning angle \f$\theta\f$. Points on the arcs, such
+ * as `middle`, are rounded.
  *
- * Strands that are farther apart than the longest edge are never in conflict. Otherwise
+ * Strands farther apart than the longest edge are never in conflict. Otherwise
  * `Arc_spline::conflicts` lists the nodes; shorter edges there help, at the cost of smaller radii.
  *
- * Takes near linear time for curves whose nodes are spaced evenly.
+ * Takes near-linear time for curves whose nodes are spaced evenly.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
@@ -59,12 +59,12 @@ namespace Volume_filling_curves {
  * \param domain the domain
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \returns the spline, whether it is certified or not
+ * \returns the spline, certified or not
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curve is not embedded or not strictly inside the domain,
- * with the nodes in the message
+ * \throws std::invalid_argument if the curve is not embedded or not strictly inside the domain (the
+ * message lists the nodes)
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
@@ -95,7 +95,7 @@ template <typename Traits,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief rounds the corners of a curve, as the overload for a curve inside a domain does.
+ * \brief rounds the corners of a curve, like the overload for a curve inside a domain.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of named parameters
@@ -103,11 +103,11 @@ template <typename Traits,
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \returns the spline, whether it is certified or not
+ * \returns the spline, certified or not
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curve is not embedded, with the nodes in the message
+ * \throws std::invalid_argument if the curve is not embedded (the message lists the nodes)
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,

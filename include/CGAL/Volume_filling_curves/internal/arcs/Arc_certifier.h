@@ -26,10 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Proof that an arc spline is isotopic to its curve, inside the domain. The ends of arcs lie
-// on edges but for rounding, so the guard inserts them into a copy of the curve. Each arc lies in
-// the triangle of its ends and its corner. If this triangle meets the copy and all other triangles
-// in common ends only, the arc can take the place of the two sides at the corner.
+// Proof that an arc spline is isotopic to its curve, inside the domain. The ends of arcs lie on
+// edges up to rounding, so the guard inserts them into a copy of the curve. Each arc lies in the
+// triangle of its ends and its corner. If this triangle meets the copy and all other triangles only
+// in common ends, the arc can replace the two sides at the corner.
 template <typename Traits, typename Domain>
 class Arc_certifier
 {
@@ -78,7 +78,7 @@ private:
       m_conflicts.push_back({v, Arc_obstacle::ROUNDING, v});
   }
 
-  // returns how far the start of an arc is from the line of one of the edges at the corner
+  // Returns the distance from the start of an arc to the line of one of the edges at the corner.
   double distance_from_edge(const Piece& arc, std::size_t k) const
   {
     const Vector p = to_vector(arc.corner),
@@ -86,8 +86,8 @@ private:
     return (to_vector(arc.start) - p).cross((q - p).normalized()).squaredNorm();
   }
 
-  // Returns whether the next node along an edge of v is the end of an arc, or becomes it. An end
-  // that two arcs share is there already.
+  // Returns whether the next node along an edge of v is the end of an arc, or becomes one. An end
+  // that two arcs share already exists.
   bool insert_end(std::size_t v, std::size_t k, const Point_3& end)
   {
     return to_vector(m_copy.point(m_copy.neighbor(v, k))) == to_vector(end) ||

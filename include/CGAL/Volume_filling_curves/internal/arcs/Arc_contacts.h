@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Pairs of pieces of an arc spline that meet elsewhere than in a common end. The closed
-// triangle of its ends and its corner stands for each arc. Exact in every degenerate case. Boxes
-// come in the order of the curve, as `Box_tree` needs them: near linear time.
+// Pairs of pieces of an arc spline that meet elsewhere than in a common end. Each arc is
+// represented by the closed triangle of its ends and its corner. Exact in all degenerate cases.
+// Boxes are in the order of the curve, as `Box_tree` requires: near-linear time.
 template <typename Traits>
 class Arc_contacts
 {
@@ -71,13 +71,13 @@ private:
     return boxes;
   }
 
-  // Of a segment, which is a degenerate triangle, the second end counts twice.
+  // A segment is a degenerate triangle, whose second end counts twice.
   static Triangle triangle(const Piece& piece)
   {
     return {piece.start, piece.is_arc() ? piece.corner : piece.end, piece.end};
   }
 
-  // likewise, from the end of the piece
+  // the same, from the end of the piece
   static Triangle reversed(const Piece& piece)
   {
     return {piece.end, piece.is_arc() ? piece.corner : piece.start, piece.start};

@@ -36,7 +36,7 @@ struct Arc_spline_piece
 
   double length = 0; ///< the length, in the input's unit
 
-  /// the node at the corner that an arc replaces; of a segment, the last node before it
+  /// the node at the corner that an arc replaces; for a segment, the last node before it
   std::size_t node = 0;
 
   /// returns whether the piece is an arc, not a segment.
@@ -85,7 +85,7 @@ struct Arc_conflict
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/arc_spline.h
 ///
-/// What `arc_spline()` returns. Lengths are in the input's unit.
+/// The result of `arc_spline()`. Lengths are in the input's unit.
 ///
 /// \tparam Point_3 the type of points
 template <typename Point_3>

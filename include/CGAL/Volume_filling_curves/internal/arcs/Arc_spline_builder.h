@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Arcs at the corners of a polygon. At a corner p whose edges turn by the angle 2 a, the arc
-// that is tangent to both edges at the distance t from p has the radius t / tan(a); t is half of
-// the shorter edge, so that arcs of neighbors do not overlap and the radius is Rawdon's MinRad.
-// Straight corners have no arc, nor have ends and junctions. Plain double; linear time.
+// Arcs at the corners of a polygon. At a corner p whose edges turn by the angle 2 a, the arc that
+// is tangent to both edges at the distance t from p has the radius t / tan(a); t is half the
+// shorter edge, hence arcs of neighbors do not overlap, and the radius is Rawdon's MinRad. Straight
+// corners, ends and junctions have no arc. Plain double; linear time.
 template <typename Network>
 class Arc_spline_builder
 {
@@ -50,8 +50,8 @@ public:
   }
 
 private:
-  // Arcs on both sides of an edge that would leave less of it than this share end in one point,
-  // lest the rounding of two points that ought to be one makes a segment that runs backwards.
+  // Arcs on both sides of an edge that would leave less of it than this share end in one point;
+  // otherwise rounding of two nearly equal points could make a segment that runs backwards.
   static constexpr double least_share = 1e-12;
   static constexpr double least_tangent = 1e-6; // of half of a turn that is more than rounding
   static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(); // of coordinates
@@ -102,14 +102,14 @@ private:
     return is_straight(t, tangent, position(v)) ? Corner() : Corner{t, tangent};
   }
 
-  // whether the arc at a corner rises less above its chord than coordinates are rounded
+  // Returns whether the height of an arc above its chord is below the rounding of coordinates.
   static bool is_straight(double t, double tangent, const Vector& p)
   {
     return !std::isfinite(t / tangent) ||
            (tangent < least_tangent && t * tangent <= rounding * p.cwiseAbs().maxCoeff());
   }
 
-  // where the arcs at the nodes v and w of an edge begin
+  // positions where the arcs at the nodes v and w of an edge begin
   static std::array<Vector, 2> ends_of_rest(const Vector& v, const Vector& w, double tv, double tw)
   {
     const double length = (w - v).norm();
