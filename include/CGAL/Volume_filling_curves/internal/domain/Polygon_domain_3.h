@@ -188,6 +188,7 @@ public:
   /// @}
 
 private:
+  /// \cond SKIP_IN_MANUAL
   struct Region
   {
     explicit Region(Rings all) : rings(std::move(all)), tree(rings)
@@ -214,6 +215,7 @@ private:
     internal::Ring_tree tree;
     std::vector<CGAL::Bbox_3> part_boxes;
   };
+  /// \endcond
 
   explicit Polygon_domain_3(std::shared_ptr<const Region> region) : m_region(std::move(region)) {}
 
