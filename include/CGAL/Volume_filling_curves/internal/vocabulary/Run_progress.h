@@ -94,7 +94,7 @@ struct Run_progress
 
   double expected_length = 0;     ///< expected length of the filling, in the input's unit; 0 until
                                   ///< it is known
-  std::size_t expected_nodes = 0; ///< likewise
+  std::size_t expected_nodes = 0; ///< expected nodes of the filling; 0 until they are known
 
   /// expected time of the whole run with one thread, on a recent machine; 0 until it is known
   double expected_seconds = 0;
