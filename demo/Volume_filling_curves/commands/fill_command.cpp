@@ -183,8 +183,9 @@ void add_fill_command(Command_line& command_line)
       "never leaves MESH and never passes through itself. SIGINT and SIGTERM stop the run\n"
       "and write the current curve; a second one ends at once.\n"
       "Each connected part of the inside that is wide enough gets its own curve, unless\n"
-      "--curve is given. If more than 1 % of the inside ends farther than 2 r from the curve, the\n"
-      "status is partial, and the last line gives the reason.\n"
+      "--curve is given. If more than 1 % of the inside ends farther than 2 r from the curve, or\n"
+      "another strand is nearer than r along more than 5 % of its length, the status is partial,\n"
+      "and the last line gives the reason.\n"
       "Exit status: 0 converged, 2 partial, limit reached, or length not reached, 3 stalled,\n"
       "5 interrupted.");
 }

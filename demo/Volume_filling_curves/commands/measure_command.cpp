@@ -17,12 +17,18 @@
 #include "reports/shape.h"
 #include "session/Exit_status.h"
 
+#include <CGAL/Volume_filling_curves/coverage.h>
+
+#include <CGAL/tags.h>
+
 #include <cmath>
 #include <memory>
 #include <string>
 
 namespace vfc {
 namespace {
+
+namespace curves = CGAL::Volume_filling_curves;
 
 struct Measure_options
 {
@@ -55,7 +61,8 @@ std::string table(const Report& report)
   std::string text;
   for(const std::string key :
       {"components", "nodes_end", "length_end", "component_lengths", "thickness", "min_clearance",
-       "total_curvature", "component_total_curvatures", "max_curvature", "min_bend_radius",
+       "min_strand_distance", "min_strand_points", "crowded_fraction", "total_curvature",
+       "component_total_curvatures", "max_curvature", "min_bend_radius", "min_bend_point",
        "polygonal_thickness", "ropelength", "average_crossing_number", "linking_matrix",
        "medial_radius"})
     text += row(key, report[key]);
@@ -66,7 +73,9 @@ std::string table(const Report& report)
 std::string table_of_filling(const Report& report)
 {
   std::string text;
-  for(const std::string key : {"outside_nodes", "outside_segments"}) text += row(key, report[key]);
+  for(const std::string key :
+      {"outside_nodes", "outside_segments", "min_wall_distance", "min_wall_point"})
+    text += row(key, report[key]);
   for(const auto& [key, value] : report["coverage"].items()) text += row("coverage_" + key, value);
   text += row("unfilled_fraction", report["unfilled_fraction"]);
   for(const Report::Json& region : report["empty_regions"])
@@ -74,10 +83,21 @@ std::string table_of_filling(const Report& report)
   return text;
 }
 
+// The distance is 0 if the curve meets the surface or leaves the mesh.
+void measure_wall_distance(Report& report, const Curve& curve, const Domain& domain)
+{
+  const Containment found = containment(curve, domain);
+  report_containment(report, found);
+  report["min_wall_distance"] = 0;
+  if(!found.is_inside()) return;
+  const auto nearest = curves::min_wall_distance<CGAL::Parallel_if_available_tag>(curve, domain);
+  report_wall(report, nearest.distance, nearest.point);
+}
+
 void measure_filling(Session& session, const Measure_options& options, const Curve& curve)
 {
   const Domain domain(read_mesh(session, options.mesh).mesh, examined);
-  report_containment(session.report(), containment(curve, domain));
+  measure_wall_distance(session.report(), curve, domain);
   const Thickness thickness =
       options.thickness > 0 ? constant_thickness(options.thickness) : Thickness();
   measure_coverage(session.report(), curve, domain, thickness, options.seed);
@@ -120,13 +140,16 @@ void add_measure_command(Command_line& command_line)
       "unit,\n"
       "curvatures in its reciprocal, angles in radians.\n"
       "  total_curvature      sum of the turning angles; 2 pi for a circle\n"
-      "  min_bend_radius      least bend radius of a corner, 1 / max_curvature\n"
+      "  min_bend_radius      least bend radius of a corner, at min_bend_point; 1 / max_curvature\n"
       "  polygonal_thickness  radius of the thickest tube around the curve\n"
       "  ropelength           length / polygonal_thickness; 2 pi for a circle\n"
       "  min_clearance        least distance of two segments that are not neighbors\n"
+      "  min_strand_distance  likewise, between min_strand_points; only with --thickness\n"
+      "  crowded_fraction     share of the length that another strand comes nearer to than r\n"
       "  medial_radius        mean of the medial radii, capped at 2 r\n"
       "With MESH:\n"
       "  outside_segments     segments with a point on or beyond the surface, counted exactly\n"
+      "  min_wall_distance    least distance of the curve to the surface, at min_wall_point\n"
       "  coverage             distances of samples of the inside to the curve, in units of r\n"
       "  empty_region         center and volume of a region farther than 2 r from the curve");
 }

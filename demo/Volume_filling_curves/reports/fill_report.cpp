@@ -33,9 +33,9 @@ std::string percent(double share)
   return std::isfinite(share) ? to_text(100 * share) + " %" : "-"; // no time to measure it
 }
 
-std::string radius(double mean)
+std::string length_text(double length)
 {
-  return std::isfinite(mean) ? to_text(mean) : "-";
+  return std::isfinite(length) ? to_text(length) : "-";
 }
 
 // The share of the whole volume, and the share without the layer to keep clear of.
@@ -44,6 +44,14 @@ std::string beyond_2r(const Filling_result& result)
   const double share = result.unfilled_fraction, whole = result.uncovered_fraction;
   return "beyond 2 r " + percent(whole) +
          (share < whole ? " (apart from the boundary " + percent(share) + ")" : "");
+}
+
+std::string least_distances(const Filling_result& result)
+{
+  return "bend radius " + length_text(result.min_bend_radius) + ", strands " +
+         length_text(result.min_strand_distance) + " apart, wall " +
+         length_text(result.min_wall_distance) + " away at the least; nearer than r " +
+         percent(result.crowded_fraction) + " of the length\n";
 }
 
 } // namespace
@@ -96,6 +104,9 @@ void report_filling(Report& report,
   report["medial_radius"] = result.medial_radius;
   report["gradient_norm"] = result.gradient_norm;
   report_coverage(report, result.coverage);
+  report_strands(report, result.min_strand_distance, result.closest_points);
+  report_wall(report, result.min_wall_distance, result.point_nearest_to_wall);
+  report["crowded_fraction"] = result.crowded_fraction;
   report["unfilled_fraction"] = result.unfilled_fraction;
   report["uncovered_fraction"] = result.uncovered_fraction;
   if(result.are_empty_regions_known) report_empty_regions(report, result.empty_regions);
@@ -113,11 +124,12 @@ std::string summary(const Session& session, const Curve& curve, const Filling_re
          counted(result.statistics.iterations, "iteration") + ", " + to_text(session.seconds()) +
          " s: nodes " + std::to_string(curve.number_of_nodes()) + ", length " +
          to_text(curves::length(curve)) + ", thickness " + to_text(result.thickness) +
-         ", medial radius " + radius(result.medial_radius) + ", within r " +
+         ", medial radius " + length_text(result.medial_radius) + ", within r " +
          percent(result.coverage.fraction_within_r) + ", " + beyond_2r(result) +
          ", empty regions " +
          (result.are_empty_regions_known ? std::to_string(result.empty_regions.size()) : "-") +
-         '\n' + (result.reason.empty() ? "" : "not filled: " + result.reason + '\n');
+         '\n' + least_distances(result) +
+         (result.reason.empty() ? "" : to_string(result.status) + (": " + result.reason) + '\n');
 }
 
 } // namespace vfc

@@ -13,12 +13,18 @@
 
 #include <CGAL/tags.h>
 
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
 
 namespace vfc {
 namespace curves = CGAL::Volume_filling_curves;
+
+Report::Json coordinates(const Curve::Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
 
 namespace {
 
@@ -43,7 +49,42 @@ void report_quick_measures(Report& report, const Curve& curve)
   report["total_curvature"] = std::accumulate(curvatures.begin(), curvatures.end(), 0.);
   report["component_total_curvatures"] = curvatures;
   report["max_curvature"] = curves::max_curvature(curve);
-  report["min_bend_radius"] = curves::min_bend_radius(curve);
+  const curves::Tightest_bend tightest = curves::tightest_bend(curve);
+  report["min_bend_radius"] = tightest.radius;
+  if(tightest.node < curve.number_of_nodes())
+    report["min_bend_point"] = coordinates(curve.point(tightest.node));
+}
+
+} // namespace
+
+void report_strands(Report& report, double distance, const std::array<Curve::Point_3, 2>& points)
+{
+  report["min_strand_distance"] = distance;
+  if(std::isfinite(distance))
+    report["min_strand_points"] = {coordinates(points[0]), coordinates(points[1])};
+}
+
+void report_wall(Report& report, double distance, const Curve::Point_3& point)
+{
+  report["min_wall_distance"] = distance;
+  if(std::isfinite(distance)) report["min_wall_point"] = coordinates(point);
+}
+
+namespace {
+
+template <typename NamedParameters>
+void measure_strands(Report& report,
+                     const Curve& curve,
+                     double thickness,
+                     const NamedParameters& np)
+{
+  try {
+    const auto strands = curves::min_strand_distance(curve, thickness, np);
+    report_strands(report, strands.distance, strands.points);
+    report["crowded_fraction"] =
+        curves::crowded_fraction<CGAL::Parallel_if_available_tag>(curve, thickness, np);
+  } catch(const curves::Run_interrupted&) {
+  }
 }
 
 } // namespace
@@ -66,6 +107,7 @@ void report_shape(Report& report,
   report["linking_matrix"] = unless_interrupted([&] { return curves::linking_matrix(curve, np); });
   if(thickness > 0) {
     report["thickness"] = thickness;
+    measure_strands(report, curve, thickness, np);
     constexpr double cap = 2; // in units of the thickness: many spheres touch nothing at all
     constexpr std::size_t directions = 16;
     report["medial_radius"] = unless_interrupted(

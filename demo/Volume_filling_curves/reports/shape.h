@@ -8,14 +8,14 @@
 #define VFC_SHAPE_H
 
 #include "files/curve_files.h"
+#include "reports/Report.h"
 
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 
+#include <array>
 #include <functional>
 
 namespace vfc {
-
-class Report;
 
 // Reports the measures of the final curve of a command. A thickness of 0 stands for none. Measures
 // that are still missing when the progress function returns false are null.
@@ -24,6 +24,13 @@ void report_shape(
     const Curve& curve,
     double thickness,
     const std::function<bool(const CGAL::Volume_filling_curves::Run_progress&)>& progress = {});
+
+Report::Json coordinates(const Curve::Point_3& p);
+
+// Reports the least distance of two strands, and of the curve to a mesh, with their places. A
+// number that was not measured is null.
+void report_strands(Report& report, double distance, const std::array<Curve::Point_3, 2>& points);
+void report_wall(Report& report, double distance, const Curve::Point_3& point);
 
 } // namespace vfc
 

@@ -164,6 +164,14 @@ public:
   // see `VolumeFillingDomainWithSurface_3`
   void shorten(internal::Planar_rays& rays) const { m_faces->shorten(rays); }
 
+  // the distance of a segment inside to the surface, and the place on the segment, from 0 to 1
+  std::pair<double, double> distance_of_segment(const Point_3& p, const Point_3& q) const
+  {
+    const auto [d2, place] =
+        m_faces->nearest_to_segment(internal::to_vector(p), internal::to_vector(q));
+    return {std::sqrt(d2), place};
+  }
+
   // the corners of all faces
   const std::vector<internal::Corners>& corners() const { return m_faces->corners(); }
   /// \endcond

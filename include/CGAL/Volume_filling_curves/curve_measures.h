@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/unit_direction.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Linking_numbers.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Crowding.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
@@ -26,6 +27,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -74,6 +76,40 @@ struct Curve_measures
 
   /// see `linking_matrix()`
   std::vector<std::vector<int>> linking_matrix;
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief The struct `Tightest_bend` is the corner of a curve with the least bend radius.
+ */
+struct Tightest_bend
+{
+  /// see `min_bend_radius()`
+  double radius;
+
+  /// the node, the first one of several; `(std::size_t)-1` if the curve has no corners
+  std::size_t node;
+};
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesMeasures
+ *
+ * \brief The struct `Strand_distance_3` is the least distance of two strands of a curve.
+ *
+ * \tparam Point_3 the type of points
+ */
+template <typename Point_3>
+struct Strand_distance_3
+{
+  /// the distance, in the input's unit; infinity if there is only one strand
+  double distance;
+
+  /// the two edges, `(std::size_t)-1` if there are none
+  std::array<std::size_t, 2> edges;
+
+  /// a point of each that is nearest to the other
+  std::array<Point_3, 2> points;
 };
 
 /// \addtogroup PkgVolumeFillingCurvesMeasures
@@ -132,6 +168,14 @@ template <typename Traits>
 [[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
 {
   return internal::least_bend_radius(curve);
+}
+
+/// returns the corner with the least bend radius, see `min_bend_radius()`. Linear time.
+template <typename Traits>
+[[nodiscard]] Tightest_bend tightest_bend(const Curve_network_3<Traits>& curve)
+{
+  const internal::Corner corner = internal::tightest_corner(curve);
+  return {corner.bend_radius, corner.node};
 }
 
 /// returns for each node the reciprocal of its bend radius, see `min_bend_radius()`; 0 at ends and
@@ -212,6 +256,67 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 {
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::Least_clearance<Curve_network_3<Traits>>(curve, CGAL_PI * r)(watch);
+  });
+}
+
+/*!
+ * returns the least distance of two strands, and where it is: `min_clearance()` with its places,
+ * for a thickness that may vary.
+ *
+ * Two edges belong to different strands if they are of different components, or at least
+ * \f$\pi r\f$ of the curve lies between them. Where r varies, that of a pair is the mean of the
+ * values in the middles of both edges. Near-linear time in the number of nodes for curves with
+ * evenly spaced nodes.
+ *
+ * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
+ *
+ * \param curve the curve
+ * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ * \param np \vfcNamedParams{Progress_signature}
+ *
+ * \throws Run_interrupted if that returns `false`
+ */
+template <typename Traits,
+          typename Thickness,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] Strand_distance_3<typename Traits::Point_3> min_strand_distance(
+    const Curve_network_3<Traits>& curve,
+    const Thickness& thickness,
+    const NamedParameters& np = parameters::default_values())
+{
+  const auto [distance, edges, points] = internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::Crowding(curve, thickness).closest(watch);
+  });
+  return {distance,
+          edges,
+          {internal::to_point(points[0], curve.traits()),
+           internal::to_point(points[1], curve.traits())}};
+}
+
+/*!
+ * returns the share of the length that another strand comes nearer to than r, by whole edges: 0 for
+ * a curve that keeps its thickness. Strands are those of `min_strand_distance()`. Near linear in
+ * the number of nodes and of pairs of edges nearer than r.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
+ *
+ * \param curve the curve
+ * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ * \param np \vfcNamedParams{Progress_signature}
+ *
+ * \throws Run_interrupted if that returns `false`
+ */
+template <typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename Traits,
+          typename Thickness,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] double crowded_fraction(const Curve_network_3<Traits>& curve,
+                                      const Thickness& thickness,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    return internal::Crowding(curve, thickness).template fraction<ConcurrencyTag>(watch);
   });
 }
 

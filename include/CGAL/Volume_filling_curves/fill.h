@@ -90,19 +90,20 @@ auto fill(Curve_network_3<Traits>& curves,
  * domain is too thin for r, the visitor's `on_thin_domain()` is called first.
  *
  * The curve settles at about r from the boundary with `Wall::COVER` and at about 2 r with
- * `Wall::KEEP_CLEAR`; strands settle at about 2 r from one another. On nine domains, 79 to 80 % of
- * the volume ended within r of the curve and 99 % within 1.4 r. If every point must lie within d of
- * the curve, use r = d / 1.4.
+ * `Wall::KEEP_CLEAR`. On nine domains, 79 to 80 % of the volume ended within r of the curve and 99
+ * % within 1.4 r. If every point must lie within d of the curve, use r = d / 1.4. The distance to
+ * the nearest strand is 1.66 r to 1.77 r at the median. The result has the least distances, the
+ * tightest bend, and the share of the length that another strand comes nearer to than r.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
  * areas replace volumes; 93 to 95 % of the area ended within r of the curve and 99 % within 1.2 r.
  *
  * The run ends when the curve has settled at the required thickness and has been pushed into every
  * empty region. A settled curve need not fill its domain: if more than 1 % of the volume is farther
- * than 2 r from it, the status is `Filling_status::PARTIAL`, and `Filling_result::reason` states
- * the cause. Towards the end each step is a fifth shorter than the one before; otherwise the curve
- * keeps oscillating. Until the last steps, edges may be up to 1.5 times as long as `spacing`
- * requires, which saves time.
+ * than 2 r from it, or another strand nearer than r along more than 5 % of its length, the status
+ * is `Filling_status::PARTIAL`, and `Filling_result::reason` states the cause. Towards the end each
+ * step is a fifth shorter than the one before; otherwise the curve keeps oscillating. Until the
+ * last steps, edges may be up to 1.5 times as long as `spacing` requires, which saves time.
  *
  * The time limit includes the survey of the domain, which then takes fewer samples, and the
  * measures of the result, which are then skipped. A step that is expected to end after the limit is

@@ -9,6 +9,7 @@
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,52 @@ TEST(Fill, keeps_the_ends_of_a_curve_between_two_ports)
   EXPECT_EQ(curve.point(curve.number_of_nodes() - 1), b);
   expect_inside(curve, box);
   EXPECT_GT(coverage(curve, box, 0.12).fraction_within_r, 0.7);
+}
+
+TEST(Fill, returns_the_least_distances_of_its_curve)
+{
+  const Ball large(Point(0, 0, 0), 1024); // filled in another unit
+  Curve curve;
+  const auto result = vfc::fill(curve, large, np::thickness(300));
+  const auto bend = vfc::tightest_bend(curve);
+  EXPECT_EQ(result.min_bend_radius, bend.radius);
+  EXPECT_EQ(result.tightest_node, bend.node);
+  const auto strands = vfc::min_strand_distance(curve, 300);
+  EXPECT_EQ(result.min_strand_distance, strands.distance);
+  EXPECT_EQ(result.closest_points, strands.points);
+  const auto wall = vfc::min_wall_distance(curve, large);
+  EXPECT_EQ(result.min_wall_distance, wall.distance);
+  EXPECT_EQ(result.point_nearest_to_wall, wall.point);
+  EXPECT_EQ(result.crowded_fraction, vfc::crowded_fraction(curve, 300));
+}
+
+TEST(Fill, is_partial_where_it_is_crowded_and_not_with_the_thickness_that_fits)
+{
+  const Box rod(Point(0, 0, 0), Point(2, 0.2, 0.2));
+  Curve curve;
+  const auto result = vfc::fill(curve, rod, np::thickness(0.12));
+  ASSERT_GT(result.crowded_fraction, 0.05);
+  EXPECT_LE(result.unfilled_fraction, 0.01);
+  EXPECT_EQ(result.status, Filling_status::PARTIAL);
+  EXPECT_NE(result.reason.find(" % of the length, r = 0.0849 would leave them room"),
+            std::string::npos)
+      << result.reason;
+  Curve thinner;
+  const auto fitting = vfc::fill(thinner, rod, np::thickness(0.0849));
+  EXPECT_EQ(fitting.status, Filling_status::CONVERGED);
+  EXPECT_EQ(fitting.reason, "");
+}
+
+TEST(Fill, names_the_walls_that_crowd_it)
+{
+  const Box plate(Point(0, 0, 0), Point(2, 2, 0.2));
+  Curve curve;
+  const auto result = vfc::fill(curve, plate, np::thickness(0.15));
+  ASSERT_GT(result.crowded_fraction, 0.05);
+  EXPECT_EQ(result.status, Filling_status::PARTIAL);
+  EXPECT_NE(result.reason.find("r = 0.075 would fit; strands are nearer than r along"),
+            std::string::npos)
+      << result.reason;
 }
 
 TEST(Fill, is_reproducible_and_scales)

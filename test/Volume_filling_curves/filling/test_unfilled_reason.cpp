@@ -20,6 +20,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 // Reasons for what a curve has left empty are true.
@@ -70,7 +71,9 @@ TEST(Unfilled_reason, is_no_neck_in_a_convex_box)
                                     .direction_weight(50));
   ASSERT_EQ(result.status, Filling_status::PARTIAL);
   ASSERT_EQ(result.empty_regions.size(), 2u);
-  EXPECT_EQ(result.reason, "the curve did not reach 2 empty regions");
+  EXPECT_GT(result.crowded_fraction, 0.05); // strands stay together that cannot turn
+  EXPECT_NE(result.reason.find("; the curve did not reach 2 empty regions"), std::string::npos)
+      << result.reason;
 }
 
 // Two cubes of side 1 that a neck of width 0.02 joins.

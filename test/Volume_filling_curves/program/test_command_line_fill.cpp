@@ -69,6 +69,28 @@ TEST_F(Command_line_fill, what_was_not_measured_is_null_and_a_dash)
   EXPECT_TRUE(json("r.json")["empty_regions"].is_array()) << "there was time";
 }
 
+TEST_F(Command_line_fill, the_report_the_last_line_and_measure_have_the_least_distances)
+{
+  make_cube();
+  const Finished fill = run("fill cube.off -o c.obj --thickness 0.6 --report r.json");
+  EXPECT_NE(fill.out.find("\nbend radius 0."), std::string::npos) << fill.out;
+  EXPECT_NE(fill.out.find(" away at the least; nearer than r "), std::string::npos) << fill.out;
+  const Json filled = json("r.json");
+  run("measure c.obj cube.off --thickness 0.6 --report m.json");
+  const Json measured = json("m.json");
+  for(const char* key : {"min_bend_radius", "min_strand_distance", "min_wall_distance"}) {
+    EXPECT_GT(filled[key], 0.01) << key;
+    EXPECT_NEAR(filled[key], measured[key], 1e-9) << key;
+  }
+  EXPECT_NEAR(filled["crowded_fraction"], measured["crowded_fraction"], 1e-9);
+  for(const char* key : {"min_bend_point", "min_wall_point"})
+    EXPECT_EQ(measured[key].size(), 3u) << key;
+  EXPECT_EQ(measured["min_strand_points"].size(), 2u);
+  run("measure c.obj --report n.json");
+  for(const char* key : {"min_strand_distance", "min_wall_distance", "crowded_fraction"})
+    EXPECT_TRUE(json("n.json")[key].is_null()) << key;
+}
+
 TEST_F(Command_line_fill, walls_are_not_called_thin_if_there_was_no_time_to_look)
 {
   make_cube();

@@ -69,16 +69,35 @@ std::vector<double> node_curvatures(const Network& curve)
   return curvatures;
 }
 
+// A corner of a curve, infinitely round if there is none.
+struct Corner
+{
+  double bend_radius = std::numeric_limits<double>::infinity();
+  std::size_t node = static_cast<std::size_t>(-1);
+};
+
+// The corner with the least bend radius in components without junctions, the first one of several.
+template <typename Network>
+Corner tightest_corner(const Network& curve)
+{
+  Corner tightest;
+  for(std::size_t c = 0; c < curve.number_of_components(); ++c) {
+    const std::vector<std::size_t> edges = edges_along(curve, c);
+    const auto take = [&](std::size_t in, std::size_t out) {
+      const double radius = bend_radius(edge_vector(curve, in), edge_vector(curve, out));
+      if(radius < tightest.bend_radius) tightest = {radius, curve.source(out)};
+    };
+    for(std::size_t i = 1; i < edges.size(); ++i) take(edges[i - 1], edges[i]);
+    if(curve.is_closed(c)) take(edges.back(), edges.front());
+  }
+  return tightest;
+}
+
 // The least bend radius at a node of a component without junctions; infinity if all are straight.
 template <typename Network>
 double least_bend_radius(const Network& curve)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for(std::size_t c = 0; c < curve.number_of_components(); ++c)
-    for_each_corner(curve, c, [&](const Vector& in, const Vector& out) {
-      least = (std::min)(least, bend_radius(in, out));
-    });
-  return least;
+  return tightest_corner(curve).bend_radius;
 }
 
 // The largest turning angle at a node of a closed component.

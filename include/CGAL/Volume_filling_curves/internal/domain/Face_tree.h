@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Planar_rays_query.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Ray_entry.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Vertical_ray.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/triangle_distance.h>
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
@@ -125,6 +126,15 @@ public:
     return query.nearest;
   }
 
+  // returns the squared distance of the segment ab to the surface, and where on the segment it is,
+  // from 0 to 1. \pre the segment does not meet the surface
+  std::pair<double, double> nearest_to_segment(const Vector& a, const Vector& b) const
+  {
+    Segment_query query{*this, a, b, to_bbox(Box(a).extend(b)), {nearest(a).squared_distance, 0}};
+    Nearest_first_descent<Segment_query>(m_tree, query).run();
+    return query.nearest;
+  }
+
   // returns the least t <= limit for which p + t u lies on the surface, or `limit`
   double distance_along(const Vector& p, const Vector& u, double limit) const
   {
@@ -207,6 +217,24 @@ private:
     {
       const double d2 = squared_distance_to_triangle(p, faces.m_corners[i], bound());
       if(d2 < bound()) nearest = {faces.m_faces[i], d2};
+    }
+  };
+
+  struct Segment_query
+  {
+    const Face_tree& faces;
+    Vector a, b;
+    Bbox_3 box;
+    std::pair<double, double> nearest; // the squared distance, and where on the segment
+
+    double bound() const { return nearest.first; }
+
+    double entry(const Bbox_3& other) const { return squared_distance_of_boxes(box, other); }
+
+    void visit(std::size_t i)
+    {
+      const auto found = nearest_to_triangle(a, b, faces.m_corners[i], bound());
+      if(found.first < bound()) nearest = found;
     }
   };
 

@@ -57,6 +57,18 @@ struct Has_surface<
                 decltype(std::declval<const Domain&>().part_boxes())>> : std::true_type
 {};
 
+// a domain that measures the distance of whole segments to its boundary
+template <typename Domain, typename = void>
+struct Measures_segments : std::false_type
+{};
+
+template <typename Domain>
+struct Measures_segments<Domain,
+                         std::void_t<decltype(std::declval<const Domain&>().distance_of_segment(
+                             std::declval<const typename Domain::Point_3&>(),
+                             std::declval<const typename Domain::Point_3&>()))>> : std::true_type
+{};
+
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL

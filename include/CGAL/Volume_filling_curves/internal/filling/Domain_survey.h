@@ -136,10 +136,20 @@ public:
     fit.thickness = m_thickness.number();
     fit.thin_fraction = walls.fraction(1);
     const bool is_thin = fit.thin_fraction > tolerated_unfilled_fraction;
-    fit.fitting_thickness = fit.thickness * (is_thin ? walls.fitting_scale() : 1);
+    fit.fitting_thickness = is_thin ? uncrowded_thickness() : fit.thickness;
     if(m_watch.must_stop())
       fit.thin_fraction = fit.fitting_thickness = std::numeric_limits<double>::quiet_NaN();
     return fit;
+  }
+
+  // returns the thickness that leaves strands room to keep it from one another, the one that is
+  // asked for if it does
+  double uncrowded_thickness() const
+  {
+    const Thin_walls walls(m_samples, m_distances.up_to_limit(), m_thickness, m_watch,
+                           uncrowded_width);
+    const bool is_crowded = walls.fraction(1) > tolerated_unfilled_fraction;
+    return m_thickness.number() * (is_crowded ? walls.fitting_scale() : 1);
   }
 
 private:

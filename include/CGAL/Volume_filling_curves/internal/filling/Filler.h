@@ -181,8 +181,7 @@ private:
   Filling_status status_of_settled(const Result& result) const
   {
     if(misses_length()) return Filling_status::LENGTH_NOT_REACHED;
-    return result.unfilled_fraction > tolerated_unfilled_fraction ? Filling_status::PARTIAL
-                                                                  : Filling_status::CONVERGED;
+    return is_partial(result) ? Filling_status::PARTIAL : Filling_status::CONVERGED;
   }
 
   Result result() const

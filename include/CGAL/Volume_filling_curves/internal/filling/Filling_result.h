@@ -13,7 +13,9 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -28,7 +30,8 @@ enum class Filling_status
 {
   CONVERGED,          ///< the curve has settled, was pushed into every empty region, and at most 1
                       ///< % of the volume is farther than 2 r from it
-  PARTIAL,            ///< like `CONVERGED`, but more of the volume is farther;
+  PARTIAL,            ///< like `CONVERGED`, but more of the volume is farther, or another strand is
+                      ///< nearer than r along more than 5 % of the length;
                       ///< `Filling_result::reason` states the cause
   LENGTH_NOT_REACHED, ///< the curve has settled with a length more than 2 % off the required one
   LIMIT,              ///< the limit of iterations or of time was reached
@@ -99,6 +102,23 @@ struct Filling_result
   /// whether there was time to search for empty regions
   bool are_empty_regions_known = false;
 
+  /// the least bend radius of the curve, see `tightest_bend()`; NaN, as the following, if there was
+  /// no time to measure it
+  double min_bend_radius = std::numeric_limits<double>::quiet_NaN();
+  std::size_t tightest_node = static_cast<std::size_t>(-1); ///< the node of the curve that has it
+
+  /// the least distance of two strands, see `min_strand_distance()`
+  double min_strand_distance = std::numeric_limits<double>::quiet_NaN();
+  /// the point of each that is nearest to the other
+  std::array<Point_3, 2> closest_points = {Point_3(0, 0, 0), Point_3(0, 0, 0)};
+
+  /// the least distance of the curve to the boundary, see `min_wall_distance()`
+  double min_wall_distance = std::numeric_limits<double>::quiet_NaN();
+  Point_3 point_nearest_to_wall = Point_3(0, 0, 0); ///< the point of the curve that has it
+
+  /// the share of the length that another strand comes nearer to than r, see `crowded_fraction()`
+  double crowded_fraction = std::numeric_limits<double>::quiet_NaN();
+
   /// the number of connected parts of the inside that are wide enough for a curve, see `fill()`
   std::size_t parts = 0;
 
@@ -108,8 +128,9 @@ struct Filling_result
   /// the fit of the initial thickness to the domain
   Thickness_fit thickness_fit;
 
-  /// the reason, in English, why more than 1 % of the volume is farther than 2 r from the curve, if
-  /// the status is `PARTIAL` or `STALLED`; otherwise empty
+  /// the reason, in English, why more than 1 % of the volume is farther than 2 r from the curve, or
+  /// another strand nearer than r along more than 5 % of the length, if the status is `PARTIAL` or
+  /// `STALLED`; otherwise empty
   std::string reason;
 
   /// the circles that the run started from if no curve was given, as polylines whose last point

@@ -202,11 +202,13 @@ private:
     result.start = m_circles;
     const bool has_ended_early =
         result.status != Filling_status::PARTIAL && result.status != Filling_status::STALLED;
-    if(has_ended_early || !(result.unfilled_fraction > tolerated_unfilled_fraction))
+    if(has_ended_early || !is_partial(result))
       return scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
     const Missed_regions missed = missed_regions(result);
+    const bool is_crowded = result.crowded_fraction > tolerated_crowded_fraction;
+    const double uncrowded = is_crowded ? m_unit * m_survey.uncrowded_thickness() : 0;
     scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
-    result.reason = unfilled_reason(result, missed);
+    result.reason = unfilled_reason(result, missed, uncrowded);
   }
 
   Missed_regions missed_regions(const Result& result) const

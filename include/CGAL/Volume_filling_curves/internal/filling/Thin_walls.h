@@ -33,6 +33,11 @@ namespace internal {
 // of 1.5 times half their own, rods up to 1.2 times (2026-11-22).
 constexpr double needed_width = 0.8;
 
+// The same for strands that keep r from one another: in plates of thickness 2 r, 2 to 8 % of the
+// length has nearer strands, in those of 2.5 r 1 %; in square rods of width 2 r 72 %, of 2.5 r
+// none.
+constexpr double uncrowded_width = 1.1;
+
 // The share of a domain that is too thin for a thickness. For each of some samples, the nearby
 // sample with the largest ball is chosen, and the ball ascends; if it stays smaller than a curve
 // needs, the sample lies in walls that are too thin. Takes hardly
@@ -47,13 +52,19 @@ class Thin_walls
 
 public:
   // Takes the distances of the samples to the boundary, those up to `needed_width` times the
-  // largest thickness at least, and the thickness as a function of the point. Once the run is to
-  // stop no further samples are looked at.
+  // largest thickness at least, the thickness as a function of the point, and the radius of the
+  // ball that a curve needs, in units of the thickness. Once the run is to stop no further samples
+  // are looked at.
   Thin_walls(const Samples& samples,
              const std::vector<double>& distances,
              const Thickness<Point_3>& thickness,
-             Run_watch& watch)
-      : m_samples(samples), m_thickness(thickness), m_watch(watch)
+             Run_watch& watch,
+             double width = needed_width)
+      : m_samples(samples),
+        m_thickness(thickness),
+        m_watch(watch),
+        m_width(width),
+        m_reach(reach_of_ball * width)
   {
     std::vector<std::size_t> order(distances.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -88,8 +99,8 @@ public:
   }
 
 private:
-  // The center of a ball of that width that touches the walls of a corner is 1.39 r from it.
-  static constexpr double reach = 1.5; // in units of r
+  // The center of a ball that touches the walls of a corner is 1.73 of its radii from it.
+  static constexpr double reach_of_ball = 1.5 / 0.8; // in units of its radius
   // If of that many balls around samples none has that part of the needed width, none will get it.
   static constexpr int many = 8;
   static constexpr double hopeful = 0.6;
@@ -108,16 +119,16 @@ private:
 
   bool has_room(const Vector& p, double r) const
   {
-    const auto is_near = [&](const Ball& ball) { return (ball.center - p).norm() <= reach * r; };
+    const auto is_near = [&](const Ball& ball) { return (ball.center - p).norm() <= m_reach * r; };
     auto near = std::find_if(m_balls.begin(), m_balls.end(), is_near);
     Ball ball = *near; // p itself is among them
-    const double needed = needed_width * r;
+    const double needed = m_width * r;
     if(ball.radius >= needed) return true;
     for(int k = 1; k < many && near != m_balls.end(); ++k)
       near = std::find_if(near + 1, m_balls.end(), is_near);
     if(near != m_balls.end() && ball.radius < hopeful * needed) return false;
     for(double step = r / 2; step > last_step * r && ball.radius < needed;)
-      if(!ascend(ball, p, step, reach * r)) step /= 2;
+      if(!ascend(ball, p, step, m_reach * r)) step /= 2;
     return ball.radius >= needed;
   }
 
@@ -148,7 +159,8 @@ private:
   const Samples& m_samples;
   const Thickness<Point_3>& m_thickness;
   Run_watch& m_watch;
-  std::vector<Ball> m_balls; // around the samples, the largest first
+  const double m_width, m_reach; // in units of the thickness
+  std::vector<Ball> m_balls;     // around the samples, the largest first
 };
 
 } // namespace internal

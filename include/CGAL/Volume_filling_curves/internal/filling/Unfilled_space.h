@@ -40,6 +40,8 @@ class Unfilled_space
   using Domain = std::decay_t<decltype(std::declval<const Samples&>().domain())>;
 
 public:
+  using Concurrency_tag = ConcurrencyTag;
+
   static constexpr double cell_of_paths = 0.5; // in units of the thickness
 
   using Distances = Boundary_distances<Domain>;

@@ -39,6 +39,10 @@ inline double thickness_of_planar_filling(double area, double length)
 // Largest share of the volume that may be farther than 2 r from the curve in a filled domain.
 constexpr double tolerated_unfilled_fraction = 0.01;
 
+// The largest share of the length that another strand comes nearer to than r with which a domain
+// counts as filled.
+constexpr double tolerated_crowded_fraction = 0.05;
+
 } // namespace internal
 
 /*!

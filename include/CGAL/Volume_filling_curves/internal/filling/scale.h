@@ -64,6 +64,11 @@ void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
   result.thickness *= factor;
   result.default_thickness *= factor;
   result.medial_radius *= factor;
+  result.min_bend_radius *= factor;
+  result.min_strand_distance *= factor;
+  for(Point_3& p : result.closest_points) p = scaled(p, factor, traits);
+  result.min_wall_distance *= factor;
+  result.point_nearest_to_wall = scaled(result.point_nearest_to_wall, factor, traits);
   scale(result.thickness_fit, factor);
   for(auto& region : result.empty_regions) {
     region.point = scaled(region.point, factor, traits);

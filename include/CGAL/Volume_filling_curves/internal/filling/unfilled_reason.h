@@ -10,8 +10,12 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Crowding.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/text/counted.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
@@ -27,7 +31,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Reason, in English, why more of a domain than tolerated is farther than 2 r from the curve.
+// Reason, in English, why more of a domain than tolerated is farther than 2 r from the curve, or
+// more of the curve nearer than r to another strand.
+
+// returns whether there must be one
+template <typename Result>
+bool is_partial(const Result& result)
+{
+  return result.unfilled_fraction > tolerated_unfilled_fraction ||
+         result.crowded_fraction > tolerated_crowded_fraction;
+}
 
 // returns the number with three digits
 inline std::string rounded(double number)
@@ -44,6 +57,16 @@ inline std::string too_thin(const Thickness_fit& fit)
          " % of the volume, r = " + rounded(fit.fitting_thickness) + " would fit";
 }
 
+// Names a thickness that fits, if there is one and none is named yet.
+template <typename Result>
+std::string crowded(const Result& result, double fitting_thickness, bool is_named)
+{
+  const std::string text = "strands are nearer than r along " +
+                           rounded(100 * result.crowded_fraction) + " % of the length";
+  if(is_named || !(fitting_thickness < result.thickness_fit.thickness)) return text;
+  return text + ", r = " + rounded(fitting_thickness) + " would leave them room";
+}
+
 // The empty regions in those parts of the inside that hold a curve.
 struct Missed_regions
 {
@@ -51,8 +74,11 @@ struct Missed_regions
   std::size_t others = 0;
 };
 
+// Takes also the thickness that leaves strands room, used if the curve is crowded.
 template <typename Point_3>
-std::string unfilled_reason(const Filling_result<Point_3>& result, const Missed_regions& missed)
+std::string unfilled_reason(const Filling_result<Point_3>& result,
+                            const Missed_regions& missed,
+                            double uncrowded_thickness)
 {
   std::string reason;
   const auto add = [&](const std::string& text) { reason += (reason.empty() ? "" : "; ") + text; };
@@ -60,8 +86,10 @@ std::string unfilled_reason(const Filling_result<Point_3>& result, const Missed_
   if(result.unreachable_parts > 0)
     add("no curve was started in " + std::to_string(result.unreachable_parts) + " of " +
         counted(result.parts, "part") + " of the inside");
-  if(result.thickness_fit.thin_fraction > tolerated_unfilled_fraction)
-    add(too_thin(result.thickness_fit));
+  const bool is_thin = result.thickness_fit.thin_fraction > tolerated_unfilled_fraction;
+  if(is_thin) add(too_thin(result.thickness_fit));
+  if(result.crowded_fraction > tolerated_crowded_fraction)
+    add(crowded(result, uncrowded_thickness, is_thin));
   if(missed.behind_necks > 0)
     add("the curve did not get through a neck narrower than r to " +
         counted(missed.behind_necks, "empty region"));
@@ -69,8 +97,34 @@ std::string unfilled_reason(const Filling_result<Point_3>& result, const Missed_
   return reason.empty() ? "gaps between strands or along the boundary are wide" : reason;
 }
 
-// Measures where a curve has got to, as far as there is time. A run that is to stop has a tenth of
-// a second for that, enough for 50,000 nodes. A share that is not measured is not a number.
+// Measures where a curve comes closest to itself and to the boundary of its domain.
+template <typename ConcurrencyTag,
+          typename Result,
+          typename Network,
+          typename Domain,
+          typename Thickness>
+void measure_shape(Result& result,
+                   const Network& curve,
+                   const Domain& domain,
+                   const Thickness& thickness)
+{
+  const auto point = [&](const Vector& p) { return to_point(p, curve.traits()); };
+  const Corner tightest = tightest_corner(curve);
+  result.min_bend_radius = tightest.bend_radius;
+  result.tightest_node = tightest.node;
+  const Crowding crowding(curve, thickness);
+  result.crowded_fraction = crowding.template fraction<ConcurrencyTag>();
+  const auto strands = crowding.closest();
+  result.min_strand_distance = strands.distance;
+  result.closest_points = {point(strands.points[0]), point(strands.points[1])};
+  const auto nearest = Least_depth<ConcurrencyTag, Network, Domain>(curve, domain)();
+  result.min_wall_distance = nearest.distance;
+  result.point_nearest_to_wall = point(nearest.point);
+}
+
+// Measures where a curve has got to, and how it lies there, as far as there is time. A run that is
+// to stop has a tenth of a second for that, enough for 50,000 nodes. A share that is not measured
+// is not a number.
 template <typename Result, typename Unfilled, typename Network, typename Thickness>
 void measure_filling(Result& result,
                      const Unfilled& unfilled,
@@ -88,6 +142,8 @@ void measure_filling(Result& result,
     result.coverage = coverage(unfilled.samples(), distances, thickness);
     result.unfilled_fraction = unfilled.fraction(distances, thickness);
     result.uncovered_fraction = unfilled_fraction(unfilled.samples(), distances, thickness);
+    measure_shape<typename Unfilled::Concurrency_tag>(result, curve, unfilled.samples().domain(),
+                                                      thickness);
     result.empty_regions = unfilled.regions(curve, distances, thickness);
     result.are_empty_regions_known = true;
   } catch(const Run_stopped&) {

@@ -13,6 +13,7 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace CGAL {
@@ -68,6 +69,17 @@ inline Bbox_3 to_bbox(const Box& box)
 {
   const Vector &low = box.min(), &high = box.max();
   return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+}
+
+// returns the squared distance of two boxes, 0 if they overlap
+inline double squared_distance_of_boxes(const Bbox_3& a, const Bbox_3& b)
+{
+  double sum = 0;
+  for(int i = 0; i < 3; ++i) {
+    const double gap = (std::max)({a.min(i) - b.max(i), b.min(i) - a.max(i), 0.});
+    sum += gap * gap;
+  }
+  return sum;
 }
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -39,6 +40,26 @@ inline double squared_distance_to_triangle(const Vector& p, const Corners& corne
   if(of_b > 0 && of_c > 0 && of_b + of_c < square) return height * height / square;
   return (std::min)({bound, squared_distance_to_segment(p, a, b),
                      squared_distance_to_segment(p, b, c), squared_distance_to_segment(p, c, a)});
+}
+
+// returns the squared distance of the segment ab to the triangle, which it does not meet, and the
+// place on the segment, from 0 to 1, if it is below `bound`, and else `bound`
+inline std::pair<double, double> nearest_to_triangle(const Vector& a,
+                                                     const Vector& b,
+                                                     const Corners& corners,
+                                                     double bound)
+{
+  std::pair<double, double> nearest = {squared_distance_to_triangle(a, corners, bound), 0};
+  const auto take = [&](double squared_distance, double place) {
+    if(squared_distance < nearest.first) nearest = {squared_distance, place};
+  };
+  take(squared_distance_to_triangle(b, corners, nearest.first), 1);
+  for(std::size_t i = 0; i < 3; ++i) {
+    const Vector &c = corners[i], &d = corners[(i + 1) % 3];
+    const double d2 = squared_segment_distance(a, b, c, d);
+    if(d2 < nearest.first) take(d2, nearest_points(a, b, c, d).first);
+  }
+  return nearest;
 }
 
 // returns the barycentric coordinates of the point of the triangle that is closest to p; they are

@@ -62,7 +62,7 @@ public:
       if(a.is_comparable(b) && m_spans.reach(a, b) < min_turning) return infinity;
       return shortest_critical_chord(e, f);
     };
-    return pairs.least(m_unit * bound, min_turning, distance, watch) / m_unit;
+    return pairs.nearest(m_unit * bound, min_turning, distance, watch).distance / m_unit;
   }
 
 private:

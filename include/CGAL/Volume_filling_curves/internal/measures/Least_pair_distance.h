@@ -17,7 +17,7 @@
 
 #include <CGAL/Bbox_3.h>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -40,13 +40,21 @@ public:
       : m_spans(spans), m_tree(boxes(curve, unit))
   {}
 
-  /* returns the least of `bound` and of `distance(e, f)` over all pairs of edges.
-   * Pieces of the curve with a `reach()` below `neighborhood` are passed over.
+  // Two edges, null ones if none are nearer than the bound.
+  struct Pair
+  {
+    double distance;
+    std::array<std::size_t, 2> edges = {Curve_interval::null, Curve_interval::null};
+  };
+
+  /* returns the pair of edges with the least `distance(e, f)` if that is below `bound`, and `bound`
+   * without edges otherwise. Pieces of the curve with a `reach()` below `neighborhood` are passed
+   * over.
    * \pre distance(e, f) is not below the distance of the boxes of e and f
    * \throws Run_stopped if a watch requests it
    */
   template <typename Distance>
-  double least(double bound,
+  Pair nearest(double bound,
                double neighborhood,
                const Distance& distance,
                Run_watch* watch = nullptr) const
@@ -54,7 +62,7 @@ public:
     check(watch);
     Query<Distance> query(m_spans, m_tree, neighborhood, distance, bound, watch);
     Nearest_pair_descent(m_tree, query).run();
-    return query.least();
+    return query.nearest();
   }
 
 private:
@@ -74,27 +82,27 @@ private:
           m_tree(tree),
           m_neighborhood(neighborhood),
           m_distance(distance),
-          m_least(bound),
+          m_nearest{bound},
           m_watch(watch)
     {}
 
-    double least() const { return m_least; }
-    double bound() const { return m_least * m_least; }
+    const Pair& nearest() const { return m_nearest; }
+    double bound() const { return m_nearest.distance * m_nearest.distance; }
 
     double entry(const Part& a, const Part& b) const
     {
       const Curve_interval first = span(a), second = span(b);
       if(first.is_comparable(second) && m_spans.reach(first, second) < m_neighborhood)
         return std::numeric_limits<double>::infinity();
-      return squared_distance(a.hull(), b.hull());
+      return squared_distance_of_boxes(a.hull(), b.hull());
     }
 
     void visit(const Part& a, const Part& b)
     {
       check_sometimes(m_watch, m_visits);
       m_tree.for_each_pair(a, b, [&](std::size_t e, std::size_t f) {
-        if(squared_distance(m_tree.box(e), m_tree.box(f)) < bound())
-          m_least = (std::min)(m_least, m_distance(e, f));
+        if(!(squared_distance_of_boxes(m_tree.box(e), m_tree.box(f)) < bound())) return;
+        if(const double d = m_distance(e, f); d < m_nearest.distance) m_nearest = {d, {e, f}};
       });
     }
 
@@ -104,21 +112,11 @@ private:
       return m_spans.of_edge[m_tree.first(part)].hull(m_spans.of_edge[m_tree.end(part) - 1]);
     }
 
-    static double squared_distance(const Bbox_3& a, const Bbox_3& b)
-    {
-      double sum = 0;
-      for(int i = 0; i < 3; ++i) {
-        const double gap = (std::max)({a.min(i) - b.max(i), b.min(i) - a.max(i), 0.});
-        sum += gap * gap;
-      }
-      return sum;
-    }
-
     const Curve_intervals& m_spans;
     const Box_tree& m_tree;
     double m_neighborhood;
     const Distance& m_distance;
-    double m_least;
+    Pair m_nearest;
     Run_watch* m_watch;
     unsigned m_visits = 0;
   };

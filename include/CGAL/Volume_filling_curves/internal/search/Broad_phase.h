@@ -42,7 +42,19 @@ public:
               const Vector_field& before,
               const Vector_field& after,
               double margin)
-      : m_tree(swept_boxes<ConcurrencyTag>(curve, before, after, margin / 2))
+      : m_tree(swept_boxes<ConcurrencyTag>(
+            curve, before, after, [margin](std::size_t) { return margin / 2; }))
+  {}
+
+  // Takes a margin for each edge; that of a pair is their mean.
+  template <typename ConcurrencyTag, typename Network>
+  Broad_phase(ConcurrencyTag,
+              const Network& curve,
+              const Vector_field& before,
+              const Vector_field& after,
+              const std::vector<double>& margins)
+      : m_tree(swept_boxes<ConcurrencyTag>(
+            curve, before, after, [&margins](std::size_t e) { return margins[e] / 2; }))
   {}
 
   // Returns the pairs (e, f), e > f, for which is_wanted(e, f), in an order that depends on neither
@@ -86,18 +98,18 @@ private:
 
   // The ends of an edge move one after the other (section 4.3 of the paper), in either order; the
   // box holds the triangles that it sweeps in both.
-  template <typename ConcurrencyTag, typename Network>
+  template <typename ConcurrencyTag, typename Network, typename Inflation>
   static std::vector<Bbox_3> swept_boxes(const Network& curve,
                                          const Vector_field& before,
                                          const Vector_field& after,
-                                         double margin)
+                                         const Inflation& inflation)
   {
     std::vector<Bbox_3> boxes(curve.number_of_edges());
     for_each_index<ConcurrencyTag>(boxes.size(), [&](std::size_t e) {
       Box box;
       for(const std::size_t v : {curve.source(e), curve.target(e)})
         box.extend(row(before, v)).extend(row(after, v));
-      boxes[e] = to_bbox(inflated(box, margin));
+      boxes[e] = to_bbox(inflated(box, inflation(e)));
     });
     return boxes;
   }

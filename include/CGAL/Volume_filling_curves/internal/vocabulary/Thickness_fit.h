@@ -30,9 +30,10 @@ struct Thickness_fit
   /// the share of the volume where the domain is too thin for r
   double thin_fraction = 0;
 
-  /// the thickness for which at most 1 % of the volume is too thin, to within a factor of 0.71, in
-  /// the input's unit; r itself if it fits. If r varies, multiply it by the ratio of this value to
-  /// `thickness`
+  /// a thickness t that leaves strands room to keep it from one another, to within a factor of
+  /// 0.71, in the input's unit: at most 1 % of the volume has no ball of radius 1.1 t with its
+  /// center within 2.1 t; r itself if the domain is not too thin for it. If r varies, multiply it
+  /// by the ratio of this value to `thickness`
   double fitting_thickness = 0;
 };
 
