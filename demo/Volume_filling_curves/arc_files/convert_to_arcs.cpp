@@ -11,7 +11,6 @@
 #include "files/mesh_files.h"
 #include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
-#include "options/counted.h"
 #include "options/numbers.h"
 #include "reports/containment.h"
 #include "session/Exit_status.h"

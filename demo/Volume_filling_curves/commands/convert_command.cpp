@@ -16,7 +16,6 @@
 #include "meshes/mesh_to_text.h"
 #include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
-#include "options/counted.h"
 #include "options/numbers.h"
 #include "resampling/resample.h"
 #include "session/Exit_status.h"

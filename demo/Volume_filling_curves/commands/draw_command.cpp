@@ -12,7 +12,6 @@
 #include "film/Film.h"
 #include "film/film_page.h"
 #include "film/frame_files.h"
-#include "film/three_js.h"
 #include "options/Command_line.h"
 #include "options/picture_option_texts.h"
 #include "pictures/curve_pictures.h"

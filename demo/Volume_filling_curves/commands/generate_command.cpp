@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "files/curve_files.h"
 #include "options/Command_line.h"
-#include "options/counted.h"
+#include "options/numbers.h"
 #include "reports/shape.h"
 #include "session/Exit_status.h"
 #include "session/errors.h"

@@ -6,7 +6,7 @@
 
 #include "film/Film.h"
 
-#include "formats/base64.h"
+#include "formats/binary_numbers.h"
 #include "pictures/Triangle_soup.h"
 #include "pictures/picture_colors.h"
 #include "pictures/strands.h"

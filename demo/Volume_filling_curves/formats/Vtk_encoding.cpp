@@ -6,7 +6,6 @@
 
 #include "formats/Vtk_encoding.h"
 
-#include "formats/base64.h"
 #include "formats/binary_numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>

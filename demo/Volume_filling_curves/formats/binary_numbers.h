@@ -10,7 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace vfc {
 
@@ -31,6 +34,27 @@ Real real_of(Pattern pattern)
   Real real;
   std::memcpy(&real, &pattern, sizeof real);
   return real;
+}
+
+// returns the bytes as text (RFC 4648)
+std::string base64(const std::string& bytes);
+
+// Returns the bytes that a text encodes, or none if base64() never writes this text.
+std::optional<std::string> bytes_of_base64(std::string_view text);
+
+// The same for the bytes of numbers of 32 bits, the least significant one first.
+template <typename Number>
+std::string base64(const std::vector<Number>& numbers)
+{
+  static_assert(sizeof(Number) == 4, "numbers of 32 bits");
+  std::string bytes;
+  bytes.reserve(4 * numbers.size());
+  for(const Number number : numbers) {
+    unsigned int bits;
+    std::memcpy(&bits, &number, sizeof bits);
+    for(int k = 0; k < 4; ++k) bytes += static_cast<char>(bits >> (8 * k) & 255);
+  }
+  return base64(bytes);
 }
 
 } // namespace vfc

@@ -6,7 +6,6 @@
 
 #include "formats/Ply_items.h"
 #include "formats/readers.h"
-#include "formats/triangle_strips.h"
 
 #include <algorithm>
 #include <array>

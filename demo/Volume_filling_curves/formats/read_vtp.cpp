@@ -7,7 +7,6 @@
 #include "formats/Vtk_encoding.h"
 #include "formats/Xml_scanner.h"
 #include "formats/readers.h"
-#include "formats/triangle_strips.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 

@@ -45,6 +45,18 @@ Curve_draft read_pdb(std::string_view text, Junctions junctions);
 // The faces of a surface, as indices of vertices; strips are cut into triangles.
 using Polygons = std::vector<std::vector<std::size_t>>;
 
+// Adds the triangles of a strip: each point forms one with its two predecessors, and every second
+// one is reversed. Triangles with a repeated corner, which only continue the strip elsewhere, are
+// left out.
+inline void add_strip(const std::vector<std::size_t>& strip, Polygons& polygons)
+{
+  for(std::size_t i = 2; i < strip.size(); ++i) {
+    const std::size_t odd = i % 2;
+    const std::size_t a = strip[i - 2 + odd], b = strip[i - 1 - odd], c = strip[i];
+    if(a != b && b != c && c != a) polygons.push_back({a, b, c});
+  }
+}
+
 // Read the vertices and the faces of a surface: in a PLY file the list vertex_indices, or
 // vertex_index, of the elements face and tristrips, in which -1 ends a strip of triangles.
 Curve_draft read_off_surface(std::string_view text, Polygons& polygons);

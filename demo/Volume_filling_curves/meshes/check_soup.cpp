@@ -4,9 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/check_soup.h"
+#include "meshes/mesh_checks.h"
 
-#include "options/counted.h"
+#include "options/numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
 

@@ -4,12 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/closed_surface.h"
+#include "meshes/mesh_checks.h"
 
-#include "meshes/is_closed_and_oriented.h"
-#include "meshes/self_intersections.h"
-#include "meshes/shells.h"
-#include "options/counted.h"
+#include "options/numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/domain/mesh_holes.h>
 

@@ -6,8 +6,7 @@
 
 #include "meshes/examine_mesh.h"
 
-#include "meshes/check_soup.h"
-#include "meshes/closed_surface.h"
+#include "meshes/mesh_checks.h"
 
 #include <cstddef>
 #include <numeric>

@@ -6,7 +6,7 @@
 
 #include "meshes/read_mesh_soup.h"
 
-#include "options/counted.h"
+#include "options/numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/self_intersections.h"
+#include "meshes/mesh_checks.h"
 
 #include <CGAL/Volume_filling_curves/internal/domain/intersecting_faces.h>
 

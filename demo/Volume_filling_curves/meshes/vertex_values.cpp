@@ -8,7 +8,6 @@
 
 #include "formats/readers.h"
 #include "meshes/read_mesh_soup.h"
-#include "options/counted.h"
 #include "options/numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>

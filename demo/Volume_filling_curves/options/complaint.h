@@ -14,6 +14,10 @@
 
 namespace vfc {
 
+// Returns the name closest to a typed one, by letters inserted, left out, replaced or swapped with
+// the next; empty if more than a third of its letters would change.
+std::string meant_name(const std::string& typed, const std::vector<std::string>& names);
+
 // returns the message about arguments that the program cannot parse, with the name of the command
 // or the option that was probably meant
 std::string complaint(const CLI::ParseError& error,

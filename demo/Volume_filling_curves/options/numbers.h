@@ -7,11 +7,15 @@
 #ifndef VFC_NUMBERS_H
 #define VFC_NUMBERS_H
 
+#include <CGAL/Volume_filling_curves/internal/text/counted.h>
+
 #include <string>
 
 namespace vfc {
 
 // Numbers as text, and back, whatever the locale.
+
+using CGAL::Volume_filling_curves::internal::counted;
 
 // returns a number for humans, with 6 significant digits
 std::string to_text(double number);

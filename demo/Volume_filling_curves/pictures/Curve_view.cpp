@@ -6,7 +6,7 @@
 
 #include "pictures/Curve_view.h"
 
-#include "pictures/Half_space.h"
+#include "pictures/cuts.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -32,6 +32,11 @@ struct Triangle_soup
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
+// The normals with which a surface is shaded, three per triangle: the mean of those of the
+// triangles around the corner that are not beyond a crease. Linear time for vertices of bounded
+// degree.
+std::vector<Vector> corner_normals(const Triangle_soup& soup);
+
 } // namespace vfc
 
 #endif // VFC_TRIANGLE_SOUP_H

@@ -7,15 +7,13 @@
 #include "pictures/curve_pictures.h"
 
 #include "pictures/Annotation.h"
-#include "pictures/Half_space.h"
 #include "pictures/Picture_shader.h"
 #include "pictures/Scene_raster.h"
 #include "pictures/Stroke_layers.h"
 #include "pictures/Svg_painter.h"
-#include "pictures/corner_normals.h"
-#include "pictures/crease_paths.h"
+#include "pictures/Triangle_soup.h"
 #include "pictures/cuts.h"
-#include "pictures/silhouette_path.h"
+#include "pictures/surface_paths.h"
 #include "pictures/svg_number.h"
 
 #include <Eigen/Core>

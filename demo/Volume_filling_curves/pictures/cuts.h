@@ -8,14 +8,35 @@
 #define VFC_CUTS_H
 
 #include "pictures/Drawn_curve.h"
-#include "pictures/Half_space.h"
+#include "pictures/Picture_options.h"
 #include "pictures/Triangle_soup.h"
+#include "pictures/Vector.h"
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace vfc {
+
+// The points p of the picture with normal * p <= offset. The normal has the length 1.
+struct Half_space
+{
+  // how far a point is outside, negative if it is inside
+  double height(const Vector& p) const { return normal.dot(p) - offset; }
+
+  Vector normal;
+  double offset;
+};
+
+// Returns the half-space that a cut along a plane leaves: the viewer's side, in the direction of z,
+// is removed; if the plane is seen edge-on, the side of its normal is removed. \pre the normal has
+// length 1
+inline Half_space side_kept(const Plane& plane)
+{
+  constexpr double edge_on = 1e-9;
+  if(plane.normal.z() < -edge_on) return {-plane.normal, -plane.offset};
+  return {plane.normal, plane.offset};
+}
 
 // Keeps the part in the half-space; strands that are cut get new ends.
 void cut(Drawn_curve& curve, const Half_space& half_space);

@@ -6,7 +6,7 @@
 
 #include "repair/Face_selection.h"
 
-#include "meshes/self_intersections.h"
+#include "meshes/mesh_checks.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 
 #include "repair/repair_steps.h"
 
-#include "options/counted.h"
+#include "options/numbers.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

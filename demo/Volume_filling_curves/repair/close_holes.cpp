@@ -8,7 +8,6 @@
 
 #include "meshes/examine_mesh.h"
 #include "meshes/mesh_size.h"
-#include "options/counted.h"
 #include "options/numbers.h"
 
 #include <CGAL/Volume_filling_curves/internal/domain/mesh_holes.h>

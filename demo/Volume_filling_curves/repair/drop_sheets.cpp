@@ -6,7 +6,7 @@
 
 #include "repair/repair_steps.h"
 
-#include "options/counted.h"
+#include "options/numbers.h"
 #include "repair/shells_apart.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

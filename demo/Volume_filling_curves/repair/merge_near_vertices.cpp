@@ -8,7 +8,7 @@
 
 #include "meshes/examine_mesh.h"
 #include "meshes/mesh_size.h"
-#include "options/counted.h"
+#include "options/numbers.h"
 #include "repair/Groups.h"
 
 #include <CGAL/box_intersection_d.h>

@@ -6,7 +6,7 @@
 
 #include "repair/repair_steps.h"
 
-#include "options/counted.h"
+#include "options/numbers.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>

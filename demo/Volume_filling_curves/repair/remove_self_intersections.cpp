@@ -8,7 +8,7 @@
 
 #include "meshes/examine_mesh.h"
 #include "meshes/mesh_size.h"
-#include "options/counted.h"
+#include "options/numbers.h"
 #include "repair/Face_selection.h"
 #include "repair/shells_apart.h"
 #include "repair/surface_distance.h"

@@ -6,8 +6,8 @@
 
 #include "repair/repair_steps.h"
 
-#include "meshes/self_intersections.h"
-#include "options/counted.h"
+#include "meshes/mesh_checks.h"
+#include "options/numbers.h"
 #include "repair/Groups.h"
 #include "repair/combined_shells.h"
 #include "repair/shells_apart.h"

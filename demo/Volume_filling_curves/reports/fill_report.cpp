@@ -6,7 +6,6 @@
 
 #include "reports/fill_report.h"
 
-#include "options/counted.h"
 #include "options/numbers.h"
 #include "reports/containment.h"
 #include "reports/coverage_report.h"

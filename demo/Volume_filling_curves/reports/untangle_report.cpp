@@ -6,7 +6,6 @@
 
 #include "reports/untangle_report.h"
 
-#include "options/counted.h"
 #include "options/numbers.h"
 #include "session/Session.h"
 

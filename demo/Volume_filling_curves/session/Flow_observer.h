@@ -8,7 +8,6 @@
 #define VFC_FLOW_OBSERVER_H
 
 #include "files/Frames.h"
-#include "options/counted.h"
 #include "options/numbers.h"
 #include "session/Progress.h"
 #include "session/Session.h"

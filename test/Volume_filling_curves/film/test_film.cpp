@@ -6,7 +6,7 @@
 
 #include "film/Film.h"
 #include "film/film_page.h"
-#include "formats/base64.h"
+#include "formats/binary_numbers.h"
 
 #include <CGAL/boost/graph/generators.h>
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "formats/base64.h"
+#include "formats/binary_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #ifndef VFC_TEST_WORDS_OF_MESHES_H
 #define VFC_TEST_WORDS_OF_MESHES_H
 
-#include "formats/base64.h"
+#include "formats/binary_numbers.h"
 
 #include <zlib.h>
 

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "meshes/is_closed_and_oriented.h"
+#include "meshes/mesh_checks.h"
 
 #include "support/mesh_test_support.h"
 

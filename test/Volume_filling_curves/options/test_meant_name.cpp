@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "options/meant_name.h"
+#include "options/complaint.h"
 
 #include <gtest/gtest.h>
 

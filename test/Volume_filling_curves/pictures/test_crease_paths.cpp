@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "pictures/crease_paths.h"
 #include "pictures/curve_pictures.h"
+#include "pictures/surface_paths.h"
 
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/number_type_config.h>

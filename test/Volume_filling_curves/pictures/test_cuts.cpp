@@ -6,7 +6,7 @@
 
 #include "options/picture_option_texts.h"
 #include "pictures/cuts.h"
-#include "pictures/silhouette_path.h"
+#include "pictures/surface_paths.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/boost/graph/generators.h>

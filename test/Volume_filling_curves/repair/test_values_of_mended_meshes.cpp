@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "options/values_at_vertices.h"
+#include "options/vertex_fields.h"
 #include "support/repair_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Mesh_fields_3.h>

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef VFC_SILHOUETTE_PATH_H
-#define VFC_SILHOUETTE_PATH_H
+#ifndef VFC_SURFACE_PATHS_H
+#define VFC_SURFACE_PATHS_H
 
 #include "pictures/Triangle_soup.h"
 
@@ -29,6 +29,16 @@ using Directed_edges = std::set<std::pair<std::size_t, std::size_t>>;
 // Joins edges that follow one another to loops, as the path of an SVG file.
 std::string loops_path(Directed_edges edges, const std::vector<Vector>& points);
 
+// The edges at which a surface is creased, without those of its outline: paths of an SVG file.
+struct Crease_paths
+{
+  std::string front, back; // between faces that are turned to the viewer, and away from him
+};
+
+// Creases of a surface in picture coordinates. Without them a box looks like the hexagon that it
+// covers. Both are empty if there are so many creases that they would hide the curve. O(n log n).
+Crease_paths crease_paths(const Triangle_soup& surface);
+
 } // namespace vfc
 
-#endif // VFC_SILHOUETTE_PATH_H
+#endif // VFC_SURFACE_PATHS_H

@@ -4,10 +4,9 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "options/thickness_field.h"
+#include "options/vertex_fields.h"
 
 #include "meshes/vertex_values.h"
-#include "options/values_at_vertices.h"
 #include "session/errors.h"
 
 #include <CGAL/Volume_filling_curves/Mesh_fields_3.h>
@@ -28,6 +27,26 @@ Thickness read_thickness_field(const std::string& file, const Mesh_and_defects& 
   using Field = curves::Mesh_thickness_field_3<>;
   const auto field =
       std::make_shared<const Field>(mesh.mesh, values_at_vertices<Field>(mesh, values));
+  return [field](const Curve::Point_3& p) { return (*field)(p); };
+}
+
+bool is_vector(const std::string& text)
+{
+  std::array<double, 3> vector;
+  return parse_vector(text, vector);
+}
+
+Direction_field make_direction_field(const std::string& text, const Mesh_and_defects& mesh)
+{
+  std::array<double, 3> vector;
+  if(parse_vector(text, vector)) return [vector](const Curve::Point_3&) { return vector; };
+  Mesh_findings findings(text);
+  const auto vectors = read_vertex_vectors(text, {"direction_x", "direction_y", "direction_z"},
+                                           mesh.number_of_vertices_in_file, findings);
+  if(findings.has_error()) throw Input_error(findings.list(), "a vector for every vertex");
+  using Field = curves::Mesh_direction_field_3<>;
+  const auto field =
+      std::make_shared<const Field>(mesh.mesh, values_at_vertices<Field>(mesh, vectors));
   return [field](const Curve::Point_3& p) { return (*field)(p); };
 }
 

@@ -4,16 +4,37 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef VFC_VALUES_AT_VERTICES_H
-#define VFC_VALUES_AT_VERTICES_H
+#ifndef VFC_VERTEX_FIELDS_H
+#define VFC_VERTEX_FIELDS_H
 
+#include "files/curve_files.h"
 #include "files/mesh_files.h"
 #include "meshes/Mesh_soup.h"
+#include "reports/coverage_report.h"
 
+#include <array>
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace vfc {
+
+// Reads a thickness for each vertex of the file of a mesh: the vertex property `thickness` of a PLY
+// file, or the lines of a CSV file. At a point the thickness is that of the closest point of the
+// surface, linear in each face. \throws Input_error
+Thickness read_thickness_field(const std::string& file, const Mesh_and_defects& mesh);
+
+// A direction at each point; none by default.
+using Direction_field = std::function<std::array<double, 3>(const Curve::Point_3&)>;
+
+// Whether an argument is a vector `x,y,z` rather than a file.
+bool is_vector(const std::string& text);
+
+// The same direction everywhere, if the argument is a vector; or else reads a vector for each
+// vertex of the file of a mesh: the vertex properties `direction_x`, `direction_y` and
+// `direction_z` of a PLY file, or the lines of a CSV file. \throws Input_error
+Direction_field make_direction_field(const std::string& text, const Mesh_and_defects& mesh);
 
 // Returns the values at the vertices of a mesh, given those of all vertices in its file. A mended
 // mesh has vertices that are not in the file: they take the value of the nearest point of the faces
@@ -44,4 +65,4 @@ std::vector<Value> values_at_vertices(const Mesh_and_defects& mesh,
 
 } // namespace vfc
 
-#endif // VFC_VALUES_AT_VERTICES_H
+#endif // VFC_VERTEX_FIELDS_H
