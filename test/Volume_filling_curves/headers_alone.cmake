@@ -2,36 +2,67 @@
 #
 # Author(s) : The Volume_filling_curves authors
 #
-# The target headers_alone: each header, public and internal, included twice and by nothing before.
-# A header that another one includes first of all is compiled with that one.
+# The target headers_alone checks that each header, public and internal, compiles by itself, included
+# twice. Nothing is written, and each time all is checked again.
+#
+# A header that includes some of `shared_headers`, directly or through others, is compiled with those
+# precompiled. This hides no missing #include: a header's own lines follow all that it includes, and
+# each header that it includes has a unit of its own.
 
-option(VFC_HEADERS_ALONE "Compile each header alone as part of the build" ON)
+set(shared_headers # read by many, and slow to read
+  CGAL/Volume_filling_curves/internal/geometry/Vector.h
+  CGAL/Volume_filling_curves/Curve_flow_traits_3.h
+  CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h
+  CGAL/Volume_filling_curves/internal/search/Box_tree.h)
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${package_dir}/include
   ${package_dir}/include/CGAL/*.h)
-set(included_first)
 foreach(header IN LISTS headers)
-  file(STRINGS ${package_dir}/include/${header} includes REGEX "^#include" LIMIT_COUNT 2)
-  if("${includes}" MATCHES "^#include <CGAL/license/[^>]*>;#include <(CGAL/Volume_filling_curves/[^>]*)>$")
-    list(APPEND included_first ${CMAKE_MATCH_1})
-  endif()
+  file(STRINGS ${package_dir}/include/${header} includes REGEX "^#include <CGAL/Vol")
+  list(TRANSFORM includes REPLACE "#include <(.*)>" "\\1")
+  foreach(included IN LISTS includes)
+    list(APPEND readers_of_${included} ${header})
+  endforeach()
 endforeach()
-list(REMOVE_ITEM headers ${included_first})
 
-set(units)
+# Lists, in `shared_by_HEADER`, those of `shared_headers` that it reads.
+foreach(shared IN LISTS shared_headers)
+  set(readers ${readers_of_${shared}})
+  while(readers)
+    list(POP_FRONT readers reader)
+    if(NOT <${shared}> IN_LIST shared_by_${reader})
+      list(APPEND shared_by_${reader} <${shared}>)
+      list(APPEND readers ${readers_of_${reader}})
+    endif()
+  endwhile()
+endforeach()
+
+# Headers that share the same ones are compiled together.
+set(groups)
 foreach(header IN LISTS headers)
   string(MAKE_C_IDENTIFIER ${header} name)
   set(unit ${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${name}.cpp)
   file(CONFIGURE OUTPUT ${unit} CONTENT "#include <${header}>\n#include <${header}>\n")
-  list(APPEND units ${unit})
+  string(MAKE_C_IDENTIFIER "alone_${shared_by_${header}}" group)
+  list(APPEND groups ${group})
+  list(APPEND units_of_${group} ${unit})
+  set(precompiled_for_${group} ${shared_by_${header}})
 endforeach()
+list(REMOVE_DUPLICATES groups)
 
-add_library(headers_alone OBJECT ${units})
-target_link_libraries(headers_alone PRIVATE Volume_filling_curves_development)
-target_compile_options(headers_alone PRIVATE -O0 -g0) # there is nothing to run
-if(VFC_SANITIZE)
-  target_compile_options(headers_alone PRIVATE -fno-sanitize=all)
-endif()
-if(NOT VFC_HEADERS_ALONE)
-  set_target_properties(headers_alone PROPERTIES EXCLUDE_FROM_ALL TRUE)
-endif()
+add_custom_target(headers_alone)
+set(number_of_groups 0)
+foreach(group IN LISTS groups)
+  math(EXPR number_of_groups "${number_of_groups} + 1")
+  set(library headers_alone_${number_of_groups})
+  add_library(${library} OBJECT EXCLUDE_FROM_ALL ${units_of_${group}})
+  set_source_files_properties(${units_of_${group}} PROPERTIES COMPILE_OPTIONS -fsyntax-only)
+  target_link_libraries(${library} PRIVATE Volume_filling_curves_development)
+  if(VFC_SANITIZE)
+    target_compile_options(${library} PRIVATE -fno-sanitize=all)
+  endif()
+  if(VFC_PRECOMPILE AND precompiled_for_${group})
+    target_precompile_headers(${library} PRIVATE ${precompiled_for_${group}})
+  endif()
+  add_dependencies(headers_alone ${library})
+endforeach()
