@@ -44,7 +44,7 @@ function(add_test_program program shards)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
     if(name MATCHES "^(test|unity)_long_")
-      set_tests_properties(${name} PROPERTIES LABELS long TIMEOUT 1500)
+      set_tests_properties(${name} PROPERTIES LABELS long TIMEOUT 1500 COST 1000) # first of all
     endif()
   endforeach()
 endfunction()
