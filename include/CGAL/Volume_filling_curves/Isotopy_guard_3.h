@@ -23,6 +23,7 @@
 #include <CGAL/Volume_filling_curves/internal/guard/Shortened_motion.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Bend_limits.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <CGAL/assertions.h>
@@ -55,7 +56,7 @@ namespace Volume_filling_curves {
  * refuses changes that bring edges without a common node closer than a given distance and closer
  * than half their former distance; and changes that reduce the angle between edges with a common
  * node below 20 degrees and to less than about half its former value. The clearance is not part of
- * the certificate.
+ * the certificate. `Bend_limits` are kept without any such loss.
  *
  * Inserting and removing nodes leaves gaps in the numbering, which `collect_garbage()` closes.
  * Positions are rounded to `double` before they are certified; positions that are not finite, or
@@ -125,6 +126,13 @@ public:
   /// returns the distance that edges without a common node keep.
   double clearance() const { return m_clearance.distance(); }
 
+  /// sets the bend radius and the distance of strands that all changes but rays keep, besides the
+  /// clearance; none by default.
+  void set_bend_limits(const Bend_limits<Point_3>& limits) { m_bends = limits; }
+
+  /// returns the bend radius and the distance of strands that changes keep.
+  const Bend_limits<Point_3>& bend_limits() const { return m_bends; }
+
   /// \name Certified Operations
   /// @{
 
@@ -138,7 +146,7 @@ public:
     if(is_in_range(target) && m_predicates.are_equal(m_curve.point(v), rounded(target)))
       return change_if(true, [] {});
     return change_if(is_in_range(target) &&
-                         m_certifier.is_move_safe(v, rounded(target), m_clearance),
+                         m_certifier.is_move_safe(v, rounded(target), m_clearance, m_bends),
                      [&] { m_editor.move_node(v, rounded(target)); });
   }
 
@@ -151,7 +159,7 @@ public:
   {
     CGAL_precondition_msg(!m_curve.is_removed_edge(e), "the edge has not been removed");
     return change_if(is_in_range(position) &&
-                         m_certifier.is_insertion_safe(e, rounded(position), m_clearance),
+                         m_certifier.is_insertion_safe(e, rounded(position), m_clearance, m_bends),
                      [&] { m_editor.insert_node(e, rounded(position)); });
   }
 
@@ -159,7 +167,7 @@ public:
   /// whether it did. Ends, junctions and pinned nodes stay, and a closed component keeps 3 edges.
   bool remove_node(size_type v)
   {
-    return change_if(!m_curve.is_pinned(v) && m_certifier.is_removal_safe(v, m_clearance),
+    return change_if(!m_curve.is_pinned(v) && m_certifier.is_removal_safe(v, m_clearance, m_bends),
                      [&] { m_editor.remove_node(v); });
   }
 
@@ -186,7 +194,8 @@ public:
     CGAL_precondition_msg(least_fraction > 0, "`least_fraction` is positive");
     if(!are_in_range(targets)) return 0;
     const size_type n = m_curve.number_of_nodes();
-    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary);
+    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary,
+                               m_bends);
     const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
       if(motion.keeps_clearance(fraction)) {
@@ -222,7 +231,8 @@ public:
   {
     const size_type n = m_curve.number_of_nodes();
     if(!are_in_range(targets)) return std::vector<double>(n, 0);
-    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary);
+    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary,
+                               m_bends);
     internal::Shortened_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
     m_editor.move_nodes(motion());
     const auto held =
@@ -375,6 +385,7 @@ private:
   internal::Edge_locator<Curve_network> m_locator;
   internal::Local_change_certifier<Curve_network, Boundary> m_certifier;
   internal::Clearance_rule m_clearance;
+  Bend_limits<Point_3> m_bends;
   std::unique_ptr<internal::Motion_record<Curve_network>> m_record;
   internal::Run_watch* m_watch = nullptr;
   size_type m_number_of_certified = 0;

@@ -9,8 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/guard/Local_bends.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Local_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/guard/elementary_move.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Bend_limits.h>
 
 #include <cstddef>
 
@@ -19,8 +21,8 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Certifier of single changes, in which a node moves, is inserted or is removed: tests whether the
-// change is an elementary move of knot theory, stays inside the domain and keeps the clearance.
-// Constant time for edges of similar lengths.
+// change is an elementary move of knot theory, stays inside the domain, and keeps the clearance and
+// the limits of bends. Constant time for edges of similar lengths.
 template <typename Network, typename Boundary>
 class Local_change_certifier
 {
@@ -38,11 +40,15 @@ public:
         m_predicates(predicates),
         m_locator(locator),
         m_clearance(locator),
+        m_bends(curve, locator),
         m_boundary(boundary)
   {}
 
   // \pre target differs from the position of v
-  bool is_move_safe(std::size_t v, const Point_3& target, const Clearance_rule& clearance) const
+  bool is_move_safe(std::size_t v,
+                    const Point_3& target,
+                    const Clearance_rule& clearance,
+                    const Bend_limits<Point_3>& bends) const
   {
     if(!passes_between_neighbors(v, target)) return false;
     const Taken_out is_at_v{m_curve, v, none};
@@ -57,20 +63,25 @@ public:
       old_edges.push_back({a, v, position(a), start});
       new_edges.push_back({a, v, position(a), end});
     }
-    return m_clearance.is_kept(old_edges, new_edges, clearance, is_at_v);
+    return are_kept(old_edges, new_edges, clearance, bends, is_at_v);
   }
 
-  bool is_insertion_safe(std::size_t e, const Point_3& b, const Clearance_rule& clearance) const
+  bool is_insertion_safe(std::size_t e,
+                         const Point_3& b,
+                         const Clearance_rule& clearance,
+                         const Bend_limits<Point_3>& bends) const
   {
     const std::size_t a = m_curve.source(e), c = m_curve.target(e);
     const Taken_out is_e{m_curve, none, e};
     if(!can_exchange(a, b, c, is_e)) return false;
     const Edge old_edge = {a, c, position(a), position(c)};
     const Edge ab = {a, none, position(a), to_vector(b)}, cb = {c, none, position(c), to_vector(b)};
-    return m_clearance.is_kept({old_edge}, {ab, cb}, clearance, is_e);
+    return are_kept({old_edge}, {ab, cb}, clearance, bends, is_e);
   }
 
-  bool is_removal_safe(std::size_t v, const Clearance_rule& clearance) const
+  bool is_removal_safe(std::size_t v,
+                       const Clearance_rule& clearance,
+                       const Bend_limits<Point_3>& bends) const
   {
     if(m_curve.degree(v) != 2) return false;
     const std::size_t a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
@@ -78,7 +89,7 @@ public:
     if(!can_exchange(a, m_curve.point(v), c, is_at_v)) return false;
     const Edge ab = {a, v, position(a), position(v)}, cb = {c, v, position(c), position(v)};
     const Edge new_edge = {a, c, position(a), position(c)};
-    return m_clearance.is_kept({ab, cb}, {new_edge}, clearance, is_at_v);
+    return are_kept({ab, cb}, {new_edge}, clearance, bends, is_at_v);
   }
 
   // whether an edge from an end of the curve to a new node meets nothing but that end
@@ -108,6 +119,16 @@ private:
       return e == edge || curve.source(e) == node || curve.target(e) == node;
     }
   };
+
+  bool are_kept(const Edges& old_edges,
+                const Edges& new_edges,
+                const Clearance_rule& clearance,
+                const Bend_limits<Point_3>& bends,
+                const Taken_out& is_taken_out) const
+  {
+    return m_clearance.is_kept(old_edges, new_edges, clearance, is_taken_out) &&
+           m_bends.are_kept(old_edges, new_edges, bends, is_taken_out);
+  }
 
   Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
 
@@ -147,6 +168,7 @@ private:
   const Exact_predicates<Traits>& m_predicates;
   Edge_locator<Network>& m_locator;
   Local_clearance<Network> m_clearance;
+  Local_bends<Network> m_bends;
   const Boundary& m_boundary;
 };
 

@@ -10,16 +10,20 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_rule.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Motion_bends.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Swept_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Bend_limits.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -43,19 +47,22 @@ public:
                 const Network& curve,
                 const Vector_field& target,
                 const Clearance_rule& clearance,
-                const Boundary& boundary)
+                const Boundary& boundary,
+                const Bend_limits<Point_3>& bend_limits = {})
       : m_curve(curve),
         m_clearance(clearance),
         m_boundary(boundary),
         m_start(coordinates(curve)),
-        m_target(target),
-        m_pairs(BroadPhase(ConcurrencyTag(), curve, m_start, target, clearance.distance())
-                    .template pairs<ConcurrencyTag>(
-                        [&](std::size_t e, std::size_t f) { return !share_a_node(curve, e, f); }))
-  {}
+        m_target(target)
+  {
+    if(bend_limits.is_active()) m_bends.emplace(ConcurrencyTag(), curve, bend_limits);
+    const double distance = clearance.distance();
+    m_pairs = m_bends ? find_pairs<ConcurrencyTag>(m_bends->margins(distance))
+                      : find_pairs<ConcurrencyTag>(distance);
+  }
 
   const Network& curve() const { return m_curve; }
-  bool keep_clearance() const { return m_clearance.is_active(); }
+  bool keep_clearance() const { return m_clearance.is_active() || m_bends; }
 
   // the pairs of edges that can meet
   std::size_t number_of_pairs() const { return m_pairs.size(); }
@@ -84,12 +91,14 @@ public:
   // returns whether the edges of pair k are not too close at the end
   bool is_pair_clear(std::size_t k, const std::vector<Point_3>& end) const
   {
-    const auto at_end = [&](std::size_t v) { return to_vector(end[v]); };
-    return m_clearance.allows_distance(squared_distance(k, at_end),
-                                       [&] { return squared_distance(k, at_start()); });
+    const double after = squared_distance(k, [&](std::size_t v) { return to_vector(end[v]); });
+    const auto before = [&] { return squared_distance(k, at_start()); };
+    return m_clearance.allows_distance(after, before) &&
+           (!m_bends || m_bends->allows_distance(m_pairs[k][0], m_pairs[k][1], after, before));
   }
 
-  // returns whether the angles between the edges at v are not too small at the end
+  // returns whether the angles between the edges at v are not too small, and v does not bend too
+  // tightly, at the end
   bool is_corner_clear(std::size_t v, const std::vector<Point_3>& end) const
   {
     const auto at_end = [&](std::size_t w) { return to_vector(end[w]); };
@@ -98,12 +107,13 @@ public:
         if(!m_clearance.allows_opening(opening(v, i, j, at_end),
                                        [&] { return opening(v, i, j, at_start()); }))
           return false;
-    return true;
+    return !m_bends || m_curve.degree(v) != 2 || m_bends->allows_corner(v, at_start(), at_end);
   }
 
   // returns whether the edges of pair k meet at no time
   bool is_pair_safe(std::size_t k, const Swept& swept) const
   {
+    if(m_bends && !do_sweeps_overlap(k)) return true; // found for their distance only
     return swept.is_pair_safe(m_pairs[k][0], m_pairs[k][1]);
   }
 
@@ -121,6 +131,28 @@ public:
   }
 
 private:
+  template <typename ConcurrencyTag, typename Margin>
+  std::vector<std::array<std::uint32_t, 2>> find_pairs(const Margin& margin) const
+  {
+    return BroadPhase(ConcurrencyTag(), m_curve, m_start, m_target, margin)
+        .template pairs<ConcurrencyTag>(
+            [&](std::size_t e, std::size_t f) { return !share_a_node(m_curve, e, f); });
+  }
+
+  // whether the boxes overlap that hold all that the edges of pair k sweep
+  bool do_sweeps_overlap(std::size_t k) const
+  {
+    return swept_box(m_pairs[k][0]).intersects(swept_box(m_pairs[k][1]));
+  }
+
+  Box swept_box(std::size_t e) const
+  {
+    Box box;
+    for(const std::size_t v : {m_curve.source(e), m_curve.target(e)})
+      box.extend(row(m_start, v)).extend(row(m_target, v));
+    return box;
+  }
+
   auto at_start() const
   {
     return [this](std::size_t v) { return row(m_start, v); };
@@ -144,6 +176,7 @@ private:
   Clearance_rule m_clearance;
   const Boundary& m_boundary;
   Vector_field m_start, m_target;
+  std::optional<Motion_bends<Network>> m_bends; // if bends are limited
   std::vector<std::array<std::uint32_t, 2>> m_pairs;
 };
 

@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_interval.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
-#include <CGAL/Volume_filling_curves/internal/measures/Curve_interval.h>
 #include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_CURVE_INTERVAL_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_CURVE_INTERVAL_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_INTERVAL_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_INTERVAL_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -123,4 +123,4 @@ Curve_intervals turning_spans(const Network& curve)
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_MEASURES_CURVE_INTERVAL_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_CURVE_CURVE_INTERVAL_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_BEND_LIMITS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_BEND_LIMITS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/Isotopy_guard_3.h
+ *
+ * \brief The bend radius R and the distance of strands d that an `Isotopy_guard_3` keeps.
+ *
+ * A change must leave at each corner that it touches a bend radius (see `min_bend_radius()`) of at
+ * least R, or of at least the former one, and each two strands at least d apart, or at least as far
+ * apart as they were: what holds once holds on, as long as d is at most 2 R. Edges belong to
+ * different strands if they are of different components, or at least \f$\pi \max(R, d/2)\f$ of the
+ * curve lies between them. Decided in double arithmetic; no part of the proof of isotopy.
+ *
+ * \tparam Point_3 the type of points
+ */
+template <typename Point_3>
+struct Bend_limits
+{
+  double bend_radius = 0;     ///< R, in the input's unit; 0 stands for none
+  double strand_distance = 0; ///< d, in the input's unit; 0 stands for none
+
+  /// a function of the point by which both are multiplied, for a thickness that varies. For a pair
+  /// of edges the smaller one of their values counts. It must be positive, and safe to call
+  /// concurrently. None by default
+  std::function<double(const Point_3&)> scale;
+
+  /// returns whether there is any limit.
+  bool is_active() const { return bend_radius > 0 || strand_distance > 0; }
+
+  /// \cond SKIP_IN_MANUAL
+  double scale_at(const Point_3& p) const { return scale ? scale(p) : 1; }
+
+  // the length of curve between two edges from which on they are of different strands, over scale
+  double length_between_strands() const
+  {
+    return CGAL_PI * (std::max)(bend_radius, strand_distance / 2);
+  }
+  /// \endcond
+};
+
+namespace internal {
+
+// What must be at least a limit, or else no less than before: `before()` says how much it was.
+template <typename Before>
+bool keeps_limit(double after, double limit, const Before& before)
+{
+  return after >= limit || after >= before();
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_BEND_LIMITS_H
