@@ -195,7 +195,7 @@ TEST(Knot_polynomials, Color_2_knows_the_jones_polynomial_of_the_2_cable)
   // without twists the cable of the diagram has framing 0 if the writhe is 0
   for(const Braid& braid : {braid({1, -2, 1, -2}), braid({1, 1, 1, -2, -3, -4}), braid({1, -2})}) {
     const Planar_diagram diagram = closure(braid);
-    ASSERT_EQ(writhe(diagram), 0);
+    ASSERT_EQ(VFC::internal::writhe(diagram), 0);
     const Planar_diagram doubled = cable(diagram, 2);
     ASSERT_TRUE(is_planar_diagram(doubled));
     const auto expected = jones_of_homfly(homfly_polynomial(doubled).value(), 4);

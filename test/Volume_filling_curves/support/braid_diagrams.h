@@ -145,6 +145,16 @@ inline std::vector<Named_braid> prime_knots(const std::string& file)
   return knots;
 }
 
+// The knot of a name of Link_identity that is prime: "5_2", or "5_2*" for the mirror image.
+inline Braid prime_knot(const std::vector<Named_braid>& knots, const std::string& name)
+{
+  const bool is_mirror = name.back() == '*';
+  for(const Named_braid& k : knots)
+    if(k.name == name.substr(0, name.size() - (is_mirror ? 1 : 0)))
+      return is_mirror ? mirrored(k.braid) : k.braid;
+  throw std::invalid_argument("there is no knot " + name);
+}
+
 } // namespace knot_test
 
 #endif // VFC_TEST_BRAID_DIAGRAMS_H

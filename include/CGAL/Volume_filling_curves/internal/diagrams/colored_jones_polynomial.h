@@ -59,7 +59,7 @@ private:
     Laurent_polynomial bracket = bracket_of_cable(diagram, color);
     if(color == 2) bracket.add(0, -1);
     if(color == 3) bracket.add_multiple(bracket_of_cable(diagram, 1), 0, -2);
-    const int w = writhe(diagram);
+    const int w = internal::writhe(diagram); // not a public one
     Laurent_polynomial unframed;
     unframed.add_multiple(bracket, -w * (color * color + 2 * color),
                           color % 2 != 0 && w % 2 != 0 ? -1 : 1);

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LINK_IDENTITY_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LINK_IDENTITY_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/diagrams/Knottedness.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesKnots
+/// \headerfile CGAL/Volume_filling_curves/identify.h
+///
+/// Whether a knot is isotopic to its mirror image, for either orientation.
+enum class Knot_chirality
+{
+  UNKNOWN,    ///< the invariants that were computed leave it open, or the knot has no name
+  CHIRAL,     ///< it is not; the name says which of the two it is
+  AMPHICHIRAL ///< it is
+};
+
+/// \ingroup PkgVolumeFillingCurvesKnots
+///
+/// returns the name in plain English, for example "chiral".
+inline const char* to_string(Knot_chirality chirality)
+{
+  switch(chirality) {
+  case Knot_chirality::UNKNOWN:
+    return "unknown";
+  case Knot_chirality::CHIRAL:
+    return "chiral";
+  case Knot_chirality::AMPHICHIRAL:
+    return "amphichiral";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesKnots
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Knot_chirality chirality)
+{
+  return out << to_string(chirality);
+}
+
+/// \ingroup PkgVolumeFillingCurvesKnots
+/// \headerfile CGAL/Volume_filling_curves/identify.h
+///
+/// What `identify()` finds out about a knot or link.
+struct Link_identity
+{
+  /// The knot in Rolfsen's table, such as "7_5"; with an asterisk its mirror image, such as "7_5*";
+  /// a connected sum of up to three such knots, such as "3_1#3_1*"; "0_1" for the unknot, and
+  /// "unlink of 2 components". The knot without asterisk is the closure of its braid word in
+  /// KnotInfo, read such that letter 1 is a positive crossing: "3_1" is the right-handed trefoil.
+  /// Empty if no such knot has the same polynomials, or they exceed the limits, and for links.
+  std::string name;
+
+  /// Whether the name is a theorem: the diagram has at most 10 crossings. Otherwise the knot has
+  /// the polynomials of the one with that name.
+  bool is_proved = false;
+
+  /// Whether the knot or link is proved to be trivial or not, whatever its name.
+  Knottedness knottedness = Knottedness::UNKNOWN;
+
+  /// Of knots with a name.
+  Knot_chirality chirality = Knot_chirality::UNKNOWN;
+
+  std::size_t number_of_components = 0; ///< of the link
+
+  /// A diagram with few crossings, from which everything else follows.
+  Planar_diagram diagram;
+
+  /// The linking numbers of the components of the diagram: of those with crossings, in the order of
+  /// their arcs, and then of those without.
+  std::vector<std::vector<int>> linking_matrix;
+
+  /// The HOMFLY-PT polynomial with \f$v^{-1} P_+ - v P_- = z P_0\f$, as "2 v^2 + v^2 z^2 - v^4";
+  /// empty if it exceeds the limits.
+  std::string homfly_polynomial;
+
+  /// The Jones polynomial, as "t + t^3 - t^4", of links in the square root s of t; empty if it
+  /// exceeds the limits.
+  std::string jones_polynomial;
+};
+
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LINK_IDENTITY_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Names of knots, of diagrams and of curves.
+
+#include "support/braid_diagrams.h"
+
+#include <CGAL/Volume_filling_curves/generators.h>
+#include <CGAL/Volume_filling_curves/identify.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace VFC = CGAL::Volume_filling_curves;
+namespace {
+
+using namespace knot_test;
+using VFC::Knot_chirality;
+using VFC::Link_identity;
+using VFC::Planar_diagram;
+
+const std::vector<Named_braid>& knots()
+{
+  static const std::vector<Named_braid> all = prime_knots(VFC_DATA_DIR "/prime_knots.txt");
+  return all;
+}
+
+Braid knot(const std::string& name)
+{
+  return prime_knot(knots(), name);
+}
+
+bool is_amphichiral(const std::string& name)
+{
+  const std::string all = " 4_1 6_3 8_3 8_9 8_12 8_17 8_18 10_17 10_33 10_37 10_43 10_45 10_79 "
+                          "10_81 10_88 10_99 10_109 10_115 10_118 10_123 ";
+  return all.find(' ' + name + ' ') != std::string::npos;
+}
+
+bool is_knotted(const Link_identity& identity)
+{
+  return identity.knottedness != VFC::Knottedness::UNKNOWN &&
+         identity.knottedness != VFC::Knottedness::UNKNOTTED;
+}
+
+void expect_identity(const Link_identity& identity, const std::string& name, bool is_mirror)
+{
+  EXPECT_EQ(identity.name, is_mirror && !is_amphichiral(name) ? name + '*' : name);
+  EXPECT_TRUE(identity.is_proved) << name << ' ' << identity.diagram.crossings.size();
+  EXPECT_TRUE(is_knotted(identity)) << name;
+  EXPECT_EQ(identity.chirality,
+            is_amphichiral(name) ? Knot_chirality::AMPHICHIRAL : Knot_chirality::CHIRAL);
+}
+
+TEST(Identify, All_prime_knots_up_to_10_crossings_are_named_after_random_moves)
+{
+  std::mt19937 random(1);
+  for(const auto& [name, braid] : knots())
+    for(const bool is_mirror : {false, true}) {
+      const Braid moved = with_random_moves(is_mirror ? mirrored(braid) : braid, 6, random);
+      expect_identity(VFC::identify(closure(moved)), name, is_mirror);
+    }
+}
+
+TEST(Identify, Curves_of_closed_braids_are_named)
+{
+  for(std::size_t i = 0; i < knots().size(); i += 10) {
+    const auto& [name, braid] = knots()[i];
+    const auto curve = VFC::make_closed_braid(braid.word, 400, i);
+    expect_identity(VFC::identify(curve), name, false);
+  }
+}
+
+TEST(Identify, Connected_sums_are_named_by_their_factors)
+{
+  const auto name_of_sum = [](const Braid& first, const Braid& second) {
+    const Link_identity identity = VFC::identify(closure(connected_sum(first, second)));
+    EXPECT_TRUE(identity.is_proved);
+    return identity.name + ' ' + to_string(identity.chirality);
+  };
+  const Braid trefoil = knot("3_1");
+  EXPECT_EQ(name_of_sum(trefoil, trefoil), "3_1#3_1 chiral");                 // granny knot
+  EXPECT_EQ(name_of_sum(trefoil, mirrored(trefoil)), "3_1#3_1* amphichiral"); // square knot
+  // the HOMFLY-PT polynomial of 4_1#5_2 is that of 9_12
+  EXPECT_EQ(name_of_sum(knot("4_1"), knot("5_2")), "4_1#5_2 chiral");
+  EXPECT_EQ(name_of_sum(knot("4_1"), mirrored(knot("5_2"))), "4_1#5_2* chiral");
+  EXPECT_EQ(VFC::identify(closure(knot("9_12"))).name, "9_12");
+}
+
+TEST(Identify, Knots_with_the_same_homfly_polynomial_have_their_own_names)
+{
+  const std::vector<std::vector<std::string>> pairs{{"5_1", "10_132"},
+                                                    {"8_8", "10_129"},
+                                                    {"8_16", "10_156"},
+                                                    {"10_25", "10_56"},
+                                                    {"10_40", "10_103"}};
+  for(const auto& pair : pairs) {
+    const Braid first = knot(pair[0]), second = knot(pair[1]);
+    const Link_identity one = VFC::identify(closure(first)), other = VFC::identify(closure(second));
+    const Link_identity turned = VFC::identify(closure(mirrored(second)));
+    EXPECT_TRUE(one.homfly_polynomial == other.homfly_polynomial ||
+                one.homfly_polynomial == turned.homfly_polynomial);
+    EXPECT_EQ(one.name, pair[0]);
+    EXPECT_EQ(other.name, pair[1]);
+    EXPECT_EQ(turned.name, pair[1] + '*');
+  }
+}
+
+TEST(Identify, Unknots_and_unlinks_are_proved)
+{
+  const Link_identity unknot = VFC::identify(VFC::make_hard_unknot(100, 2000));
+  EXPECT_EQ(unknot.name, "0_1");
+  EXPECT_TRUE(unknot.is_proved);
+  EXPECT_EQ(unknot.knottedness, VFC::Knottedness::UNKNOTTED);
+  EXPECT_EQ(unknot.homfly_polynomial, "1");
+  const Link_identity unlink = VFC::identify(closure({4, {1, 3, -3}}));
+  EXPECT_EQ(unlink.name, "unlink of 3 components");
+  EXPECT_TRUE(unlink.is_proved);
+  EXPECT_EQ(unlink.knottedness, VFC::Knottedness::UNKNOTTED);
+  EXPECT_EQ(VFC::identify(Planar_diagram()).number_of_components, 0u);
+}
+
+TEST(Identify, Links_have_a_linking_matrix_and_polynomials)
+{
+  const Link_identity hopf = VFC::identify(closure(braid({1, 1})));
+  EXPECT_EQ(hopf.number_of_components, 2u);
+  EXPECT_EQ(hopf.linking_matrix, (std::vector<std::vector<int>>{{0, 1}, {1, 0}}));
+  EXPECT_EQ(hopf.homfly_polynomial, "v z^-1 + v z - v^3 z^-1");
+  EXPECT_EQ(hopf.jones_polynomial, "-s - s^5");
+  EXPECT_TRUE(is_knotted(hopf));
+  EXPECT_EQ(hopf.name, "");
+  const Link_identity whitehead = VFC::identify(closure(braid({1, -2, 1, -2, -2})));
+  EXPECT_EQ(whitehead.linking_matrix, (std::vector<std::vector<int>>{{0, 0}, {0, 0}}));
+  EXPECT_TRUE(is_knotted(whitehead));
+}
+
+TEST(Identify, Knots_beyond_the_table_are_knotted_without_a_name)
+{
+  const Link_identity torus = VFC::identify(closure(braid(Braid_word(11, 1))));
+  EXPECT_EQ(torus.name, "");
+  EXPECT_FALSE(torus.is_proved);
+  EXPECT_TRUE(is_knotted(torus));
+  const Link_identity sum = VFC::identify(closure(connected_sum(knot("8_19"), knot("9_42"))));
+  EXPECT_EQ(sum.name, "8_19#9_42");
+  EXPECT_FALSE(sum.is_proved);
+  EXPECT_EQ(sum.chirality, Knot_chirality::UNKNOWN); // that of 9_42 is
+}
+
+TEST(Identify, Polylines_are_identified_in_themselves)
+{
+  const auto curve = VFC::make_torus_knot(2, 3, 60);
+  std::vector<VFC::Curve_network_3<>::Point_3> polyline(curve.points().begin(),
+                                                        curve.points().end());
+  polyline.push_back(polyline.front());
+  const std::string name = VFC::identify(curve).name;
+  EXPECT_TRUE(name == "3_1" || name == "3_1*");
+  EXPECT_EQ(VFC::identify(polyline).name, name);
+  polyline.pop_back();
+  EXPECT_THROW((void)VFC::identify(polyline), std::invalid_argument); // open
+}
+
+TEST(Identify, Codes_that_are_none_are_refused)
+{
+  EXPECT_THROW((void)VFC::identify(Planar_diagram{{{0, 1, 1, 2}}, 0}), std::invalid_argument);
+}
+
+TEST(Identify, A_progress_function_can_interrupt)
+{
+  const auto stop = [](const VFC::Run_progress&) { return false; };
+  EXPECT_THROW((void)VFC::identify(closure(knot("3_1")), VFC::parameters::progress(stop)),
+               VFC::Run_interrupted);
+}
+
+} // namespace
