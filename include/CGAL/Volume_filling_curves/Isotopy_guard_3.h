@@ -126,6 +126,13 @@ public:
   /// returns the distance that edges without a common node keep.
   double clearance() const { return m_clearance.distance(); }
 
+  /// sets the distance from the boundary of the domain that the curve keeps, in the input's unit; 0
+  /// (default) stands for none. Certified like containment, as exactly as the domain's distances
+  /// are lower bounds. For guards with a domain.
+  ///
+  /// \pre the curve is farther than that from the boundary, see `min_wall_distance()`
+  void set_wall_distance(double distance) { m_boundary.set_wall_distance(distance); }
+
   /// sets the bend radius and the distance of strands that all changes but rays keep, besides the
   /// clearance; none by default.
   void set_bend_limits(const Bend_limits<Point_3>& limits) { m_bends = limits; }

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Inset_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_call.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>

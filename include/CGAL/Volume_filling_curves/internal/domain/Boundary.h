@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/domain/Depth_test.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
@@ -32,19 +33,6 @@ template <typename Domain>
 double depth(const Domain& domain, const typename Domain::Point_3& p)
 {
   return domain.is_inside(p) ? domain.distance(p) : 0;
-}
-
-// The distance of a point inside a domain from the boundary, or the limit if the domain finds out
-// that it is less.
-template <typename Domain>
-double depth_up_to(const Domain& domain,
-                   const typename Domain::Point_3& p,
-                   [[maybe_unused]] double limit)
-{
-  if constexpr(Has_surface<Domain>::value)
-    return domain.distance_up_to(p, limit);
-  else
-    return domain.distance(p);
 }
 
 // Boundary of a domain for the flow: exact tests of triangles, and the largest radius of a sphere
@@ -77,13 +65,19 @@ public:
 
   const Domain& domain() const { return *m_domain; }
 
-  // returns whether the closed triangle lies inside. \pre p lies inside
+  // Lets triangles count as inside only if they are farther than that from the boundary.
+  void set_wall_distance(double distance) { m_wall_distance = distance; }
+
+  // returns whether the closed triangle lies inside, far enough from the boundary. \pre p does
   bool is_triangle_inside(const Point_3& p, const Point_3& q, const Point_3& r) const
   {
-    const Vector x = to_vector(p);
-    const double reach = (std::max)((to_vector(q) - x).norm(), (to_vector(r) - x).norm());
-    if(Space_of<Domain>::is_plane && (to_vector(q).z() != 0 || to_vector(r).z() != 0)) return false;
-    return clearance(p, reach) > reach || m_domain->is_triangle_inside(p, q, r);
+    const Vector x = to_vector(p), y = to_vector(q), z = to_vector(r);
+    if(Space_of<Domain>::is_plane && (y.z() != 0 || z.z() != 0)) return false;
+    const double needed = m_wall_distance + (std::max)((y - x).norm(), (z - x).norm());
+    return clearance(p, needed) > needed ||
+           (m_domain->is_triangle_inside(p, q, r) &&
+            (m_wall_distance == 0 ||
+             Depth_test<Domain>(*m_domain, m_wall_distance + slack * m_diagonal)(x, y, z)));
   }
 
   // Returns a lower bound of the distance from p to the boundary: any bound above `needed`, or
@@ -173,6 +167,7 @@ private:
   const Domain* m_domain;
   Vector m_low;
   double m_diagonal, m_cell;
+  double m_wall_distance = 0;
   std::size_t m_size[3];          // cells along the axes
   Vector m_middle{0.5, 0.5, 0.5}; // of the first cell, in cells from its corner
   std::unique_ptr<std::atomic<double>[]> m_distance;
