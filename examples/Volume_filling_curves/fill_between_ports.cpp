@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <vector>
@@ -40,11 +39,10 @@ int main()
 {
   //! [ports]
   const Domain domain(distance_to_capsule, CGAL::Bbox_3(-1, -0.5, -0.5, 1, 0.5, 0.5));
-  const Point_3 inlet(-0.98, 0, 0), outlet(0.98, 0, 0);
-  Curve curve(std::vector<Point_3>{inlet, Point_3(0, 0, 0), outlet});
-  curve.pin_ends();
+  const std::vector<VFC::Port<Point_3>> ports = {{Point_3(-1, 0, 0)}, {Point_3(1, 0, 0)}};
   const double thickness = 0.12;
-  const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness));
+  Curve curve;
+  const auto result = VFC::fill(curve, domain, VFC::parameters::thickness(thickness).ports(ports));
   //! [ports]
 
   const VFC::Domain_samples_3<Traits, Domain> samples(domain);
@@ -54,11 +52,11 @@ int main()
             << " % of the volume are within " << thickness << ", all within "
             << coverage.max * thickness << '\n';
 
-  std::size_t ports = 0;
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-    if(curve.is_pinned(v) && (curve.point(v) == inlet || curve.point(v) == outlet)) ++ports;
-  std::cout << ports << " ends are where they were\n";
-  const bool is_ok = result.status == VFC::Filling_status::CONVERGED && ports == 2 &&
+  for(const auto& neck : result.necks)
+    std::cout << "from " << neck.wall << " straight for " << neck.length
+              << (neck.is_free ? ", free\n" : ", not free\n");
+  const bool is_ok = result.status == VFC::Filling_status::CONVERGED && result.necks.size() == 2 &&
+                     result.necks[0].is_free && result.necks[1].is_free &&
                      coverage.fraction_within_r > 0.7;
   return is_ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

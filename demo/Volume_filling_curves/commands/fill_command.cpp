@@ -13,6 +13,7 @@
 #include "options/Command_line.h"
 #include "options/Fill_options.h"
 #include "options/pins.h"
+#include "options/ports.h"
 #include "options/thickness.h"
 #include "options/vertex_fields.h"
 #include "repair/obstacles.h"
@@ -88,6 +89,7 @@ Filling_result fill(Session& session,
   curves::Filling_parameters<> parameters = options.parameters;
   // the rest after reading and mending
   parameters.time_limit = (std::max)(0., parameters.time_limit - session.seconds());
+  parameters.ports = read_ports(options.ports);
   parameters.thickness_field = field;
   parameters.direction_field = directions;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
@@ -127,6 +129,7 @@ int run(Session& session, const Fill_options& options)
   session.report()["input"] = options.mesh;
   session.report()["seed"] = options.parameters.random_seed;
   plan_files(session, options);
+  read_ports(options.ports); // complains before any work starts
   const curves::Run_state state = read_run_state(options.saving);
   const Mesh_and_defects mesh = mesh_of(session, options);
   check_filling(options.parameters.thickness, options.parameters.length, options.parameters.spacing,

@@ -7,6 +7,7 @@
 #include "options/Fill_options.h"
 
 #include "options/Command_line.h"
+#include "options/ports.h"
 
 namespace vfc {
 namespace {
@@ -53,6 +54,7 @@ void add_start_options(CLI::App& command, Fill_options& options)
   CLI::Option& curve =
       add_file(command, "--curve", options.start,
                "curve to start from, inside MESH; default: a small circle in the widest ball");
+  add_port_option(command, options.ports).excludes(&curve);
   add_curve_options(command, options.curve);
   for(const char* option : {"--network", "--closed", "--open", "--pin", "--free-ends"})
     command.get_option(option)->needs(&curve);

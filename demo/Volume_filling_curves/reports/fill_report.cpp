@@ -90,6 +90,27 @@ void report_measures(Report& report,
   }
 }
 
+void report_necks(Report& report, const Filling_result& result)
+{
+  if(result.necks.empty()) return;
+  Report::Json& list = report["ports"] = Report::Json::array();
+  for(const auto& neck : result.necks)
+    list.push_back({{"point", {neck.wall.x(), neck.wall.y(), neck.wall.z()}},
+                    {"direction", neck.direction},
+                    {"neck", neck.length},
+                    {"is_free", neck.is_free}});
+}
+
+// The lengths of the necks, and which are not free.
+std::string text_of_necks(const Filling_result& result)
+{
+  std::string text;
+  for(const auto& neck : result.necks)
+    text += (text.empty() ? "necks: " : ", ") + to_text(neck.length) +
+            (neck.is_free ? "" : " (a strand passes before it)");
+  return text.empty() ? text : text + '\n';
+}
+
 } // namespace
 
 void report_filling(Report& report,
@@ -109,6 +130,7 @@ void report_filling(Report& report,
   report["unfilled_fraction"] = result.unfilled_fraction;
   report["uncovered_fraction"] = result.uncovered_fraction;
   if(result.are_empty_regions_known) report_empty_regions(report, result.empty_regions);
+  report_necks(report, result);
   report["parts"] = result.parts;
   report["unreachable_parts"] = result.unreachable_parts;
   report["thin_fraction"] = result.thickness_fit.thin_fraction;
@@ -127,7 +149,7 @@ std::string summary(const Session& session, const Curve& curve, const Filling_re
          percent(result.coverage.fraction_within_r) + ", " + beyond_2r(result) +
          ", empty regions " +
          (result.are_empty_regions_known ? std::to_string(result.empty_regions.size()) : "-") +
-         '\n' + least_distances(result) +
+         '\n' + least_distances(result) + text_of_necks(result) +
          (result.reason.empty() ? "" : to_string(result.status) + (": " + result.reason) + '\n');
 }
 

@@ -13,6 +13,7 @@
 #include "support/program_test_support.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -205,6 +206,41 @@ TEST_F(Command_line_fill, a_curve_with_ends_goes_from_port_to_port)
   EXPECT_EQ(points("c.obj").front(), points("arc.obj").front());
   EXPECT_EQ(points("c.obj").back(), points("arc.obj").back());
   EXPECT_EQ(read("map.txt").substr(0, 2), "1\n");
+}
+
+TEST_F(Command_line_fill, ports_make_arcs_with_straight_necks)
+{
+  make_cube();
+  const Finished fill = run("fill cube.off --port 0,2,2 --port 4,1,3,-1,0.5,0 --thickness 0.6 "
+                            "--report r.json -o c.obj --certificate c.cert");
+  ASSERT_EQ(fill.status, 0) << fill.err;
+  EXPECT_EQ(run("check --certificate c.cert c.cert.start.obj c.obj --domain cube.off").status, 0);
+  const Json ports = json("r.json")["ports"];
+  ASSERT_EQ(ports.size(), 2u);
+  EXPECT_EQ(ports[1]["point"], Json::array({4., 1., 3.}));
+  EXPECT_NEAR(ports[1]["direction"][0], -std::sqrt(0.8), 1e-12);
+  for(const Json& port : ports) {
+    EXPECT_NEAR(port["neck"], 0.6, 1e-9);
+    EXPECT_EQ(port["is_free"], true);
+  }
+  const std::string again = run("fill cube.off --port 0,2,2 --port 4,1,3 -o d.obj "
+                                "--thickness 0.6 --max-iterations 3")
+                                .out;
+  EXPECT_NE(again.find("necks: 0.6, 0.6\n"), std::string::npos) << again;
+}
+
+TEST_F(Command_line_fill, ports_that_make_no_sense_are_refused)
+{
+  make_cube();
+  make_arc();
+  for(const std::string wrong :
+      {"--port 0,2,2", "--port 0,2 --port 4,2,2", "--port 0,2,2,1 --port 4,2,2",
+       "--port 0,2,2 --port 4,2,2 --curve arc.obj", "--port 2,2,2 --port 4,2,2"}) {
+    const Finished refused = run("fill cube.off --thickness 0.6 -o c.obj " + wrong);
+    EXPECT_EQ(refused.status, 1) << wrong;
+    EXPECT_NE(refused.err.find("port"), std::string::npos) << refused.err;
+    EXPECT_FALSE(exists("c.obj"));
+  }
 }
 
 TEST_F(Command_line_fill, a_start_outside_is_invalid_input)

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <array>
@@ -133,9 +134,12 @@ struct Filling_result
   /// `STALLED`; otherwise empty
   std::string reason;
 
+  /// the straight parts of the curve at the ports, in their order
+  std::vector<Port_neck<Point_3>> necks;
+
   /// the circles that the run started from if no curve was given, as polylines whose last point
-  /// repeats the first. They are the start curve of the run's certificate, see
-  /// `verify_certificate()`
+  /// repeats the first; with ports, the arcs. They are the start curve of the run's certificate,
+  /// see `verify_certificate()`
   std::vector<std::vector<Point_3>> start;
 
   Curve_flow_statistics statistics; ///< the work

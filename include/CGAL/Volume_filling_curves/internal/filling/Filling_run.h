@@ -19,6 +19,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
@@ -41,9 +42,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Run of fill(): surveys the domain, warns if it is too thin, places a circle in each part if no
-// curves are given, grows fingers unless the curves should grow from circles, fills the domain, and
-// reports unfilled regions and their cause.
+// Run of fill(): surveys the domain, warns if it is too thin, places arcs between the ports, or a
+// circle in each part if no curves are given, grows fingers unless the curves should grow from
+// circles, fills the domain, and reports unfilled regions and their cause.
 template <typename Traits, typename Domain, typename ConcurrencyTag, typename Visitor>
 class Filling_run
 {
@@ -78,9 +79,14 @@ public:
   Result operator()()
   {
     if(m_fit.thin_fraction > tolerated_unfilled_fraction) m_visitor.on_thin_domain(m_fit);
-    if(m_curves.number_of_nodes() == 0) place_circles();
+    if(!m_parameters.ports.empty())
+      place_arcs();
+    else if(m_curves.number_of_nodes() == 0)
+      place_circles();
     announce();
     Result result = is_start_checked() ? grow() : stopped();
+    result.necks = m_necks;
+    check_necks(m_curves, result.necks);
     report_parts(result);
     return result;
   }
@@ -117,6 +123,21 @@ private:
                                   "distance 0 from the boundary");
     m_circles = m_survey.circles();
     m_curves = Network(m_circles, CGAL::parameters::default_values(), m_curves.traits());
+  }
+
+  // The nodes of necks are so near to one another that no edge between them is divided, also where
+  // the domain is thin.
+  void place_arcs()
+  {
+    constexpr double share_of_spacing = 0.5;
+    if(m_curves.number_of_nodes() > 0)
+      throw std::invalid_argument("ports: there are curves, too, and their ends are the ports");
+    const Port_arcs<Domain, Traits> arcs(m_domain, m_survey.thickness(), m_parameters.ports,
+                                         share_of_spacing * m_parameters.spacing,
+                                         m_curves.traits());
+    m_curves = arcs.network();
+    m_necks = arcs.necks();
+    m_arcs = arcs.polylines();
   }
 
   // A circle in a ball inside is inside.
@@ -199,7 +220,7 @@ private:
       result.unreachable_parts = m_survey.number_of_wide_parts_without(m_curves);
     result.thickness_fit = m_fit;
     result.default_thickness = m_survey.refused_thickness();
-    result.start = m_circles;
+    result.start = m_arcs.empty() ? m_circles : m_arcs;
     const bool has_ended_early =
         result.status != Filling_status::PARTIAL && result.status != Filling_status::STALLED;
     if(has_ended_early || !is_partial(result))
@@ -233,7 +254,8 @@ private:
   const Thickness_fit m_fit;
   Run_saver m_saver;
   Filling_record m_record;
-  std::vector<std::vector<Point_3>> m_circles; // if the run starts from them
+  std::vector<std::vector<Point_3>> m_circles, m_arcs; // if the run starts from them
+  std::vector<Port_neck<Point_3>> m_necks;             // of the arcs
 };
 
 } // namespace internal

@@ -117,13 +117,18 @@ private:
 
   double thickness(const Vector& p) const { return m_thickness(to_point(p, curve().traits())); }
 
-  // The edges of each component, in stretches as long as stations are apart.
+  // The edges of each component, in stretches as long as stations are apart. What is pinned stays
+  // straight, unless there is nothing else.
   void add_stretches_of_curves()
   {
     halve_long_edges();
+    std::vector<bool> has_free_edge(curve().number_of_components(), false);
+    for(std::size_t e = 0; e < curve().number_of_edges(); ++e)
+      if(!is_pinned(e)) has_free_edge[component(e)] = true;
     std::vector<std::size_t> last(curve().number_of_components(), Finger_station::none);
     for(std::size_t e = 0; e < curve().number_of_edges(); ++e) {
-      const std::size_t c = curve().component(curve().source(e));
+      const std::size_t c = component(e);
+      if(is_pinned(e) && has_free_edge[c]) continue;
       const Vector a = to_vector(curve().point(curve().source(e)));
       const Vector b = to_vector(curve().point(curve().target(e)));
       const Vector middle = (a + b) / 2;
@@ -137,6 +142,13 @@ private:
       m_stations[last[c]].edges.push_back(e);
     }
     m_number_of_roots = m_stations.size();
+  }
+
+  std::size_t component(std::size_t e) const { return curve().component(curve().source(e)); }
+
+  bool is_pinned(std::size_t e) const
+  {
+    return curve().is_pinned(curve().source(e)) && curve().is_pinned(curve().target(e));
   }
 
   // The halves of an edge keep its index and get a new last one.

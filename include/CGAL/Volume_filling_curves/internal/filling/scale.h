@@ -75,8 +75,13 @@ void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
     region.radius *= factor;
     region.volume *= Space::content(factor);
   }
-  for(auto& circle : result.start)
-    for(Point_3& p : circle) p = scaled(p, factor, traits);
+  for(auto& polyline : result.start)
+    for(Point_3& p : polyline) p = scaled(p, factor, traits);
+  for(auto& neck : result.necks) {
+    neck.wall = scaled(neck.wall, factor, traits);
+    neck.end = scaled(neck.end, factor, traits);
+    neck.length *= factor;
+  }
 }
 
 template <typename Point_3, typename Traits>
@@ -86,6 +91,7 @@ Filling_parameters<Point_3> scaled(Filling_parameters<Point_3> parameters,
 {
   parameters.thickness *= factor;
   parameters.length *= factor;
+  for(auto& port : parameters.ports) port.point = scaled(port.point, factor, traits);
   if(auto& field = parameters.direction_field)
     field = [field, factor, traits](const Point_3& p) {
       return field(scaled(p, 1 / factor, traits));

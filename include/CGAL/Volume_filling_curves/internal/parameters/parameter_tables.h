@@ -112,7 +112,7 @@ constexpr auto parameter_table(const Filling_parameters<Point_3>* p)
                       parameter<direction_field_t>(&P::direction_field),
                       parameter<direction_weight_t>(&P::direction_weight, Range::NOT_NEGATIVE),
                       parameter<length_t>(&P::length, Range::NOT_NEGATIVE),
-                      parameter<start_t>(&P::start)));
+                      parameter<ports_t>(&P::ports), parameter<start_t>(&P::start)));
 }
 
 template <typename Point_3>

@@ -66,7 +66,9 @@ void print_row(std::ostream& out, const Parameters& p, const Row& row)
       out << p.*row.member;
     else if constexpr(std::is_enum_v<Value>)
       out << static_cast<int>(p.*row.member);
-    else // a pointer or a function
+    else if constexpr(std::is_same_v<Tag, ports_t>)
+      out << (p.*row.member).size(); // the curve starts from them
+    else                             // a pointer or a function
       out << (p.*row.member ? "given" : "none");
     out << '\n';
   }

@@ -12,8 +12,10 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
 
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -84,6 +86,12 @@ struct Filling_parameters : Curve_run_parameters
   /// alignment is 0.8 and the curve a fifth longer, and gaps of 2.5 r may remain where strands
   /// turn.
   double direction_weight = 0.2;
+
+  /// The places where the curves enter the domain, if no curves are given: an even number of them.
+  /// An arc leads from each odd port to the next one. The arc that has the least of the volume
+  /// grows first, so that they share it. At a port the curve is straight for a length of r, less
+  /// where the domain is narrow, see `Filling_result::necks`. None by default.
+  std::vector<Port<Point_3>> ports;
 
   /// The required length of the result, reached within 2 %, in the input's unit, instead of a
   /// thickness. 0 (default) stands for none.

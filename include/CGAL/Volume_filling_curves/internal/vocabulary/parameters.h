@@ -42,6 +42,7 @@
   X(number_of_directions)          \
   X(number_of_sides)               \
   X(origins)                       \
+  X(ports)                         \
   X(preconditioner)                \
   X(progress)                      \
   X(resume_from)                   \

@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_PORT_ARCS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_PORT_ARCS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Neck_placement.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Domain without some segments, for the search for a path around them.
+template <typename Domain>
+class Domain_without_segments
+{
+public:
+  using Point_3 = typename Domain::Point_3;
+  using Segment = std::array<Vector, 2>;
+
+  static constexpr int dimension = dimension_of<Domain>;
+
+  explicit Domain_without_segments(const Domain& domain) : m_domain(domain) {}
+
+  void take_out(const Vector& p, const Vector& q) { m_segments.push_back({p, q}); }
+  void take_out(const std::vector<Vector>& path)
+  {
+    for(std::size_t k = 1; k < path.size(); ++k) take_out(path[k - 1], path[k]);
+  }
+
+  CGAL::Bbox_3 bbox() const { return m_domain.bbox(); }
+  bool is_inside(const Point_3& p) const { return m_domain.is_inside(p) && to_segments(p) > 0; }
+
+  double distance(const Point_3& p) const
+  {
+    return (std::min)(static_cast<double>(m_domain.distance(p)), to_segments(p));
+  }
+
+private:
+  double to_segments(const Point_3& p) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(const Segment& s : m_segments)
+      least = (std::min)(least, squared_distance_to_segment(to_vector(p), s[0], s[1]));
+    return std::sqrt(least);
+  }
+
+  const Domain& m_domain;
+  std::vector<Segment> m_segments;
+};
+
+// Arcs that a filling between ports starts from: from each odd port to the next one. They begin and
+// end with straight necks, whose nodes are pinned and which a path through the domain joins.
+template <typename Domain, typename Traits>
+class Port_arcs
+{
+  using Point_3 = typename Traits::Point_3;
+  using Ways = Path_search<Domain_without_segments<Domain>, Traits>;
+
+public:
+  using Polyline = std::vector<Point_3>;
+
+  // Takes how far the nodes of necks are apart, in units of the thickness. Throws
+  // std::invalid_argument, with the number of the port, from 1, if there is no neck or no way.
+  Port_arcs(const Domain& domain,
+            const Thickness<Point_3>& thickness,
+            const std::vector<Port<Point_3>>& ports,
+            double spacing,
+            const Traits& traits)
+      : m_domain(domain), m_thickness(thickness), m_spacing(spacing), m_traits(traits)
+  {
+    if(ports.size() % 2 == 1)
+      throw std::invalid_argument("ports: there are " + std::to_string(ports.size()) +
+                                  ", but every arc needs two");
+    for(std::size_t k = 0; k < ports.size(); ++k)
+      m_necks.push_back(Neck_placement<Domain, Traits>(domain, m_thickness(ports[k].point), traits)(
+          ports[k], "port " + std::to_string(k + 1)));
+    for(std::size_t k = 0; k < ports.size(); k += 2) add_arc(k);
+  }
+
+  const std::vector<Polyline>& polylines() const { return m_polylines; }
+  const std::vector<Port_neck<Point_3>>& necks() const { return m_necks; }
+
+  // Returns the network of the arcs, with the nodes of the necks pinned.
+  Curve_network_3<Traits> network() const
+  {
+    Curve_network_3<Traits> network(m_polylines, CGAL::parameters::default_values(), m_traits);
+    for(const std::size_t c : network.components()) {
+      const std::size_t first = network.first_node(c), end = network.first_node(c + 1);
+      for(std::size_t k = 0; k < nodes_of_neck(2 * c).size(); ++k) network.set_pinned(first + k);
+      for(std::size_t k = 0; k < nodes_of_neck(2 * c + 1).size(); ++k)
+        network.set_pinned(end - 1 - k);
+    }
+    return network;
+  }
+
+private:
+  static constexpr double cells_of_ways[] = {0.5, 0.25, 0.125, 0.0625}; // of the thickness
+  static constexpr std::size_t most_cells = 2000000;                    // some seconds
+  static constexpr double longest_step = 2; // between nodes of a way, in units of the thickness
+
+  double thickness_at(std::size_t k) const { return m_thickness(m_necks[k].end); }
+
+  // the nodes of a neck, from the end of the curve on
+  std::vector<Vector> nodes_of_neck(std::size_t k) const
+  {
+    const Port_neck<Point_3>& neck = m_necks[k];
+    const Vector u(neck.direction[0], neck.direction[1], neck.direction[2]);
+    const Vector end = to_vector(neck.end), inner = to_vector(neck.wall) + neck.length * u;
+    const double number =
+        (std::max)(1., std::ceil((inner - end).norm() / (m_spacing * thickness_at(k))));
+    std::vector<Vector> nodes;
+    for(double i = 0; i <= number; ++i) nodes.push_back(end + i / number * (inner - end));
+    return nodes;
+  }
+
+  // Keeps the way of an arc off the arcs before, and off all necks; its own are open at their ends.
+  Domain_without_segments<Domain> free_domain(std::size_t first) const
+  {
+    Domain_without_segments<Domain> domain(m_domain);
+    for(const std::vector<Vector>& way : m_ways) domain.take_out(way);
+    for(std::size_t k = 0; k < m_necks.size(); ++k) {
+      const std::vector<Vector> nodes = nodes_of_neck(k);
+      const bool is_own = k == first || k == first + 1;
+      domain.take_out(to_vector(m_necks[k].wall),
+                      is_own ? Vector((nodes.front() + nodes.back()) / 2) : nodes.back());
+    }
+    return domain;
+  }
+
+  void add_arc(std::size_t k)
+  {
+    const std::vector<Vector> from = nodes_of_neck(k), to = nodes_of_neck(k + 1);
+    std::vector<Vector> nodes = from;
+    for(const Vector& x : way(k, from.back(), to.back())) nodes.push_back(x);
+    m_ways.push_back({nodes.begin() + static_cast<std::ptrdiff_t>(from.size()) - 1, nodes.end()});
+    nodes.insert(nodes.end(), to.rbegin() + 1, to.rend());
+    Polyline polyline;
+    for(const Vector& x : nodes) polyline.push_back(to_point(x, m_traits));
+    m_polylines.push_back(polyline);
+  }
+
+  // Returns the nodes from one neck, without its end, to that of the other one.
+  std::vector<Vector> way(std::size_t k, const Vector& from, const Vector& to) const
+  {
+    const Domain_without_segments<Domain> domain = free_domain(k);
+    Ways ways(domain, m_traits, most_cells);
+    for(const double cell : cells_of_ways)
+      if(ways.flood(to, cell * thickness_at(k + 1),
+                    [&](const Vector& p) { return ways.sees(from, p); }))
+        return ways.way_from(from, longest_step * thickness_at(k));
+    throw std::invalid_argument("ports " + std::to_string(k + 1) + " and " + std::to_string(k + 2) +
+                                ": no way was found between them");
+  }
+
+  const Domain& m_domain;
+  const Thickness<Point_3> m_thickness;
+  const double m_spacing;
+  const Traits m_traits;
+  std::vector<Port_neck<Point_3>> m_necks;
+  std::vector<std::vector<Vector>> m_ways; // with the inner ends of the necks
+  std::vector<Polyline> m_polylines;
+};
+
+// Finds out which necks are free: no edge meets the segment from the boundary to the end of the
+// curve but in this end. \pre the end of each neck is an end of the curve
+template <typename Network>
+void check_necks(const Network& curve, std::vector<Port_neck<typename Network::Point_3>>& necks)
+{
+  const Exact_predicates<typename Network::Traits> predicates(curve.traits());
+  for(auto& neck : necks) {
+    neck.is_free = true;
+    for(const std::size_t e : curve.edges()) {
+      auto p = curve.point(curve.source(e)), q = curve.point(curve.target(e));
+      if(predicates.are_equal(q, neck.end)) std::swap(p, q);
+      if(predicates.are_equal(p, neck.end)
+             ? predicates.have_same_direction(p, q, neck.wall)
+             : predicates.do_segments_intersect(p, q, neck.wall, neck.end))
+        neck.is_free = false;
+    }
+  }
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_PORT_ARCS_H
