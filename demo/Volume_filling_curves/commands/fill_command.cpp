@@ -188,8 +188,8 @@ void add_fill_command(Command_line& command_line)
       "--curve is given. If more than 1 % of the inside ends farther than 2 r from the curve, or\n"
       "another strand is nearer than r along more than 5 % of its length, the status is partial,\n"
       "and the last line gives the reason.\n"
-      "Exit status: 0 converged, 2 partial, limit reached, or length not reached, 3 stalled,\n"
-      "5 interrupted.");
+      "Exit status: 0 converged, 2 partial, limit reached, or length or constraint not reached,\n"
+      "3 stalled, 5 interrupted.");
 }
 
 } // namespace vfc

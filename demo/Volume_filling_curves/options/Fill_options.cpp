@@ -35,6 +35,20 @@ void add_density_options(CLI::App& command, Fill_options& options)
   length.excludes(&thickness)->excludes(&field);
 }
 
+// How round the curve is.
+void add_shape_options(CLI::App& command, Fill_options& options)
+{
+  command.add_flag("--finish", options.parameters.round_bends,
+                   "round bends to a radius of 0.85 r, and push strands 1.6 r apart; takes three "
+                   "to five times as long");
+  add_number(command, "--bend-radius", options.parameters.bend_radius,
+             "least radius of bends, instead of 0.85 r; implies --finish, and r grows to R / 0.85")
+      .type_name("R");
+  add_number(command, "--strand-distance", options.parameters.strand_distance,
+             "least distance of strands, instead of 1.6 r; implies --finish")
+      .type_name("D");
+}
+
 void add_direction_options(CLI::App& command, Fill_options& options)
 {
   CLI::Option& field = *command.add_option(
@@ -83,6 +97,7 @@ void add_fill_options(CLI::App& command, Fill_options& options)
   add_checkpoint_options(command, options.saving);
   add_start_options(command, options);
   add_density_options(command, options);
+  add_shape_options(command, options);
   add_direction_options(command, options);
   add_choice(command, "--wall", options.parameters.wall,
              {{"cover", Wall::COVER}, {"keep-clear", Wall::KEEP_CLEAR}},

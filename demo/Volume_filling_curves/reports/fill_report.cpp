@@ -62,6 +62,7 @@ Exit_status exit_status(Filling_status status)
     return GOAL_REACHED;
   case Filling_status::PARTIAL:
   case Filling_status::LENGTH_NOT_REACHED:
+  case Filling_status::CONSTRAINT_NOT_REACHED:
   case Filling_status::LIMIT:
     return LIMIT_REACHED;
   case Filling_status::STALLED:

@@ -10,10 +10,13 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Shaped_step.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
@@ -187,7 +190,25 @@ public:
     m_parameters = parameters;
     m_thickness = thickness;
     m_step.start_anew(parameters.max_displacement);
+    m_shaped_steps = 0;
     start();
+  }
+
+  // Brings the curve into limits of its shape in the steps from here on, see Shaped_step.
+  void set_shape(const internal::Shape_goal& goal, internal::Shape_phase phase)
+  {
+    m_shape = goal;
+    m_shape_phase = phase;
+  }
+
+  // whether it keeps the limits
+  bool is_shaped() const { return check_shape(m_shape, m_node_thickness).is_passed(); }
+
+  // Compares the curve as it stands with limits of its shape.
+  internal::Shape_check check_shape(const internal::Shape_goal& goal,
+                                    const std::vector<double>& thickness) const
+  {
+    return {ConcurrencyTag(), curve(), internal::Shape_limits(goal, thickness)};
   }
   /// \endcond
 
@@ -214,7 +235,7 @@ public:
   bool step()
   {
     ++m_statistics.iterations;
-    const bool has_moved = move();
+    const bool has_moved = m_shape_phase == internal::Shape_phase::POLISHING ? polish() : move();
     remesh();
     update();
     return has_moved;
@@ -243,8 +264,9 @@ public:
   // The numbers that the next steps depend on, except for parameters, thickness and the curve.
   auto history()
   {
-    return std::tuple_cat(std::tie(m_first_certified_change, m_first_refused_change, m_statistics),
-                          m_step.history());
+    return std::tuple_cat(
+        std::tie(m_first_certified_change, m_first_refused_change, m_statistics, m_shaped_steps),
+        m_step.history());
   }
 
   // Continues from the history of another flow of the same curve: update() computes the same bits.
@@ -361,12 +383,47 @@ private:
   bool move()
   {
     const internal::Stage_timer stage(m_statistics.seconds_motion);
+    if(m_shape_phase == internal::Shape_phase::BENDING)
+      return shaped_step().bend(direction(), m_parameters.max_displacement * least_thickness(),
+                                m_shaped_steps++);
     return m_step(m_direction.positions(), direction(), m_parameters, m_node_thickness,
                   m_statistics);
   }
 
+  using Shaped_step = internal::Shaped_step<Guard, ConcurrencyTag>;
+
+  Shaped_step shaped_step() { return {m_guard, m_shape, m_node_thickness}; }
+
+  // Folds, whose edges are far shorter than others, are collapsed; nothing else is remeshed, since
+  // a corner at half an edge bends twice as sharply.
+  bool polish()
+  {
+    constexpr int motions_per_step = 5;
+    constexpr double fold = 0.25; // of the least length of an edge
+    const internal::Stage_timer stage(m_statistics.seconds_motion);
+    bool has_moved = false;
+    for(int k = 0; k < motions_per_step && !must_stop(); ++k) {
+      make_remesher(fold * m_parameters.spacing).collapse_short_edges();
+      collect_garbage();
+      if(!shaped_step().polish()) break;
+      has_moved = true;
+    }
+    return has_moved;
+  }
+
+  double least_thickness() const
+  {
+    return *std::min_element(m_node_thickness.begin(), m_node_thickness.end());
+  }
+
   void remesh()
   {
+    constexpr std::size_t bends_per_remeshing = 3;
+    if(m_shape_phase == internal::Shape_phase::POLISHING) return;
+    if(m_shape_phase == internal::Shape_phase::BENDING) {
+      if(m_shaped_steps % bends_per_remeshing == 0) remesh_until_even();
+      return;
+    }
     const internal::Stage_timer stage(m_statistics.seconds_remeshing);
     Remesher remesher = make_remesher();
     remesher.collapse_short_edges();
@@ -383,10 +440,12 @@ private:
 
   bool must_stop() const { return m_guard.watch() != nullptr && m_guard.watch()->must_stop(); }
 
-  Remesher make_remesher()
+  Remesher make_remesher() { return make_remesher(m_parameters.spacing); }
+
+  Remesher make_remesher(double least_edge)
   {
     std::vector<double> spacing = m_node_thickness;
-    for(double& h : spacing) h *= m_parameters.spacing;
+    for(double& h : spacing) h *= least_edge;
     return {m_guard, std::move(spacing)};
   }
 
@@ -413,6 +472,9 @@ private:
   Thickness m_thickness;
   Curve_flow_statistics m_statistics;
   internal::Guarded_step<Guard, ConcurrencyTag> m_step;
+  internal::Shape_goal m_shape;
+  internal::Shape_phase m_shape_phase = internal::Shape_phase::NONE;
+  std::size_t m_shaped_steps = 0; // that have bent the curve
 
   // values of the current curve
   std::vector<double> m_node_thickness;

@@ -17,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -67,6 +68,9 @@ public:
   {
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
+    if(!m_thickness.varies())
+      m_thickness.set_number(
+          (std::max)(m_thickness.number(), least_thickness_for(parameters.bend_radius)));
     if(!watch.must_stop())
       m_size.check(thickness_with_as_many_nodes(),
                    is_asked_for ? Filling_size::most_nodes

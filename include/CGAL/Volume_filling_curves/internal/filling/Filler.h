@@ -17,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -68,6 +69,7 @@ public:
       : m_guard(guard),
         m_survey(survey),
         m_parameters(survey.parameters()),
+        m_shape(shape_goal(m_parameters)),
         m_watch(survey.watch()),
         m_unfilled(survey.samples(), survey.distances_to_boundary(), m_parameters.wall),
         m_thickness(thickness),
@@ -129,9 +131,7 @@ private:
 
   void settle()
   {
-    run(Filling_stage::settling());
-    if(is_thinned_where_it_drew_back()) run(Filling_stage::settling());
-    run(Filling_stage::refining());
+    find_places(true);
     if(!(m_parameters.length > 0)) return;
     for(int k = 0; k < max_corrections_of_thickness && !m_stages.end(); ++k) {
       const double excess = m_stages.decide([&] { return flow().length() / m_parameters.length; });
@@ -140,9 +140,21 @@ private:
       m_thickness = std::sqrt(excess) * m_thickness;
       // the shrinking steps alone do not follow the thickness far
       if(std::abs(excess - 1) > excess_to_open_for) run(Filling_stage::opening());
-      run(Filling_stage::settling());
-      run(Filling_stage::refining());
+      find_places(false);
     }
+  }
+
+  // Strands find their places: round ones, or any.
+  void find_places(bool can_draw_back)
+  {
+    if(m_shape.is_given()) {
+      run(Filling_stage::bending());
+      run(Filling_stage::polishing());
+      return;
+    }
+    run(Filling_stage::settling());
+    if(can_draw_back && is_thinned_where_it_drew_back()) run(Filling_stage::settling());
+    run(Filling_stage::refining());
   }
 
   // Where the curve has drawn back, since the place is too thin for the thickness asked for, it
@@ -181,6 +193,7 @@ private:
   Filling_status status_of_settled(const Result& result) const
   {
     if(misses_length()) return Filling_status::LENGTH_NOT_REACHED;
+    if(!result.shape_excesses.empty()) return Filling_status::CONSTRAINT_NOT_REACHED;
     return is_partial(result) ? Filling_status::PARTIAL : Filling_status::CONVERGED;
   }
 
@@ -188,6 +201,9 @@ private:
   {
     Result result;
     measure_filling(result, m_unfilled, curve(), m_thickness, m_watch);
+    if(m_shape.is_given())
+      result.shape_excesses = shape_excesses<Point_3>(
+          flow().check_shape(m_shape, m_thickness.at_each(curve().points())), curve().traits());
     result.status = m_stages.end().value_or(status_of_settled(result));
     result.thickness = m_thickness.varies() ? flow().thickness() : m_thickness.number();
     result.medial_radius =
@@ -200,6 +216,7 @@ private:
   Guard& m_guard;
   const Survey& m_survey;
   const Filling_parameters<Point_3>& m_parameters;
+  const Shape_goal m_shape; // none unless it is asked for
   Run_watch& m_watch;
   const Unfilled_space<Network, typename Survey::Samples, typename Flow::Concurrency_tag>
       m_unfilled;

@@ -100,6 +100,12 @@ private:
   {
     check_parameters(m_parameters);
     check_thickness(m_parameters.thickness, size, "the domain");
+    if(m_parameters.bend_radius > size)
+      refuse_value(internal_np::bend_radius_t(), m_parameters.bend_radius,
+                   not_larger_than("the domain", size));
+    if(m_parameters.strand_distance > size)
+      refuse_value(internal_np::strand_distance_t(), m_parameters.strand_distance,
+                   not_larger_than("the domain", size));
     if(m_parameters.length > 0 && (m_parameters.thickness > 0 || m_parameters.thickness_field))
       refuse_value(internal_np::length_t(), m_parameters.length, "a thickness is given as well");
   }

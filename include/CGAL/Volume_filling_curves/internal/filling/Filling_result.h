@@ -35,9 +35,11 @@ enum class Filling_status
                       ///< nearer than r along more than 5 % of the length;
                       ///< `Filling_result::reason` states the cause
   LENGTH_NOT_REACHED, ///< the curve has settled with a length more than 2 % off the required one
-  LIMIT,              ///< the limit of iterations or of time was reached
-  STALLED,            ///< several steps in a row could not be certified, however short
-  INTERRUPTED         ///< the visitor asked to stop
+  CONSTRAINT_NOT_REACHED, ///< the curve has settled, but bends more tightly or has closer strands
+                          ///< than required; `Filling_result::shape_excesses` states where
+  LIMIT,                  ///< the limit of iterations or of time was reached
+  STALLED,                ///< several steps in a row could not be certified, however short
+  INTERRUPTED             ///< the visitor asked to stop
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -52,6 +54,8 @@ inline const char* to_string(Filling_status status)
     return "partial";
   case Filling_status::LENGTH_NOT_REACHED:
     return "length not reached";
+  case Filling_status::CONSTRAINT_NOT_REACHED:
+    return "constraint not reached";
   case Filling_status::LIMIT:
     return "limit";
   case Filling_status::STALLED:
@@ -69,6 +73,21 @@ inline std::ostream& operator<<(std::ostream& out, Filling_status status)
 {
   return out << to_string(status);
 }
+
+/// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/fill.h
+///
+/// The place where a filling exceeds a limit of its shape most.
+///
+/// \tparam Point_3 the type of points
+template <typename Point_3>
+struct Shape_excess_3
+{
+  Point_3 point;       ///< on the curve
+  double value = 0;    ///< the bend radius or the distance of strands there, in the input's unit
+  double limit = 0;    ///< the one that is required there
+  bool is_bend = true; ///< whether it is a bend, or else a distance of strands
+};
 
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/fill.h
@@ -129,9 +148,13 @@ struct Filling_result
   /// the fit of the initial thickness to the domain
   Thickness_fit thickness_fit;
 
-  /// the reason, in English, why more than 1 % of the volume is farther than 2 r from the curve, or
-  /// another strand nearer than r along more than 5 % of the length, if the status is `PARTIAL` or
-  /// `STALLED`; otherwise empty
+  /// the tightest bend and the closest strands in comparison with what is required, as far as they
+  /// exceed that
+  std::vector<Shape_excess_3<Point_3>> shape_excesses;
+
+  /// the reason, in English, why more than 1 % of the volume is farther than 2 r from the curve,
+  /// another strand nearer than r along more than 5 % of the length, or a constraint not reached,
+  /// if the status is `PARTIAL`, `CONSTRAINT_NOT_REACHED` or `STALLED`; otherwise empty
   std::string reason;
 
   /// the straight parts of the curve at the ports, in their order

@@ -22,6 +22,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
@@ -221,15 +222,19 @@ private:
     result.thickness_fit = m_fit;
     result.default_thickness = m_survey.refused_thickness();
     result.start = m_arcs.empty() ? m_circles : m_arcs;
-    const bool has_ended_early =
-        result.status != Filling_status::PARTIAL && result.status != Filling_status::STALLED;
-    if(has_ended_early || !is_partial(result))
-      return scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
-    const Missed_regions missed = missed_regions(result);
+    const bool has_ended_early = result.status != Filling_status::PARTIAL &&
+                                 result.status != Filling_status::CONSTRAINT_NOT_REACHED &&
+                                 result.status != Filling_status::STALLED;
+    if(has_ended_early) return scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
+    const bool has_gaps = is_partial(result);
+    const Missed_regions missed = has_gaps ? missed_regions(result) : Missed_regions();
     const bool is_crowded = result.crowded_fraction > tolerated_crowded_fraction;
     const double uncrowded = is_crowded ? m_unit * m_survey.uncrowded_thickness() : 0;
     scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
-    result.reason = unfilled_reason(result, missed, uncrowded);
+    result.reason = shape_reason(result.shape_excesses);
+    if(has_gaps)
+      result.reason +=
+          (result.reason.empty() ? "" : "; ") + unfilled_reason(result, missed, uncrowded);
   }
 
   Missed_regions missed_regions(const Result& result) const

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
@@ -58,6 +59,7 @@ public:
                  Run_saver& saver,
                  Filling_record& record)
       : m_parameters(parameters),
+        m_shape(shape_goal(parameters)),
         m_watch(watch),
         m_flow(guard, parameters, thickness, saver.is_resuming()),
         m_visitor(visitor),
@@ -104,17 +106,19 @@ public:
     return {begin, m_points.begin() + static_cast<std::ptrdiff_t>(m_next_point)};
   }
 
-  void run(const Filling_stage& stage, const Thickness& thickness)
+  // Takes the thickness asked for.
+  void run(const Filling_stage& stage, const Thickness& thickness_asked_for)
   {
+    const Thickness thickness = stage.thickness * thickness_asked_for;
     if(m_end || ++m_stage < m_resumed_stage) return;
     m_flow.set_direction_field(m_parameters.direction_field,
                                stage.direction_weight * m_parameters.direction_weight);
+    m_flow.set_shape(m_shape.in_units_of(stage.thickness), stage.phase);
     if(m_stage == m_resumed_stage)
       resume(stage, thickness);
     else
       start(stage, thickness);
-    while(!(m_end = end_between_steps()) &&
-          !m_lengths.has_settled(stage.window, stage.change_of_length)) {
+    while(!(m_end = end_between_steps()) && !is_over(stage)) {
       m_idle_steps.note(step());
       note();
       m_lengths.add(m_flow.length());
@@ -133,10 +137,12 @@ private:
     m_watch.note(m_flow);
   }
 
-  // A tree of fingers opens, settles and is refined in 21; a circle grows in 150 to 500.
+  // A tree of fingers opens, settles and is refined in 21 steps, or opens, bends and is polished in
+  // 70; a circle grows in 150 to 500.
   double expected_iterations() const
   {
-    const double all = m_parameters.start == Filling_start::TREE ? 21 : 300;
+    const double of_tree = m_shape.is_given() ? 70 : 21;
+    const double all = m_parameters.start == Filling_start::TREE ? of_tree : 300;
     return (std::min)(all, static_cast<double>(m_parameters.number_of_iterations));
   }
 
@@ -145,9 +151,11 @@ private:
     Curve_flow_parameters p = m_parameters;
     p.screening *= stage.screening;
     p.number_of_directions = (std::min)(p.number_of_directions, stage.directions);
-    p.spacing = (std::max)(p.spacing, stage.spacing);
+    p.coupling *= stage.coupling;
+    constexpr double largest_spacing = 1; // of a flow
+    p.spacing = (std::min)((std::max)(p.spacing / stage.thickness, stage.spacing), largest_spacing);
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
-    p.max_displacement = (std::min)(p.max_displacement, stage.max_displacement);
+    p.max_displacement = (std::min)(p.max_displacement / stage.thickness, stage.max_displacement);
     return p;
   }
 
@@ -156,9 +164,18 @@ private:
     const Curve_flow_parameters p = parameters_of(stage);
     m_flow.keep_apart(stage.separation);
     m_displacement = p.max_displacement;
-    m_flow.set_parameters(p, thickness);
+    if(stage.phase == Shape_phase::POLISHING)
+      m_flow.go_on(p, thickness); // edges stay as they are
+    else
+      m_flow.set_parameters(p, thickness);
     m_lengths = {};
     m_lengths.add(m_flow.length());
+  }
+
+  bool is_over(const Filling_stage& stage) const
+  {
+    return m_lengths.has_settled(stage.window, stage.change_of_length) ||
+           (stage.phase == Shape_phase::POLISHING && m_flow.is_shaped());
   }
 
   // Goes on in the middle of a stage.
@@ -204,6 +221,7 @@ private:
   }
 
   const Parameters& m_parameters;
+  const Shape_goal m_shape; // none unless it is asked for
   Run_watch& m_watch;
   Flow m_flow;
   Visitor& m_visitor;

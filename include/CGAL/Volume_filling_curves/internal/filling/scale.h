@@ -75,6 +75,11 @@ void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
     region.radius *= factor;
     region.volume *= Space::content(factor);
   }
+  for(auto& excess : result.shape_excesses) {
+    excess.point = scaled(excess.point, factor, traits);
+    excess.value *= factor;
+    excess.limit *= factor;
+  }
   for(auto& polyline : result.start)
     for(Point_3& p : polyline) p = scaled(p, factor, traits);
   for(auto& neck : result.necks) {
@@ -91,6 +96,8 @@ Filling_parameters<Point_3> scaled(Filling_parameters<Point_3> parameters,
 {
   parameters.thickness *= factor;
   parameters.length *= factor;
+  parameters.bend_radius *= factor;
+  parameters.strand_distance *= factor;
   for(auto& port : parameters.ports) port.point = scaled(port.point, factor, traits);
   if(auto& field = parameters.direction_field)
     field = [field, factor, traits](const Point_3& p) {

@@ -21,6 +21,7 @@
 
 // Applies a macro to the name of each parameter: this package's own ones, and all.
 #define CGAL_VFC_OWN_PARAMETERS(X) \
+  X(bend_radius)                   \
   X(build_name)                    \
   X(certificate)                   \
   X(check_mesh)                    \
@@ -46,10 +47,12 @@
   X(preconditioner)                \
   X(progress)                      \
   X(resume_from)                   \
+  X(round_bends)                   \
   X(screening)                     \
   X(spacing)                       \
   X(start)                         \
   X(stop_at_proof)                 \
+  X(strand_distance)               \
   X(strategy)                      \
   X(thickness)                     \
   X(time_limit)                    \

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_SHAPE_CHECK_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_SHAPE_CHECK_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Where a curve comes closest to a limit of its shape, or exceeds it most.
+struct Shape_extreme
+{
+  double share = std::numeric_limits<double>::infinity(); // of the limit that is kept there
+  double value = 0, limit = 0;
+  Vector point;
+
+  void note(double other_value, double other_limit, const Vector& other_point)
+  {
+    if(!(other_value < share * other_limit)) return;
+    *this = {other_value / other_limit, other_value, other_limit, other_point};
+  }
+
+  // but for rounding
+  bool is_kept() const { return share >= 1 - 1e-12; }
+};
+
+// The tightest bend and the closest strands of a curve, compared with the limits of its shape. Near
+// linear.
+struct Shape_check
+{
+  template <typename ConcurrencyTag, typename Network>
+  Shape_check(ConcurrencyTag, const Network& curve, const Shape_limits& limits)
+      : Shape_check(curve, limits, Strand_pairs(ConcurrencyTag(), curve, limits, 0))
+  {}
+
+  // with pairs that were found before
+  template <typename Network>
+  Shape_check(const Network& curve, const Shape_limits& limits, const Strand_pairs& pairs)
+  {
+    const Vector_field x = coordinates(curve);
+    for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
+      if(curve.degree(v) != 2 || !(limits.bend_radius[v] > 0)) continue;
+      const Vector in = row(x, v) - row(x, curve.neighbor(v, 0));
+      const Vector out = row(x, curve.neighbor(v, 1)) - row(x, v);
+      bend.note(bend_radius(in, out), limits.bend_radius[v], row(x, v));
+    }
+    for(const auto& [e, f] : pairs.pairs()) {
+      const auto end = [&](std::size_t k, int i) { return row(x, pairs.ends(k)[i]); };
+      const double squared_distance =
+          squared_segment_distance(end(e, 0), end(e, 1), end(f, 0), end(f, 1));
+      strands.note(std::sqrt(squared_distance), pairs.distance(e, f), end(e, 0));
+    }
+  }
+
+  bool is_passed() const { return bend.is_kept() && strands.is_kept(); }
+
+  Shape_extreme bend, strands;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_SHAPE_CHECK_H

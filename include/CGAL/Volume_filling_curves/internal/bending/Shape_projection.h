@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_SHAPE_PROJECTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_SHAPE_PROJECTION_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Strand_paths.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Brings the nodes of a curve towards limits of its shape, constraint by constraint (position based
+// dynamics; Mueller et al. 2007): strands go apart, corners open, walls are left. Corners of nodes
+// 4, 2 and 1 apart are opened in turn, since corners of neighbors alone take hundreds of sweeps for
+// a bend. In each sweep constraints come in the order of the curve. All ways are combinations of
+// differences of positions, and of the walls' normals. Linear.
+class Shape_projection
+{
+  using Path = Strand_paths::Path;
+  using Index = Strand_paths::Index;
+
+public:
+  // The limits and the pairs must outlive the projection.
+  template <typename Network>
+  Shape_projection(const Network& curve,
+                   const Shape_limits& limits,
+                   const Strand_pairs& pairs,
+                   const Wall_planes& walls)
+      : m_paths(curve), m_limits(limits), m_pairs(pairs), m_walls(walls)
+  {
+    for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+      m_mobility.push_back(curve.is_pinned(v) ? 0 : 1);
+  }
+
+  // Sweeps over nodes at x. A tense curve keeps the lengths of its edges; otherwise these get even.
+  void operator()(std::vector<Vector>& x, int sweeps, bool is_tense) const
+  {
+    const std::vector<double> lengths = mean_edges(x);
+    for(int k = 0; k < sweeps; ++k) {
+      for(std::size_t p = 0; p < paths().size(); ++p)
+        is_tense ? keep_length(x, paths()[p], lengths[p]) : even(x, paths()[p]);
+      for(const auto& [e, f] : m_pairs.pairs()) push_apart(x, e, f);
+      m_walls.push_inside(x);
+      for(const Path& path : paths()) {
+        if(is_too_short(x, path)) {
+          widen(x, path);
+        } else {
+          open_corners<4>(x, path);
+          open_corners<2>(x, path);
+          open_corners<1>(x, path);
+        }
+      }
+    }
+  }
+
+private:
+  // Projections converge from outside: they aim at that much more than the limits.
+  static constexpr double margin = 1.02;
+
+  const std::vector<Path>& paths() const { return m_paths.paths(); }
+
+  // the i-th node of all paths, also beyond the end of a closed one
+  std::size_t node(const Path& path, std::size_t i) const
+  {
+    return m_paths.nodes()[i < path.end ? i : i - path.size()];
+  }
+
+  void move(std::vector<Vector>& x, std::size_t v, const Vector& way) const
+  {
+    x[v] += m_mobility[v] * way;
+  }
+
+  std::vector<double> mean_edges(const std::vector<Vector>& x) const
+  {
+    std::vector<double> means;
+    for(const Path& path : paths())
+      means.push_back(length(x, path) / static_cast<double>(path.number_of_edges()));
+    return means;
+  }
+
+  double length(const std::vector<Vector>& x, const Path& path) const
+  {
+    double sum = 0;
+    for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i)
+      sum += (x[node(path, i + 1)] - x[node(path, i)]).norm();
+    return sum;
+  }
+
+  void keep_length(std::vector<Vector>& x, const Path& path, double mean) const
+  {
+    for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i) {
+      const std::size_t v = node(path, i), w = node(path, i + 1);
+      const Vector edge = x[w] - x[v];
+      const double now = edge.norm();
+      if(!(now > 0)) continue;
+      const Vector half = (now - mean) / (2 * now) * edge;
+      move(x, v, half);
+      move(x, w, -half);
+    }
+  }
+
+  // Slides nodes towards the longer one of their edges, since corners between uneven edges bend
+  // sharply (Rawdon's MinRad). Folds have no direction to slide in.
+  void even(std::vector<Vector>& x, const Path& path) const
+  {
+    constexpr double rate = 0.2, fold = 0.5;
+    const std::size_t ends = path.is_closed ? 0 : 1;
+    for(std::size_t i = path.begin + ends; i < path.end - ends; ++i) {
+      const std::size_t v = node(path, i), w = node(path, i + 1);
+      const std::size_t u = node(path, i > path.begin ? i - 1 : path.end - 1);
+      const Vector in = x[v] - x[u], out = x[w] - x[v];
+      const double length_in = in.norm(), length_out = out.norm();
+      if(!(length_in > 0 && length_out > 0)) continue;
+      const Vector tangent = in / length_in + out / length_out;
+      const double norm = tangent.norm();
+      if(norm > fold) move(x, v, rate * (length_out - length_in) / norm * tangent);
+    }
+  }
+
+  // Each end goes by what it has to do with the nearest points.
+  void push_apart(std::vector<Vector>& x, std::size_t e, std::size_t f) const
+  {
+    const double distance = margin * m_pairs.distance(e, f);
+    const auto [i, j] = m_pairs.ends(e);
+    const auto [k, l] = m_pairs.ends(f);
+    const Vector a = x[i], b = x[j], c = x[k], d = x[l];
+    if(Strand_pairs::are_middles_apart(distance, a, b, c, d)) return;
+    const auto [s, t] = nearest_points(a, b, c, d);
+    const Vector chord = (a + s * (b - a)) - (c + t * (d - c));
+    const double now = chord.norm();
+    if(!(now < distance && now > 0)) return;
+    const double weight = (1 - s) * (1 - s) + s * s + (1 - t) * (1 - t) + t * t;
+    const Vector push = (distance - now) / (now * weight) * chord;
+    move(x, i, (1 - s) * push);
+    move(x, j, s * push);
+    move(x, k, -(1 - t) * push);
+    move(x, l, -t * push);
+  }
+
+  // Opens the corners of nodes that are `apart` nodes apart.
+  template <std::size_t apart>
+  void open_corners(std::vector<Vector>& x, const Path& path) const
+  {
+    if(path.size() <= 2 * apart) return;
+    const Index* const nodes = m_paths.nodes().data();
+    for(std::size_t i = path.begin; i + 2 * apart < path.end; ++i) open_corner<apart>(x, nodes + i);
+    if(!path.is_closed) return;
+    Index around[2 * apart + 1];
+    for(std::size_t i = path.end - 2 * apart; i < path.end; ++i) {
+      for(std::size_t k = 0; k <= 2 * apart; ++k) around[k] = static_cast<Index>(node(path, i + k));
+      open_corner<apart>(x, around);
+    }
+  }
+
+  // The arc that is tangent to both edges of a corner and touches the shorter one in its middle has
+  // the limit for its radius if the sine of half of the turn is q / sqrt(1 + q^2), where q is half
+  // of the shorter edge over the radius; the chords of a circle have the sine q. The node in the
+  // middle goes half of the excess ahead of the outer ones, those between a part of that, and
+  // all together nowhere: otherwise bends that are even would move to their inner side, and rings
+  // shrink to points.
+  template <std::size_t apart>
+  void open_corner(std::vector<Vector>& x, const Index* nodes) const
+  {
+    const std::size_t v = nodes[apart];
+    const Vector in = x[v] - x[nodes[0]], out = x[nodes[2 * apart]] - x[v];
+    const double in2 = in.squaredNorm(), out2 = out.squaredNorm(), edge2 = (std::min)(in2, out2);
+    const double radius = margin * m_limits.bend_radius[v];
+    const double q2 = edge2 / (4 * radius * radius);
+    const double sine2 = apart == 1 ? q2 / (1 + q2) : (std::min)(1., q2);
+    const double product = std::sqrt(in2 * out2);
+    if(!(edge2 > 0) || product - in.dot(out) <= 2 * sine2 * product) return;
+    const double edge = std::sqrt(edge2);
+    const Vector bend = edge * (out / std::sqrt(out2) - in / std::sqrt(in2));
+    const double size = bend.norm(), most = 2 * edge * std::sqrt(sine2);
+    if(!(size > most)) return;
+    const Vector sixth = (size - most) / (6 * size) * bend;
+    constexpr double n = apart, mean = (n - 1) / (2 * n + 1);
+    move(x, v, (2 - mean) * sixth);
+    for(std::size_t k = 1; k <= apart; ++k) {
+      const Vector way = (2 - mean - 3 * static_cast<double>(k) / n) * sixth;
+      move(x, nodes[apart - k], way);
+      move(x, nodes[apart + k], way);
+    }
+  }
+
+  // A closed curve that is shorter than a ring with the limit for its radius would shrink to a
+  // point by its stiffness: its corners stay as they are, and it grows. Most curves are far longer,
+  // and a look at some of their edges is enough.
+  bool is_too_short(const std::vector<Vector>& x, const Path& path) const
+  {
+    if(!path.is_closed) return false;
+    const double n = static_cast<double>(path.size());
+    const auto [cosine, sine] = cos_sin(0.5 / n);
+    const double radius = margin * m_limits.bend_radius[node(path, path.begin)];
+    const double ring = 2 * n * radius * sine / cosine; // of n edges
+    double length = 0;
+    for(std::size_t i = path.begin; i < path.end && length < ring; ++i)
+      length += (x[node(path, i + 1)] - x[node(path, i)]).norm();
+    return length < ring;
+  }
+
+  // Away from its center.
+  void widen(std::vector<Vector>& x, const Path& path) const
+  {
+    constexpr double rate = 0.02;
+    Vector center;
+    for(std::size_t i = path.begin; i < path.end; ++i)
+      center += x[node(path, i)] / static_cast<double>(path.size());
+    for(std::size_t i = path.begin; i < path.end; ++i) {
+      const std::size_t v = node(path, i);
+      move(x, v, rate * (x[v] - center));
+    }
+  }
+
+  const Strand_paths m_paths;
+  const Shape_limits& m_limits;
+  const Strand_pairs& m_pairs;
+  const Wall_planes& m_walls;
+  std::vector<double> m_mobility; // of each node, 0 if it is pinned
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_SHAPE_PROJECTION_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_STRAND_PAIRS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_STRAND_PAIRS_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Curve_interval.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
+#include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The pairs of edges of different strands that may come closer than their limit. Near linear in the
+// number of edges; they are sought in parallel if asked to, and come in the same order.
+class Strand_pairs
+{
+public:
+  using Index = std::uint32_t;
+  using Pair = std::array<Index, 2>;
+
+  // Pairs farther apart than their limit and `slack` times that are left out.
+  template <typename ConcurrencyTag, typename Network>
+  Strand_pairs(ConcurrencyTag, const Network& curve, const Shape_limits& limits, double slack)
+  {
+    const Vector_field x = coordinates(curve);
+    take_edges(curve, limits);
+    const Neighbors<Network> neighbors(curve, m_half_turns);
+    const double largest =
+        m_distances.empty() ? 0 : *std::max_element(m_distances.begin(), m_distances.end());
+    const auto can_touch = [&](std::size_t e, std::size_t f) {
+      const auto end = [&](std::size_t k, int i) { return row(x, m_ends[k][i]); };
+      return !are_middles_apart((1 + slack) * distance(e, f), end(e, 0), end(e, 1), end(f, 0),
+                                end(f, 1)) &&
+             !neighbors(e, f);
+    };
+    m_pairs = Broad_phase(ConcurrencyTag(), curve, x, x, (1 + slack) * largest)
+                  .template pairs<ConcurrencyTag>(can_touch);
+  }
+
+  const std::vector<Pair>& pairs() const { return m_pairs; }
+
+  // the nodes of an edge
+  const Pair& ends(std::size_t e) const { return m_ends[e]; }
+
+  // that two edges keep
+  double distance(std::size_t e, std::size_t f) const
+  {
+    return (m_distances[e] + m_distances[f]) / 2;
+  }
+
+  // returns whether the middles of the edges ab and cd are so far apart that the edges keep a
+  // distance
+  static bool are_middles_apart(
+      double distance, const Vector& a, const Vector& b, const Vector& c, const Vector& d)
+  {
+    const double lengths = std::sqrt(2 * ((b - a).squaredNorm() + (d - c).squaredNorm()));
+    const double reach = 2 * distance + lengths; // of twice the way between the middles
+    return ((a - c) + (b - d)).squaredNorm() >= reach * reach;
+  }
+
+private:
+  // Edges of one strand. Those of components with junctions need a search, with one length for all.
+  template <typename Network>
+  class Neighbors
+  {
+  public:
+    Neighbors(const Network& curve, const std::vector<double>& half_turns)
+        : m_half_turns(half_turns), m_spans(arc_length_spans(curve))
+    {
+      if(curve.has_junction())
+        m_search.emplace(curve, *std::max_element(half_turns.begin(), half_turns.end()));
+    }
+
+    bool operator()(std::size_t e, std::size_t f) const
+    {
+      if(m_spans.of_edge[e].is_comparable(m_spans.of_edge[f]))
+        return m_spans.gap(e, f) < (m_half_turns[e] + m_half_turns[f]) / 2;
+      return m_search && m_search->are_neighbors(e, f);
+    }
+
+  private:
+    const std::vector<double>& m_half_turns;
+    const Curve_intervals m_spans;
+    std::optional<Least_clearance<Network>> m_search;
+  };
+
+  template <typename Network>
+  void take_edges(const Network& curve, const Shape_limits& limits)
+  {
+    for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
+      const std::size_t v = curve.source(e), w = curve.target(e);
+      const double radius = (limits.bend_radius[v] + limits.bend_radius[w]) / 2;
+      m_ends.push_back({static_cast<Index>(v), static_cast<Index>(w)});
+      m_distances.push_back((limits.strand_distance[v] + limits.strand_distance[w]) / 2);
+      m_half_turns.push_back(CGAL_PI * (std::max)(radius, m_distances.back() / 2));
+    }
+  }
+
+  std::vector<Pair> m_ends;
+  std::vector<double> m_distances, m_half_turns; // of each edge
+  std::vector<Pair> m_pairs;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_STRAND_PAIRS_H

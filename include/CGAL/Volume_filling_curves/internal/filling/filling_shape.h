@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_SHAPE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_SHAPE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The shape that is required of a filling, and where it was not reached.
+
+// In units of the thickness. With a bend radius of 0.85 r the strands still touch one another; with
+// r bends jam before that, and 70 instead of 82 % of the volume are within r.
+constexpr double bend_radius_of_thickness = 0.85, strand_distance_of_thickness = 1.6;
+
+// The thickness at which a curve with that bend radius fills a domain. With less, bends would
+// tangle, or contract the curve: in a cube of side 10 r one with a bend radius of 2 r vanished.
+inline double least_thickness_for(double bend_radius)
+{
+  return bend_radius / bend_radius_of_thickness;
+}
+
+// Returns no limits unless bends are to be rounded, or one of the limits is given.
+template <typename Point_3>
+Shape_goal shape_goal(const Filling_parameters<Point_3>& parameters)
+{
+  const double radius = parameters.bend_radius, distance = parameters.strand_distance;
+  Shape_goal goal;
+  if(!parameters.round_bends && !(radius > 0) && !(distance > 0)) return goal;
+  goal.bend_radius = {radius, radius > 0 ? 0 : bend_radius_of_thickness};
+  goal.strand_distance = {distance, distance > 0 ? 0 : strand_distance_of_thickness};
+  return goal;
+}
+
+template <typename Point_3, typename Traits>
+std::vector<Shape_excess_3<Point_3>> shape_excesses(const Shape_check& check, const Traits& traits)
+{
+  std::vector<Shape_excess_3<Point_3>> excesses;
+  for(const bool is_bend : {true, false}) {
+    const Shape_extreme& extreme = is_bend ? check.bend : check.strands;
+    if(!extreme.is_kept())
+      excesses.push_back({to_point(extreme.point, traits), extreme.value, extreme.limit, is_bend});
+  }
+  return excesses;
+}
+
+template <typename Point_3>
+std::string shape_reason(const std::vector<Shape_excess_3<Point_3>>& excesses)
+{
+  std::ostringstream text;
+  text << std::setprecision(3);
+  for(const Shape_excess_3<Point_3>& excess : excesses)
+    text << (text.tellp() > 0 ? "; " : "")
+         << (excess.is_bend ? "the curve bends with a radius of " : "strands have a distance of ")
+         << excess.value << ", not " << excess.limit << ", at " << point_text(excess.point);
+  return text.str();
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_SHAPE_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_SHAPED_STEP_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_SHAPED_STEP_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_projection.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Strand_separator.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// The steps of a curve that is brought into limits of its shape. While it bends it goes along the
+// direction of the flow, which presses it outwards, and sweeps of projections bring the targets
+// towards the limits. Projections alone polish it, and end once the limits are kept. The guard
+// shortens ways that it cannot certify, so the limits are measured, never assumed.
+
+template <typename Guard, typename ConcurrencyTag>
+class Shaped_step
+{
+public:
+  Shaped_step(Guard& guard, const Shape_goal& goal, const std::vector<double>& thickness)
+      : m_guard(guard), m_limits(goal, thickness)
+  {}
+
+  // Takes a direction of each node, how far a node may go along it, and how many steps have passed.
+  // Returns whether any node moved.
+  bool bend(const Vector_field& direction, double longest_way, std::size_t number_of_steps)
+  {
+    const Strand_pairs pairs = find_pairs();
+    std::vector<Vector> x = positions();
+    for(std::size_t v = 0; v < x.size(); ++v) {
+      const Vector way = row(direction, v);
+      const double length = way.norm();
+      x[v] += length > longest_way ? Vector(longest_way / length * way) : way;
+    }
+    return project(std::move(x), pairs, sweeps_of_step(number_of_steps), false);
+  }
+
+  // Returns whether any node moved; none does if the limits are kept.
+  bool polish()
+  {
+    const Strand_pairs pairs = find_pairs();
+    if(Shape_check(m_guard.curve(), m_limits, pairs).is_passed()) return false;
+    return project(positions(), pairs, sweeps_to_polish, true);
+  }
+
+private:
+  // Figures found on six domains, with a bend radius of 0.85 r and a strand distance of 1.6 r
+  // (2026-11-24).
+  static constexpr double slack = 0.25; // in strand distances: two nodes go half of that each
+  static constexpr double first_sweeps = 2, growth_of_sweeps = 1.05, most_sweeps = 40;
+  static constexpr int sweeps_to_polish = 10;
+  static constexpr double parting_distance = 0.25; // of held strands, in strand distances
+  static constexpr double wall_distance = 1. / 16; // in strand distances
+
+  // First the curve opens, then it settles within its limits.
+  static int sweeps_of_step(std::size_t k)
+  {
+    double sweeps = first_sweeps;
+    for(; k > 0 && sweeps < most_sweeps; --k) sweeps *= growth_of_sweeps;
+    return static_cast<int>((std::min)(sweeps, most_sweeps));
+  }
+
+  Strand_pairs find_pairs() const { return {ConcurrencyTag(), m_guard.curve(), m_limits, slack}; }
+
+  std::vector<Vector> positions() const
+  {
+    std::vector<Vector> x;
+    for(const auto& p : m_guard.curve().points()) x.push_back(to_vector(p));
+    return x;
+  }
+
+  bool project(std::vector<Vector> x, const Strand_pairs& pairs, int sweeps, bool is_tense)
+  {
+    std::vector<double> wall_distances = m_limits.strand_distance;
+    for(double& distance : wall_distances) distance *= wall_distance;
+    Wall_planes walls;
+    walls.find(m_guard.curve(), m_guard.boundary(), wall_distances);
+    Shape_projection(m_guard.curve(), m_limits, pairs, walls)(x, sweeps, is_tense);
+    Vector_field targets(static_cast<Eigen::Index>(x.size()), 3);
+    for(std::size_t v = 0; v < x.size(); ++v) set_row(targets, v, x[v]);
+    const std::vector<double> fractions = m_guard.template advance_nodes<ConcurrencyTag>(targets);
+    const bool is_any_held = std::find(fractions.begin(), fractions.end(), 0.) != fractions.end();
+    const bool have_strands_parted = is_any_held && part_strands();
+    return have_strands_parted ||
+           std::any_of(fractions.begin(), fractions.end(), [](double f) { return f > 0; });
+  }
+
+  // Strands that hold one another part before they are projected again: nodes that cannot go where
+  // projections lead them cannot go elsewhere, either.
+  bool part_strands()
+  {
+    const double distance = parting_distance * *std::min_element(m_limits.strand_distance.begin(),
+                                                                 m_limits.strand_distance.end());
+    return Strand_separator<Guard, ConcurrencyTag>(m_guard, distance, distance)();
+  }
+
+  Guard& m_guard;
+  const Shape_limits m_limits;
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_SHAPED_STEP_H

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "support/fill_test_support.h"
+
+#include <CGAL/Volume_filling_curves/Box_domain_3.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_projection.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Strand_paths.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+
+#include <CGAL/number_type_config.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+// The pieces with which a curve gets its shape, on curves whose shapes are known.
+namespace test_shape_projection {
+
+using namespace fill_test;
+namespace internal = vfc::internal;
+using internal::Shape_check;
+using internal::Shape_goal;
+using internal::Shape_limits;
+using internal::Strand_pairs;
+using internal::Strand_paths;
+using internal::Vector;
+using internal::Wall_planes;
+
+constexpr CGAL::Sequential_tag sequential{};
+
+std::vector<Point> ring(std::size_t n, double radius, const Vector& center = Vector())
+{
+  std::vector<Point> points;
+  for(std::size_t k = 0; k <= n; ++k) {
+    const double angle = 2 * CGAL_PI * static_cast<double>(k % n) / static_cast<double>(n);
+    points.emplace_back(center.x() + radius * std::cos(angle),
+                        center.y() + radius * std::sin(angle), center.z());
+  }
+  return points;
+}
+
+std::vector<Point> segment(std::size_t n, const Vector& a, const Vector& b)
+{
+  std::vector<Point> points;
+  for(std::size_t k = 0; k <= n; ++k) {
+    const Vector x = a + static_cast<double>(k) / static_cast<double>(n) * (b - a);
+    points.emplace_back(x.x(), x.y(), x.z());
+  }
+  return points;
+}
+
+Curve curve_of(const std::vector<std::vector<Point>>& polylines)
+{
+  return Curve(polylines);
+}
+
+Shape_limits limits(const Curve& curve, double bend_radius, double strand_distance)
+{
+  Shape_goal goal;
+  goal.bend_radius.length = bend_radius;
+  goal.strand_distance.length = strand_distance;
+  return Shape_limits(goal, std::vector<double>(curve.number_of_nodes(), 1));
+}
+
+std::vector<Vector> positions(const Curve& curve)
+{
+  std::vector<Vector> x;
+  for(const Point& p : curve.points()) x.push_back(internal::to_vector(p));
+  return x;
+}
+
+// The curve after some sweeps, whatever is in its way.
+Curve projected(const Curve& curve,
+                double bend_radius,
+                double strand_distance,
+                int sweeps,
+                bool is_tense,
+                const Wall_planes& walls = Wall_planes())
+{
+  const Shape_limits shape = limits(curve, bend_radius, strand_distance);
+  const Strand_pairs pairs(sequential, curve, shape, 1);
+  std::vector<Vector> x = positions(curve);
+  internal::Shape_projection(curve, shape, pairs, walls)(x, sweeps, is_tense);
+  Curve result = curve;
+  for(std::size_t v = 0; v < x.size(); ++v)
+    internal::Network_editor<Curve>(result).move_node(v, Point(x[v].x(), x[v].y(), x[v].z()));
+  return result;
+}
+
+Shape_check check(const Curve& curve, double bend_radius, double strand_distance)
+{
+  return Shape_check(sequential, curve, limits(curve, bend_radius, strand_distance));
+}
+
+TEST(Shape_check, finds_the_bend_radius_of_a_ring)
+{
+  const Curve curve = curve_of({ring(12, 2)});
+  const double inscribed = 2 * std::cos(CGAL_PI / 12); // of the arcs that touch the edges' middles
+  EXPECT_NEAR(check(curve, 1, 1).bend.value, inscribed, 1e-12);
+  EXPECT_TRUE(check(curve, inscribed, 1).is_passed());
+  EXPECT_FALSE(check(curve, 1.001 * inscribed, 1).is_passed());
+}
+
+TEST(Shape_check, finds_the_distance_of_strands)
+{
+  const Curve curve =
+      curve_of({segment(9, {-1, 0, 0}, {1, 0, 0}), segment(7, {0, -1, 0.3}, {0, 1, 0.3})});
+  const Shape_check result = check(curve, 0.1, 0.5);
+  EXPECT_NEAR(result.strands.value, 0.3, 1e-12);
+  EXPECT_NEAR(result.strands.share, 0.6, 1e-12);
+  EXPECT_TRUE(check(curve, 0.1, 0.3).is_passed());
+  EXPECT_FALSE(result.is_passed());
+}
+
+// Half of a turn is one strand, the legs of a hairpin are two.
+TEST(Shape_check, leaves_out_the_other_side_of_a_bend)
+{
+  const std::vector<Point> turn = ring(24, 0.6);
+  std::vector<Point> hairpin(turn.begin(), turn.begin() + 13);
+  EXPECT_TRUE(check(curve_of({hairpin}), 0.5, 1.8).strands.is_kept());
+  const std::vector<Point> left = segment(10, {-0.6, 0, 0}, {-0.6, -4, 0});
+  const std::vector<Point> right = segment(10, {0.6, -4, 0}, {0.6, 0, 0});
+  hairpin.insert(hairpin.begin(), right.begin(), right.end() - 1);
+  hairpin.insert(hairpin.end(), left.begin() + 1, left.end());
+  EXPECT_NEAR(check(curve_of({hairpin}), 0.5, 1.8).strands.value, 1.2, 1e-9);
+}
+
+TEST(Strand_paths, go_once_along_every_edge)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, -1, 0}, {3, 0, 0}};
+  const Curve theta(
+      points, std::vector<std::array<std::size_t, 2>>{{0, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 4}});
+  const Strand_paths paths(theta);
+  std::size_t edges = 0;
+  for(const auto& path : paths.paths()) edges += path.number_of_edges();
+  EXPECT_EQ(edges, theta.number_of_edges());
+  EXPECT_EQ(Strand_paths(curve_of({ring(7, 1)})).paths().front().size(), 7u);
+}
+
+TEST(Shape_projection, leaves_a_curve_within_its_limits)
+{
+  const Curve curve = curve_of({ring(30, 2)});
+  const std::vector<Vector> before = positions(curve);
+  const std::vector<Vector> after = positions(projected(curve, 1, 1, 20, true));
+  for(std::size_t v = 0; v < before.size(); ++v) EXPECT_LT((after[v] - before[v]).norm(), 1e-12);
+}
+
+TEST(Shape_projection, widens_a_ring_that_is_too_small)
+{
+  const Curve curve = curve_of({ring(12, 0.1, {3, 1, 2})});
+  const Curve wide = projected(curve, 1, 1, 400, false);
+  EXPECT_GE(check(wide, 1, 1).bend.value, 1);
+  EXPECT_LT(vfc::length(wide), 8);
+}
+
+TEST(Shape_projection, opens_a_corner)
+{
+  std::vector<Point> angle = segment(20, {0, 0, 0}, {3, 0, 0});
+  const std::vector<Point> leg = segment(20, {3, 0, 0}, {3, 3, 0});
+  angle.insert(angle.end(), leg.begin() + 1, leg.end());
+  const Curve curve = curve_of({angle});
+  EXPECT_LT(check(curve, 1, 0.1).bend.value, 0.2);
+  EXPECT_TRUE(check(projected(curve, 1, 0.1, 400, false), 1, 0.1).bend.is_kept());
+}
+
+TEST(Shape_projection, pushes_strands_apart)
+{
+  const Curve curve =
+      curve_of({segment(9, {-1, 0, 0}, {1, 0, 0}), segment(7, {0, -1, 0.1}, {0, 1, 0.1})});
+  EXPECT_TRUE(check(projected(curve, 0.2, 0.5, 100, false), 0.2, 0.5).is_passed());
+}
+
+TEST(Shape_projection, leaves_pinned_nodes_and_coordinate_planes)
+{
+  Curve curve = curve_of({ring(12, 0.3), segment(8, {-2, 0.4, 0}, {2, 0.4, 0})});
+  for(const std::size_t v : {0u, 5u}) curve.set_pinned(v);
+  const std::vector<Vector> before = positions(curve);
+  const std::vector<Vector> after = positions(projected(curve, 1, 1, 50, false));
+  for(std::size_t v = 0; v < before.size(); ++v) {
+    EXPECT_EQ(after[v].z(), 0);
+    if(curve.is_pinned(v)) {
+      EXPECT_EQ(after[v], before[v]);
+    }
+  }
+}
+
+TEST(Wall_planes, push_nodes_inside)
+{
+  const vfc::Box_domain_3<Kernel> box({0, 0, 0}, {4, 4, 4});
+  const Curve curve = curve_of({segment(8, {0.01, 1, 2}, {0.02, 3, 2})});
+  Wall_planes walls;
+  walls.find(curve, internal::Boundary(box), std::vector<double>(curve.number_of_nodes(), 0.1));
+  for(const Vector& x : positions(projected(curve, 0.1, 0.1, 1, false, walls)))
+    EXPECT_NEAR(x.x(), 0.1, 1e-6);
+}
+
+} // namespace test_shape_projection

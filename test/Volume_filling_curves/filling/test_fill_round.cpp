@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Fillings with a bend radius and a distance of strands. All is measured anew.
+
+#include "support/fill_test_support.h"
+
+#include <CGAL/Volume_filling_curves/Ball_domain_3.h>
+#include <CGAL/Volume_filling_curves/Box_domain_3.h>
+#include <CGAL/Volume_filling_curves/Run_state.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/verify_certificate.h>
+
+#include <CGAL/number_type_config.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace test_fill_round {
+
+using namespace fill_test;
+namespace np = CGAL::Volume_filling_curves::parameters;
+using vfc::Filling_status;
+using Box = vfc::Box_domain_3<Kernel>;
+using Result = vfc::Filling_result<Point>;
+
+const Box box({0, 0, 0}, {6, 6, 6});
+
+// By the measures, which count strands from half of a turn of the bend radius on.
+void expect_shape(const Curve& curve, double bend_radius, double strand_distance)
+{
+  EXPECT_GE(vfc::min_bend_radius(curve), (1 - 1e-9) * bend_radius);
+  EXPECT_GE(vfc::min_clearance(curve, CGAL_PI * bend_radius), (1 - 1e-9) * strand_distance);
+}
+
+std::vector<Point> points(const Curve& curve)
+{
+  return {curve.points().begin(), curve.points().end()};
+}
+
+TEST(Fill_round, keeps_bends_and_strands_in_a_box)
+{
+  const Box wide({0, 0, 0}, {7, 7, 7});
+  Curve curve;
+  vfc::Isotopy_certificate certificate;
+  const Result result =
+      vfc::fill(curve, wide, np::thickness(1).round_bends(true).certificate(std::ref(certificate)));
+  EXPECT_EQ(result.status, Filling_status::CONVERGED);
+  EXPECT_TRUE(result.shape_excesses.empty());
+  expect_shape(curve, 0.85, 1.6);
+  expect_inside(curve, wide);
+  EXPECT_GE(coverage(curve, wide, 1).fraction_within_r, 0.75);
+  const Curve start(result.start);
+  EXPECT_TRUE(vfc::verify_certificate(certificate, start, curve, wide).is_valid);
+}
+
+TEST(Fill_round, keeps_a_strand_distance_in_a_ball)
+{
+  const vfc::Ball_domain_3<Kernel> ball({0, 0, 0}, 4);
+  Curve curve;
+  const Result result = vfc::fill(curve, ball, np::thickness(1).strand_distance(1.7));
+  EXPECT_EQ(result.status, Filling_status::CONVERGED);
+  expect_shape(curve, 0.85, 1.7);
+  expect_inside(curve, ball);
+}
+
+// A curve cannot be denser than its bends allow.
+TEST(Fill_round, takes_a_larger_thickness_for_wide_bends)
+{
+  for(const double bend_radius : {1.5, 2.}) {
+    Curve curve;
+    const Result result = vfc::fill(curve, box, np::thickness(1).bend_radius(bend_radius));
+    EXPECT_NEAR(result.thickness, bend_radius / 0.85, 1e-9);
+    EXPECT_GE(vfc::length(curve), CGAL_PI * bend_radius) << "the curve has vanished";
+    if(result.status == Filling_status::CONVERGED || result.status == Filling_status::PARTIAL)
+      expect_shape(curve, bend_radius, 1.6 * bend_radius / 0.85);
+    else
+      EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
+    expect_inside(curve, box);
+  }
+}
+
+TEST(Fill_round, says_where_a_constraint_is_not_reached)
+{
+  const Box small({0, 0, 0}, {1, 1, 1}); // no ring with that radius fits in
+  Curve curve;
+  const Result result = vfc::fill(curve, small, np::thickness(0.25).bend_radius(0.9));
+  EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
+  EXPECT_GE(vfc::length(curve), 1) << "the curve has vanished";
+  ASSERT_FALSE(result.shape_excesses.empty());
+  EXPECT_TRUE(result.shape_excesses.front().is_bend);
+  EXPECT_NEAR(result.shape_excesses.front().value, vfc::min_bend_radius(curve), 1e-9);
+  EXPECT_EQ(result.shape_excesses.front().limit, 0.9);
+  EXPECT_NE(result.reason.find("bends with a radius of"), std::string::npos) << result.reason;
+}
+
+TEST(Fill_round, refuses_a_radius_beyond_the_domain)
+{
+  Curve curve;
+  EXPECT_THROW(vfc::fill(curve, box, np::bend_radius(100)), std::invalid_argument);
+  EXPECT_THROW(vfc::fill(curve, box, np::bend_radius(-1)), std::invalid_argument);
+  EXPECT_THROW(vfc::fill(curve, box, np::strand_distance(100)), std::invalid_argument);
+}
+
+TEST(Fill_round, is_the_same_in_parallel_and_at_another_scale)
+{
+  const auto fill_box = [](auto tag, double unit) {
+    Curve curve;
+    const Box scaled({0, 0, 0}, {4 * unit, 4 * unit, 4 * unit});
+    vfc::fill<decltype(tag)>(curve, scaled, np::thickness(unit).bend_radius(0.85 * unit));
+    std::vector<Point> result;
+    for(const Point& p : curve.points())
+      result.emplace_back(p.x() / unit, p.y() / unit, p.z() / unit);
+    return result;
+  };
+  const std::vector<Point> once = fill_box(CGAL::Sequential_tag(), 1);
+  EXPECT_EQ(once, fill_box(CGAL::Parallel_if_available_tag(), 1));
+  EXPECT_EQ(once, fill_box(CGAL::Sequential_tag(), 0x1p+20));
+}
+
+// Interrupted while it bends, and while it is polished.
+TEST(Fill_round, goes_on_with_the_same_bits)
+{
+  const Box small({0, 0, 0}, {4, 4, 4});
+  const auto parameters = np::thickness(1).round_bends(true);
+  Curve whole;
+  const Result result = vfc::fill(whole, small, parameters);
+  for(const std::size_t limit : {std::size_t(20), result.statistics.iterations - 1}) {
+    vfc::Run_state state;
+    Curve begun;
+    vfc::fill(begun, small,
+              parameters.number_of_iterations(limit).checkpoint(
+                  [&](const vfc::Run_checkpoint& checkpoint) {
+                    if(checkpoint.is_last) state = checkpoint.state();
+                  }));
+    ASSERT_FALSE(state.is_empty());
+    Curve resumed;
+    const Result end = vfc::fill(resumed, small, parameters.resume_from(std::cref(state)));
+    EXPECT_EQ(points(resumed), points(whole)) << "from iteration " << limit;
+    EXPECT_EQ(end.statistics.iterations, result.statistics.iterations);
+    EXPECT_EQ(end.status, result.status);
+  }
+}
+
+} // namespace test_fill_round
