@@ -54,9 +54,9 @@ inline std::vector<std::vector<int>> linking_matrix(const Planar_diagram& diagra
   return matrix;
 }
 
-// Which link a diagram shows, by its polynomials. A diagram of at most 10 crossings shows one of the
-// knots of the classical tables, which Tait, Little and Perko made and Burton (2020) computed again,
-// or a connected sum of some; since their keys differ, equal keys are a proof.
+// The link of a diagram, by its polynomials. A diagram of at most 10 crossings is one of a knot of
+// the classical tables, which Tait, Little and Perko made and Burton (2020) computed again, or of
+// a connected sum of some; since their keys differ, equal keys are a proof.
 class Link_identification
 {
 public:

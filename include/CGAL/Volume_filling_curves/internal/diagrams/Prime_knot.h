@@ -24,7 +24,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // A knot of Rolfsen's table, or its mirror image. The table's own one is the closure of the braid
-// word of KnotInfo (data/prime_knots.txt). Knots that are their own mirror image are never mirrored.
+// word of KnotInfo (data/prime_knots.txt). Amphichiral knots are never mirrored.
 struct Prime_knot
 {
   std::size_t index = 0; // in the table

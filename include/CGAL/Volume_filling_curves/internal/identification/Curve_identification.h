@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Which link closed curves form: a copy is simplified by certified operations, and projected. If a
+// The link that closed curves form: a copy is simplified by certified operations, and projected. If a
 // proof of the name is missing, but possible, a search for fewer edges follows, and another try.
 template <typename Network>
 class Curve_identification
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // Petronio and Zanellati's PZ120, the one curve of the shared data that needs the search, has 148.
+  // Petronio and Zanellati's PZ120 has 148; no other curve of the shared data needs the search.
   static constexpr std::size_t max_searched_edges = 200;
 
   void simplify()
