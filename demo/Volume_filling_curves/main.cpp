@@ -79,6 +79,7 @@ int run_program(int argc, char** argv)
   add_fill_command(command_line);
   add_check_command(command_line);
   add_measure_command(command_line);
+  add_identify_command(command_line);
   add_repair_command(command_line);
   add_generate_command(command_line);
   add_convert_command(command_line);

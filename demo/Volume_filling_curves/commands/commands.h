@@ -17,6 +17,7 @@ void add_convert_command(Command_line& command_line);
 void add_draw_command(Command_line& command_line);
 void add_fill_command(Command_line& command_line);
 void add_generate_command(Command_line& command_line);
+void add_identify_command(Command_line& command_line);
 void add_measure_command(Command_line& command_line);
 void add_repair_command(Command_line& command_line);
 void add_simplify_command(Command_line& command_line);

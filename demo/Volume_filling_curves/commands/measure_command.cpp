@@ -14,6 +14,7 @@
 #include "options/shared_options.h"
 #include "reports/containment.h"
 #include "reports/coverage_report.h"
+#include "reports/report_rows.h"
 #include "reports/shape.h"
 #include "session/Exit_status.h"
 
@@ -21,7 +22,6 @@
 
 #include <CGAL/tags.h>
 
-#include <cmath>
 #include <memory>
 #include <string>
 
@@ -37,23 +37,6 @@ struct Measure_options
   std::size_t seed = 0;
   Curve_reading reading;
 };
-
-std::string cell(const Report::Json& value)
-{
-  if(value.is_number_float() && std::isfinite(double(value))) return to_text(double(value));
-  if(value.is_null() || value.is_number_float()) return "-";
-  if(!value.is_array()) return value.dump();
-  std::string text;
-  for(const Report::Json& item : value)
-    text += (text.empty() ? "" : " ") + (item.is_array() ? '[' + cell(item) + ']' : cell(item));
-  return text;
-}
-
-std::string row(const std::string& key, const Report::Json& value)
-{
-  constexpr std::size_t width = 28;
-  return key + std::string(width - key.size(), ' ') + cell(value) + '\n';
-}
 
 // One line per key of the report.
 std::string table(const Report& report)

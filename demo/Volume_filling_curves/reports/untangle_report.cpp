@@ -7,11 +7,15 @@
 #include "reports/untangle_report.h"
 
 #include "options/numbers.h"
+#include "reports/knot_report.h"
+#include "session/Patience.h"
 #include "session/Session.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace vfc {
 
@@ -111,6 +115,11 @@ void report_run(Report& report,
   for(const auto proof : result.proofs)
     report["proof"].push_back(name_or_null(proof, curves::Unknot_proof::NONE));
   report["link"] = name_or_null(result.link, curves::Link_status::NOT_A_LINK);
+  constexpr double patience = 1; // seconds; 100,000 nodes take one
+  if(result.status == Untangling_status::UNKNOTTED)
+    report["knottedness"] = report_name(to_string(curves::Knottedness::UNKNOTTED));
+  else
+    report_knottedness(report, curve, Patience(patience));
   report["gradient_norm"] = result.gradient_norm;
   if(result.fitting_thickness > 0) report["fitting_thickness"] = result.fitting_thickness;
   report_work(report, result.statistics);
@@ -123,11 +132,25 @@ void report_run(Report& report,
   if(has_ends(curve)) report["is_closure_kept"] = result.is_closure_kept;
 }
 
+namespace {
+
+// What was proved of a curve that was not untied.
+std::string knottedness(const Report& report)
+{
+  if(report["knottedness"].is_null()) return {};
+  std::string text = report["knottedness"];
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text == to_string(curves::Knottedness::UNKNOWN) ? "" : ", " + text;
+}
+
+} // namespace
+
 std::string summary(Session& session, const Curve& curve, const Untangling_result& result)
 {
   const Report& report = session.report();
-  return std::string(to_string(result.status)) + " after " +
-         counted(result.statistics.iterations, "iteration") + " and " +
+  const bool is_unknotted = result.status == Untangling_status::UNKNOTTED;
+  return std::string(to_string(result.status)) + (is_unknotted ? "" : knottedness(report)) +
+         " after " + counted(result.statistics.iterations, "iteration") + " and " +
          counted(result.sweeps, "sweep") + ", " + to_text(session.seconds()) + " s: nodes " +
          report["nodes_start"].dump() + " -> " + std::to_string(curve.number_of_nodes()) +
          ", length " + to_text(report["length_start"]) + " -> " + to_text(curves::length(curve)) +
