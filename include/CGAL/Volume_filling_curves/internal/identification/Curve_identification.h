@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The link that closed curves form: a copy is simplified by certified operations, and projected. If a
-// proof of the name is missing, but possible, a search for fewer edges follows, and another try.
+// The link that closed curves form: a copy is simplified by certified operations, and projected. If
+// the name has no proof, but may have one, a search for fewer edges follows, and a second try.
 template <typename Network>
 class Curve_identification
 {
