@@ -10,7 +10,7 @@
 #include "commands/commands.h"
 #include "files/certificates.h"
 #include "files/curve_files.h"
-#include "files/mesh_files.h"
+#include "files/polygon_files.h"
 #include "options/Command_line.h"
 #include "repair/obstacles.h"
 #include "reports/containment.h"
@@ -78,14 +78,23 @@ Defects defects_of_curve(Session& session, const Check_options& options)
     report["nodes_start"] = curve.curve.number_of_nodes();
   }
   if(options.mesh.empty()) return defects;
+  const auto find_outside = [&](const auto& domain) {
+    const Containment found = containment(curve.curve, domain);
+    report_containment(report, found);
+    append(defects, to_defects(found, curve.curve, options.file));
+  };
+  if(is_polygon_file(options.mesh)) {
+    Polygons_and_defects polygons = read_polygons_and_defects(options.mesh);
+    append(defects, std::move(polygons.defects));
+    if(curve.is_valid && polygons.domain) find_outside(*polygons.domain);
+    return defects;
+  }
   Mesh_and_defects mesh = read_mesh_and_defects(options.mesh);
   append(defects, std::move(mesh.defects));
   if(!curve.is_valid || !mesh.is_valid) return defects;
   for(const std::string& obstacle : options.obstacles) session.add_input(obstacle);
   add_obstacles(session, mesh.mesh, options.obstacles);
-  const Containment found = containment(curve.curve, Domain(mesh.mesh, examined));
-  report_containment(report, found);
-  append(defects, to_defects(found, curve.curve, options.file));
+  find_outside(Domain(mesh.mesh, examined));
   return defects;
 }
 
@@ -93,6 +102,9 @@ Defects find_defects(Session& session, const Check_options& options)
 {
   const bool has_second = !options.mesh.empty();
   const bool has_domain = options.certificate.empty() ? has_second : !options.domain.empty();
+  if(!options.obstacles.empty() &&
+     is_polygon_file(options.certificate.empty() ? options.mesh : options.domain))
+    throw Usage_error("--obstacle: is for meshes; polygons have holes");
   if(!options.obstacles.empty() && !has_domain)
     throw Usage_error("--obstacle: needs MESH, or --domain with --certificate");
   if(!options.certificate.empty()) {
@@ -104,6 +116,8 @@ Defects find_defects(Session& session, const Check_options& options)
   }
   if(!options.domain.empty())
     throw Usage_error("--domain: needs --certificate; to check a curve use FILE MESH");
+  if(is_polygon_file(options.file) && !has_second)
+    return read_polygons_and_defects(options.file).defects;
   const bool is_mesh = is_mesh_file(options.file);
   if(is_mesh && has_second)
     throw Usage_error("FILE: " + options.file + ": is a surface, but " + options.mesh +
@@ -143,10 +157,10 @@ void add_check_command(Command_line& command_line)
                                [options](Session& session) { return check(session, *options); });
   add_file(command, "FILE", options->file,
            "a curve, .obj, .ply or .vtp with lines, .polylines.txt, .vect, .xyz, .txt, .dat or "
-           ".pdb, or a surface, .off, .obj, .ply or .vtp with faces, or .stl")
+           ".pdb, a surface, .off, .obj, .ply or .vtp with faces, or .stl, or polygons, .wkt")
       .required();
   add_mesh(command, options->mesh)
-      .description("a surface; the curve FILE must lie strictly inside");
+      .description("a surface, or polygons (.wkt); the curve FILE must lie strictly inside");
   add_reading_flags(command, options->reading);
   add_file(command, "--certificate", options->certificate,
            "record of a run, to be replayed with its start curve for FILE and its end curve for "

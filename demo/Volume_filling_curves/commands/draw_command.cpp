@@ -8,10 +8,11 @@
 
 #include "commands/commands.h"
 #include "files/curve_files.h"
-#include "files/mesh_files.h"
+#include "files/polygon_files.h"
 #include "film/Film.h"
 #include "film/film_page.h"
 #include "film/frame_files.h"
+#include "meshes/flat_mesh.h"
 #include "options/Command_line.h"
 #include "options/picture_option_texts.h"
 #include "pictures/curve_pictures.h"
@@ -43,6 +44,7 @@ bool has_extension(const std::string& file, const std::string& extension)
 
 Mesh read_surface(Session& session, const std::string& file)
 {
+  if(is_polygon_file(file)) return flat_mesh(read_polygons(session, file).polygons);
   return file.empty() ? Mesh() : read_mesh(session, file).mesh;
 }
 
@@ -55,7 +57,7 @@ int finish(Session& session, const std::string& file, const std::string& content
   return GOAL_REACHED;
 }
 
-int draw_picture(Session& session, const Draw_options& options)
+int draw_picture(Session& session, Draw_options options)
 {
   if(options.file.empty()) throw Usage_error("CURVE is missing");
   const bool is_svg = has_extension(options.output, ".svg");
@@ -66,6 +68,8 @@ int draw_picture(Session& session, const Draw_options& options)
   session.outputs().add("--output", options.output);
   const Curve curve = read_curve(session, options.file, options.reading);
   const Mesh mesh = read_surface(session, options.mesh);
+  if(is_polygon_file(options.mesh) && !options.picture.direction)
+    options.picture.direction = Vector(0, 0, 1); // the plane from above
   const auto picture = is_svg ? svg_picture : png_picture;
   return finish(session, options.output, picture(curve, mesh, options.picture));
 }
@@ -174,7 +178,8 @@ void add_draw_command(Command_line& command_line)
       "draw", "a shaded picture of a curve, also in a surface, or a film of a run",
       [options](Session& session) { return draw(session, *options); });
   add_curve(command, options->file).required(false);
-  add_mesh(command, options->mesh).description("a surface, drawn translucent around the curve");
+  add_mesh(command, options->mesh)
+      .description("a surface, drawn translucent around the curve, or polygons (.wkt)");
   add_file(command, "-o,--output", options->output, "the picture, .svg or .png, or the film, .html")
       .required();
   add_reading_flags(command, options->reading);

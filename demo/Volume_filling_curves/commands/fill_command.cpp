@@ -4,12 +4,15 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc fill: fills the inside of a closed triangle mesh with a curve.
+// vfc fill: fills the inside of a closed triangle mesh, or polygons in the plane, with a curve.
 
 #include "commands/commands.h"
 #include "files/certificates.h"
 #include "files/checkpoints.h"
 #include "files/curve_files.h"
+#include "files/polygon_files.h"
+#include "formats/writers.h"
+#include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
 #include "options/Fill_options.h"
 #include "options/pins.h"
@@ -47,6 +50,11 @@ std::string file_of_circles(const Fill_options& options)
   return is_needed ? options.certificate + ".start.obj" : "";
 }
 
+bool is_svg(const Fill_options& options)
+{
+  return is_polygon_file(options.mesh) && lower_case_extension(options.output) == ".svg";
+}
+
 void plan_files(Session& session, const Fill_options& options)
 {
   session.add_input(options.mesh);
@@ -55,7 +63,10 @@ void plan_files(Session& session, const Fill_options& options)
   if(!options.thickness_field.empty()) session.add_input(options.thickness_field);
   if(!options.direction_field.empty() && !is_vector(options.direction_field))
     session.add_input(options.direction_field);
-  add_curve_file(session.outputs(), "--output", options.output);
+  if(is_svg(options))
+    session.outputs().add("--output", options.output);
+  else
+    add_curve_file(session.outputs(), "--output", options.output);
   session.outputs().add("--certificate", options.certificate);
   session.outputs().add("--certificate", file_of_circles(options));
   session.outputs().add("--map", options.film.map);
@@ -65,6 +76,7 @@ void plan_files(Session& session, const Fill_options& options)
 }
 
 // The curve to start from, empty for circles.
+template <typename Domain>
 Curve start(Session& session, const Fill_options& options, const Domain& domain)
 {
   if(options.start.empty()) return Curve();
@@ -76,6 +88,7 @@ Curve start(Session& session, const Fill_options& options, const Domain& domain)
   return curve;
 }
 
+template <typename Domain>
 Filling_result fill(Session& session,
                     Curve& curve,
                     const Domain& domain,
@@ -124,25 +137,23 @@ Mesh_and_defects mesh_of(Session& session, const Fill_options& options)
   return read_mended_mesh(session, options.mesh, {0, options.parameters.time_limit});
 }
 
-int run(Session& session, const Fill_options& options)
+void write_result(const Fill_options& options, const Curve& curve, double thickness)
 {
-  session.report()["input"] = options.mesh;
-  session.report()["seed"] = options.parameters.random_seed;
-  plan_files(session, options);
-  read_ports(options.ports); // complains before any work starts
-  const curves::Run_state state = read_run_state(options.saving);
-  const Mesh_and_defects mesh = mesh_of(session, options);
-  check_filling(options.parameters.thickness, options.parameters.length, options.parameters.spacing,
-                mesh.mesh);
-  Thickness field;
-  if(!options.thickness_field.empty()) field = read_thickness_field(options.thickness_field, mesh);
-  Direction_field directions;
-  if(!options.direction_field.empty())
-    directions = make_direction_field(options.direction_field, mesh);
-  Mesh walls = mesh.mesh;
-  const auto add = options.may_repair ? add_or_cut_out_obstacles : add_obstacles;
-  add(session, walls, options.obstacles);
-  const Domain domain(walls, examined);
+  if(options.output.empty()) return;
+  if(is_svg(options))
+    Output_files::write(options.output, to_svg(Curve_paths(curve)));
+  else
+    write_curve(options.output, curve, thickness);
+}
+
+template <typename Domain>
+int fill_domain(Session& session,
+                const Domain& domain,
+                const Thickness& field,
+                const Direction_field& directions,
+                const Fill_options& options,
+                const curves::Run_state& state)
+{
   Curve curve = start(session, options, domain);
   curves::Isotopy_certificate certificate;
   poll_interruptions();
@@ -153,7 +164,7 @@ int run(Session& session, const Fill_options& options)
   // the certificate first: no curve comes out of a run that was to be certified without one
   if(!options.certificate.empty()) write_certificate(options.certificate, certificate);
   if(!file_of_circles(options).empty()) write_curve(file_of_circles(options), Curve(result.start));
-  if(!options.output.empty()) write_curve(options.output, curve, result.thickness);
+  write_result(options, curve, result.thickness);
   write_map(options.film.map, options.output, curve);
   session.end_stage("writing");
   const bool is_out_of_time = session.seconds() >= options.parameters.time_limit;
@@ -165,14 +176,62 @@ int run(Session& session, const Fill_options& options)
   return exit_status(result.status);
 }
 
+// Options that are for meshes: files with values at their vertices, and what changes them.
+void refuse_options_of_meshes(const Fill_options& options)
+{
+  const std::string reason = " is for meshes, but " + options.mesh + " holds polygons";
+  if(options.may_repair) throw Usage_error("--repair" + reason);
+  if(!options.obstacles.empty()) throw Usage_error("--obstacle" + reason + ", which have holes");
+  if(!options.thickness_field.empty()) throw Usage_error("--thickness-field" + reason);
+  if(!options.direction_field.empty() && !is_vector(options.direction_field))
+    throw Usage_error("--direction-field FILE" + reason + "; give a vector x,y,z");
+}
+
+int fill_polygons(Session& session, const Fill_options& options, const curves::Run_state& state)
+{
+  refuse_options_of_meshes(options);
+  const Planar_domain domain = *read_polygons(session, options.mesh).domain;
+  Direction_field directions;
+  if(!options.direction_field.empty())
+    directions = make_direction_field(options.direction_field, {});
+  return fill_domain(session, domain, {}, directions, options, state);
+}
+
+int fill_mesh(Session& session, const Fill_options& options, const curves::Run_state& state)
+{
+  const Mesh_and_defects mesh = mesh_of(session, options);
+  check_filling(options.parameters.thickness, options.parameters.length, options.parameters.spacing,
+                mesh.mesh);
+  Thickness field;
+  if(!options.thickness_field.empty()) field = read_thickness_field(options.thickness_field, mesh);
+  Direction_field directions;
+  if(!options.direction_field.empty())
+    directions = make_direction_field(options.direction_field, mesh);
+  Mesh walls = mesh.mesh;
+  const auto add = options.may_repair ? add_or_cut_out_obstacles : add_obstacles;
+  add(session, walls, options.obstacles);
+  return fill_domain(session, Domain(walls, examined), field, directions, options, state);
+}
+
+int run(Session& session, const Fill_options& options)
+{
+  session.report()["input"] = options.mesh;
+  session.report()["seed"] = options.parameters.random_seed;
+  plan_files(session, options);
+  read_ports(options.ports); // complains before any work starts
+  const curves::Run_state state = read_run_state(options.saving);
+  return is_polygon_file(options.mesh) ? fill_polygons(session, options, state)
+                                       : fill_mesh(session, options, state);
+}
+
 } // namespace
 
 void add_fill_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Fill_options>();
-  CLI::App& command =
-      command_line.add_command("fill", "fill the inside of a closed triangle mesh with a curve",
-                               [options](Session& session) { return run(session, *options); });
+  CLI::App& command = command_line.add_command(
+      "fill", "fill the inside of a closed triangle mesh, or polygons in the plane",
+      [options](Session& session) { return run(session, *options); });
   add_fill_options(command, *options);
   add_batch_options(command, *command.get_option("MESH"),
                     {&options->mesh,
@@ -184,6 +243,8 @@ void add_fill_command(Command_line& command_line)
       "The curve grows until about 80 % of the inside is within r of it and 99 % within 2 r; it\n"
       "never leaves MESH and never passes through itself. SIGINT and SIGTERM stop the run\n"
       "and write the current curve; a second one ends at once.\n"
+      "If MESH is a .wkt file, with POLYGON or MULTIPOLYGON, the curve lies in the plane z = 0,\n"
+      "exactly; then -o OUT.svg writes it at true scale, with a millimeter as unit.\n"
       "Each connected part of the inside that is wide enough gets its own curve, unless\n"
       "--curve is given. If more than 1 % of the inside ends farther than 2 r from the curve, or\n"
       "another strand is nearer than r along more than 5 % of its length, the status is partial,\n"

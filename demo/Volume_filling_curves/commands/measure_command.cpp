@@ -8,7 +8,7 @@
 
 #include "commands/commands.h"
 #include "files/curve_files.h"
-#include "files/mesh_files.h"
+#include "files/polygon_files.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
 #include "options/shared_options.h"
@@ -67,6 +67,7 @@ std::string table_of_filling(const Report& report)
 }
 
 // The distance is 0 if the curve meets the surface or leaves the mesh.
+template <typename Domain>
 void measure_wall_distance(Report& report, const Curve& curve, const Domain& domain)
 {
   const Containment found = containment(curve, domain);
@@ -79,11 +80,12 @@ void measure_wall_distance(Report& report, const Curve& curve, const Domain& dom
 
 void measure_filling(Session& session, const Measure_options& options, const Curve& curve)
 {
-  const Domain domain(read_mesh(session, options.mesh).mesh, examined);
-  measure_wall_distance(session.report(), curve, domain);
   const Thickness thickness =
       options.thickness > 0 ? constant_thickness(options.thickness) : Thickness();
-  measure_coverage(session.report(), curve, domain, thickness, options.seed);
+  with_domain(session, options.mesh, [&](const auto& domain) {
+    measure_wall_distance(session.report(), curve, domain);
+    measure_coverage(session.report(), curve, domain, thickness, options.seed);
+  });
   session.report()["seed"] = options.seed;
 }
 
@@ -111,7 +113,8 @@ void add_measure_command(Command_line& command_line)
       command_line.add_command("measure", "measure a curve, also inside a mesh",
                                [options](Session& session) { return measure(session, *options); });
   add_curve(command, options->file);
-  add_mesh(command, options->mesh).description("a surface that the curve should fill");
+  add_mesh(command, options->mesh)
+      .description("a surface, or polygons (.wkt), that the curve should fill");
   add_number(command, "--thickness", options->thickness,
              "r, in the input's unit: segments within pi r of each other along the curve do not "
              "count for min_clearance; needed for medial_radius and empty_regions")

@@ -8,7 +8,7 @@
 
 #include "files/Output_files.h"
 #include "files/curve_files.h"
-#include "files/mesh_files.h"
+#include "files/polygon_files.h"
 #include "files/read_finite_file.h"
 #include "repair/obstacles.h"
 #include "session/Session.h"
@@ -17,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
+#include <functional>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -55,6 +56,25 @@ std::string without_first_word(const std::string& sentence)
   return sentence.substr(sentence.find(' ') + 1);
 }
 
+// Reads the domain and returns a function that verifies a certificate, also with the domain.
+std::function<curves::Certificate_verdict(const curves::Isotopy_certificate&)> verifier(
+    Session& session, const Certificate_files& files, const Curve& start, const Curve& end)
+{
+  if(files.domain.empty())
+    return [&](const auto& certificate) {
+      return curves::verify_certificate(certificate, start, end);
+    };
+  const auto verify_in = [&start, &end](auto domain) {
+    return [&start, &end, domain = std::move(domain)](const auto& certificate) {
+      return curves::verify_certificate(certificate, start, end, domain);
+    };
+  };
+  if(is_polygon_file(files.domain)) return verify_in(*read_polygons(session, files.domain).domain);
+  Mesh mesh = read_mesh(session, files.domain).mesh;
+  add_obstacles(session, mesh, files.obstacles);
+  return verify_in(std::move(mesh));
+}
+
 bool is_text_file(const std::string& file)
 {
   constexpr std::string_view ending = ".txt";
@@ -79,14 +99,9 @@ Defects defects_of_certificate(Session& session,
   const Curve start = read_curve(session, files.start, reading);
   const Curve end = read_end(session, files.end, reading);
   session.report()["input"] = files.start;
-  Mesh domain;
-  if(!files.domain.empty()) domain = read_mesh(session, files.domain).mesh;
-  add_obstacles(session, domain, files.obstacles);
+  const auto verify = verifier(session, files, start, end);
   try {
-    const curves::Isotopy_certificate certificate = read_certificate(files.certificate);
-    const curves::Certificate_verdict verdict =
-        files.domain.empty() ? curves::verify_certificate(certificate, start, end)
-                             : curves::verify_certificate(certificate, start, end, domain);
+    const curves::Certificate_verdict verdict = verify(read_certificate(files.certificate));
     session.report()["moves_certified"] = verdict.number_of_operations;
     const std::string sentence = verdict.sentence(files.start, files.end, files.domain);
     if(!verdict.is_valid) return {rejection(files.certificate, without_first_word(sentence))};

@@ -23,6 +23,9 @@ std::string to_vtp(const Curve_paths& curve, const Node_columns& columns);
 std::string to_vect(const Curve_paths& curve);
 std::string to_point_list(const Curve_paths& curve);
 
+// A planar curve seen from above, at true scale if its unit is a millimeter.
+std::string to_svg(const Curve_paths& curve);
+
 } // namespace vfc
 
 #endif // VFC_WRITERS_H

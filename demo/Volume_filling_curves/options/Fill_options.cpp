@@ -82,7 +82,10 @@ void add_start_options(CLI::App& command, Fill_options& options)
 
 void add_fill_options(CLI::App& command, Fill_options& options)
 {
-  add_mesh(command, options.mesh).required();
+  add_mesh(command, options.mesh)
+      .description("a closed triangle mesh, .off, .obj, .ply, .stl or .vtp, or polygons with holes "
+                   "in the plane, .wkt")
+      ->required();
   command.add_flag("--repair", options.may_repair,
                    "mend MESH and obstacles first, like vfc repair, and report each repair; "
                    "obstacles that cross MESH are cut out of it; values per vertex of MESH are "

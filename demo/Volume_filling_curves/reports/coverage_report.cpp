@@ -6,6 +6,7 @@
 
 #include "reports/coverage_report.h"
 
+#include "files/polygon_files.h"
 #include "reports/Report.h"
 
 #include <CGAL/tags.h>
@@ -16,7 +17,6 @@ namespace vfc {
 namespace {
 
 namespace curves = CGAL::Volume_filling_curves;
-using Samples = curves::Domain_samples_3<Curve::Traits, Domain>;
 
 Report::Json to_json(const curves::Coverage& coverage)
 {
@@ -46,12 +46,14 @@ void report_empty_regions(Report& report,
                        {"volume", region.volume}});
 }
 
+template <typename Domain>
 void measure_coverage(Report& report,
                       const Curve& curve,
                       const Domain& domain,
                       const Thickness& thickness,
                       std::size_t seed)
 {
+  using Samples = curves::Domain_samples_3<Curve::Traits, Domain>;
   const Samples samples(domain, Samples::default_number, seed);
   const std::vector<double> distances =
       curves::sample_distances<CGAL::Parallel_if_available_tag>(curve, samples);
@@ -65,5 +67,9 @@ void measure_coverage(Report& report,
       curves::unfilled_fraction(samples, distances, thickness);
   report_empty_regions(report, curves::empty_regions(curve, samples, distances, thickness));
 }
+
+template void measure_coverage(Report&, const Curve&, const Domain&, const Thickness&, std::size_t);
+template void measure_coverage(
+    Report&, const Curve&, const Planar_domain&, const Thickness&, std::size_t);
 
 } // namespace vfc

@@ -37,6 +37,7 @@ void report_empty_regions(
     const std::vector<CGAL::Volume_filling_curves::Empty_region_3<Curve::Point_3>>& empty_regions);
 
 // Measures and reports both; without a thickness (null) only the distances, in the input's unit.
+template <typename Domain>
 void measure_coverage(Report& report,
                       const Curve& curve,
                       const Domain& domain,

@@ -6,6 +6,7 @@
 
 #include "reports/fill_report.h"
 
+#include "files/polygon_files.h"
 #include "options/numbers.h"
 #include "reports/containment.h"
 #include "reports/coverage_report.h"
@@ -75,6 +76,7 @@ Exit_status exit_status(Filling_status status)
 
 namespace {
 
+template <typename Domain>
 void report_measures(Report& report,
                      const Curve& curve,
                      const Domain& domain,
@@ -114,6 +116,7 @@ std::string text_of_necks(const Filling_result& result)
 
 } // namespace
 
+template <typename Domain>
 void report_filling(Report& report,
                     const Curve& curve,
                     const Domain& domain,
@@ -139,6 +142,10 @@ void report_filling(Report& report,
   if(!result.reason.empty()) report["reason"] = result.reason;
   report["status"] = report_name(to_string(result.status));
 }
+
+template void report_filling(Report&, const Curve&, const Domain&, const Filling_result&, bool);
+template void report_filling(
+    Report&, const Curve&, const Planar_domain&, const Filling_result&, bool);
 
 std::string summary(const Session& session, const Curve& curve, const Filling_result& result)
 {

@@ -28,6 +28,7 @@ Exit_status exit_status(CGAL::Volume_filling_curves::Filling_status status);
 
 // For a large curve that is out of time or was interrupted, the report has only figures known so
 // far.
+template <typename Domain>
 void report_filling(Report& report,
                     const Curve& curve,
                     const Domain& domain,
