@@ -12,9 +12,15 @@
 #include "files/curve_files.h"
 #include "files/polygon_files.h"
 #include "options/Command_line.h"
+#include "options/numbers.h"
 #include "repair/obstacles.h"
 #include "reports/containment.h"
+#include "reports/shape.h"
 #include "session/Exit_status.h"
+
+#include <CGAL/Volume_filling_curves/coverage.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,6 +38,7 @@ struct Check_options
   std::string file, mesh; // with a certificate the curves at the start and at the end
   std::string certificate, domain;
   std::vector<std::string> obstacles;
+  double wall_distance = 0; // 0 for none
   Curve_reading reading;
 };
 
@@ -68,6 +75,23 @@ void append(Defects& defects, Defects more)
   std::move(more.begin(), more.end(), std::back_inserter(defects));
 }
 
+// An error if the curve, which lies inside, comes nearer to the boundary than it may.
+template <typename Domain>
+Defects nearer_to_wall(Report& report,
+                       const Curve& curve,
+                       const Domain& domain,
+                       const Check_options& options)
+{
+  namespace curves = CGAL::Volume_filling_curves;
+  const auto nearest = curves::min_wall_distance<CGAL::Parallel_if_available_tag>(curve, domain);
+  report_wall(report, nearest.distance, nearest.point);
+  if(nearest.distance >= options.wall_distance) return {};
+  const std::size_t v = curve.source(nearest.edge), w = curve.target(nearest.edge);
+  return {Defect("near wall", options.file, {curve.origin(v) + 1, curve.origin(w) + 1},
+                 curve.component(v) + 1,
+                 "an edge comes as near to the mesh as " + to_text(nearest.distance))};
+}
+
 Defects defects_of_curve(Session& session, const Check_options& options)
 {
   Report& report = session.report();
@@ -82,6 +106,8 @@ Defects defects_of_curve(Session& session, const Check_options& options)
     const Containment found = containment(curve.curve, domain);
     report_containment(report, found);
     append(defects, to_defects(found, curve.curve, options.file));
+    if(found.is_inside() && options.wall_distance > 0)
+      append(defects, nearer_to_wall(report, curve.curve, domain, options));
   };
   if(is_polygon_file(options.mesh)) {
     Polygons_and_defects polygons = read_polygons_and_defects(options.mesh);
@@ -114,6 +140,8 @@ Defects find_defects(Session& session, const Check_options& options)
         {options.certificate, options.file, options.mesh, options.domain, options.obstacles},
         options.reading);
   }
+  if(options.wall_distance > 0 && !has_second)
+    throw Usage_error("--wall-distance: is for FILE MESH");
   if(!options.domain.empty())
     throw Usage_error("--domain: needs --certificate; to check a curve use FILE MESH");
   if(is_polygon_file(options.file) && !has_second)
@@ -168,6 +196,9 @@ void add_check_command(Command_line& command_line)
   add_file(command, "--domain", options->domain,
            "surface in which the curve must have stayed; with --certificate");
   add_obstacle_option(command, options->obstacles);
+  add_number(command, "--wall-distance", options->wall_distance,
+             "the distance from MESH and obstacles that the curve FILE must keep")
+      .type_name("C");
   command.footer("Prints a line per defect: FILE:LINE: error|warning: KIND: message (nodes i j).\n"
                  "Exit status: 0 no error found, 4 errors found or the certificate rejected.");
 }

@@ -21,8 +21,8 @@ struct Option_group
 const Option_group groups[] = {
     {"Input", {"--network", "--closed", "--open", "--free-ends", "--curve", "--start"}},
     {"Shape of the result",
-     {"--thickness-field", "--direction-field", "--direction-weight", "--wall", "--keep-length",
-      "--bend-radius", "--strand-distance"}},
+     {"--thickness-field", "--direction-field", "--direction-weight", "--wall", "--wall-distance",
+      "--keep-length", "--bend-radius", "--strand-distance"}},
     {"More outputs", {"--certificate", "--map", "--frames", "--every", "--frame-format"}},
     {"Interrupted runs", {"--checkpoint", "--save-every", "--resume"}},
     {"Many runs", {"--batch", "--shard", "--format"}},

@@ -131,7 +131,7 @@ public:
   /// are lower bounds. For guards with a domain.
   ///
   /// \pre the curve is farther than that from the boundary, see `min_wall_distance()`
-  void set_wall_distance(double distance) { m_boundary.set_wall_distance(distance); }
+  void set_wall_distance(double distance) { set_wall_distance(distance, 0); }
 
   /// sets the bend radius and the distance of strands that all changes but rays keep, besides the
   /// clearance; none by default.
@@ -329,6 +329,12 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const Boundary& boundary() const { return m_boundary; }
+
+  // likewise; the flow takes a layer along the boundary for outside, see `Boundary`
+  void set_wall_distance(double distance, double layer)
+  {
+    m_boundary.set_wall_distance(distance, layer);
+  }
 
   // Sets the watch of motions of all nodes and of the users of the guard, or none if it is null:
   // they throw Run_stopped before they change anything.

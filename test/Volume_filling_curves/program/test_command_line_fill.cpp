@@ -117,6 +117,25 @@ TEST_F(Command_line_fill, what_is_kept_clear_of_counts_in_the_share_of_the_whole
   EXPECT_NEAR(json("m.json")["unfilled_fraction"], whole, 0.01);
 }
 
+TEST_F(Command_line_fill, keeps_a_distance_from_the_wall_that_check_verifies)
+{
+  make_cube();
+  const Finished fill =
+      run("fill cube.off -o c.obj --thickness 0.6 --wall-distance 0.5 --report r.json");
+  EXPECT_EQ(fill.status, 0) << fill.err;
+  const double distance = json("r.json")["min_wall_distance"];
+  EXPECT_GE(distance, 0.5);
+  EXPECT_EQ(run("check c.obj cube.off --wall-distance 0.5").status, 0);
+  const Finished nearer = run("check c.obj cube.off --wall-distance 2");
+  EXPECT_EQ(nearer.status, 4);
+  EXPECT_NE(nearer.out.find("near wall: an edge comes as near to the mesh as "), std::string::npos)
+      << nearer.out;
+  EXPECT_EQ(run("check c.obj --wall-distance 2").status, 1);
+  const Finished no_room = run("fill cube.off -o d.obj --thickness 0.6 --wall-distance 3");
+  EXPECT_EQ(no_room.status, 1);
+  EXPECT_NE(no_room.err.find("wall_distance is 3, but no place"), std::string::npos) << no_room.err;
+}
+
 // A run in the cube was not one in its lower half.
 TEST_F(Command_line_fill, can_be_verified_to_have_stayed_inside)
 {

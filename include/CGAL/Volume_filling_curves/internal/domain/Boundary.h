@@ -65,8 +65,14 @@ public:
 
   const Domain& domain() const { return *m_domain; }
 
-  // Lets triangles count as inside only if they are farther than that from the boundary.
-  void set_wall_distance(double distance) { m_wall_distance = distance; }
+  // Lets triangles count as inside only if they are farther than a distance from the boundary. The
+  // flow takes the layer along the boundary for outside. \pre the layer is not larger
+  void set_wall_distance(double distance, double layer = 0)
+  {
+    m_wall_distance = distance;
+    m_layer = layer;
+  }
+  double layer() const { return m_layer; }
 
   // returns whether the closed triangle lies inside, far enough from the boundary. \pre p does
   bool is_triangle_inside(const Point_3& p, const Point_3& q, const Point_3& r) const
@@ -94,12 +100,13 @@ public:
   // returns whether x, inside, is known to be farther from the boundary than that
   bool is_farther(const Vector& x, double distance) const
   {
-    return conservative(bound_of_cell(x)) > distance;
+    return conservative(bound_of_cell(x)) > distance + m_layer;
   }
 
-  // Shortens rays from p to where they leave the domain.
+  // Shortens rays from p to where they leave the domain, or reach the layer.
   void shorten(const Point_3& p, Planar_rays& rays) const
   {
+    if(m_layer > 0) return shorten_to_layer(p, rays);
     if constexpr(Has_surface<Domain>::value)
       m_domain->shorten(rays);
     else {
@@ -123,7 +130,8 @@ public:
     const Vector x = to_vector(p);
     const auto is_inside = [&](double radius) {
       const Point_3 center = to_point(Vector(x + radius * direction), traits);
-      return m_domain->is_inside(center) && m_domain->distance(center) >= (1 - tolerance) * radius;
+      return m_domain->is_inside(center) &&
+             m_domain->distance(center) - m_layer >= (1 - tolerance) * radius;
     };
     if(is_inside(limit)) return limit;
     double low = 0, high = limit;
@@ -141,6 +149,27 @@ private:
   static constexpr double cells_along_diagonal = Space_of<Domain>::is_plane ? 512 : 64;
   static constexpr double slack = 1e-9; // for the rounding of distances
   static constexpr double unknown = -1;
+
+  // Steps as far as each point is known to be above the layer; towards a plane, steps shrink in
+  // proportion. Medial spheres only steer the flow, and need no more digits.
+  void shorten_to_layer(const Point_3& p, Planar_rays& rays) const
+  {
+    constexpr int max_steps = 8;
+    constexpr double last_step = 0.05; // of the length
+    const double clear = clearance(p, rays.longest() + m_layer) - m_layer;
+    const Vector start = to_vector(p);
+    for(std::size_t l = 0; l < rays.size(); ++l) {
+      const double length = rays.lengths[l];
+      double step = (std::max)(clear, 0.), way = step;
+      for(int k = 1; k < max_steps && way < length && step > last_step * length; ++k) {
+        const Vector x = start + way * rays.direction(l);
+        const double needed = m_layer + length - way;
+        step = depth_up_to(*m_domain, Point_3(x.x(), x.y(), x.z()), needed) - m_layer;
+        way += (std::max)(step, 0.);
+      }
+      rays.lengths[l] = (std::min)(way, length);
+    }
+  }
 
   double conservative(double distance) const { return distance * (1 - slack) - slack * m_diagonal; }
 
@@ -167,7 +196,7 @@ private:
   const Domain* m_domain;
   Vector m_low;
   double m_diagonal, m_cell;
-  double m_wall_distance = 0;
+  double m_wall_distance = 0, m_layer = 0;
   std::size_t m_size[3];          // cells along the axes
   Vector m_middle{0.5, 0.5, 0.5}; // of the first cell, in cells from its corner
   std::unique_ptr<std::atomic<double>[]> m_distance;

@@ -37,7 +37,8 @@ namespace Volume_filling_curves {
  * of their size of the limit may be refused. A query takes one of the domain where there is room,
  * and some hundreds near the limit.
  *
- * A filling of the inset ends at about the thickness from the boundary of the inset.
+ * A filling of the inset ends at about the thickness from the boundary of the inset. To fill the
+ * domain itself and still keep a distance, use `fill()` with `wall_distance`.
  *
  * \tparam Domain a model of `VolumeFillingDomain_3`, bounded, whose distances are lower bounds
  *

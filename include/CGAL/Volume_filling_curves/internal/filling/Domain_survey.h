@@ -222,17 +222,22 @@ private:
   // half of that: those of a hexagon.
   std::vector<Point_3> circle(const typename Parts::Widest& place) const
   {
-    if(m_parameters.start == Filling_start::CIRCLE) return place.circle(place.radius());
+    constexpr double share_of_room = 0.9; // of what the distance to the wall leaves
+    const double wall = m_parameters.wall_distance;
+    const double room = wall > 0 ? share_of_room * (place.radius() - wall) : place.radius();
+    if(m_parameters.start == Filling_start::CIRCLE) return place.circle(room);
     constexpr double radius_of_root = 0.7; // in units of the thickness
     constexpr std::size_t nodes_of_root = 6;
     const double r = m_thickness(to_point(place.center(), m_samples.traits()));
-    return place.circle(radius_of_root * r, nodes_of_root);
+    return place.circle((std::min)(radius_of_root * r, room), nodes_of_root);
   }
 
   bool is_wide(const Vector& center, double radius) const
   {
     const double thickness = m_thickness(to_point(center, m_samples.traits()));
-    return radius >= least_radius * (std::min)(thickness, m_widest_radius);
+    const double wall = m_parameters.wall_distance;
+    return radius > wall &&
+           radius - wall >= least_radius * (std::min)(thickness, m_widest_radius - wall);
   }
 
   const Parameters& m_parameters;

@@ -71,7 +71,10 @@ public:
         m_parameters(survey.parameters()),
         m_shape(shape_goal(m_parameters)),
         m_watch(survey.watch()),
-        m_unfilled(survey.samples(), survey.distances_to_boundary(), m_parameters.wall),
+        m_unfilled(survey.samples(),
+                   survey.distances_to_boundary(),
+                   m_parameters.wall,
+                   m_parameters.wall_distance),
         m_thickness(thickness),
         m_stages(stages)
   {

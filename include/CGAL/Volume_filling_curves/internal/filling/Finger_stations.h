@@ -67,7 +67,8 @@ public:
     for(const Finger_station& station : m_stations) there.push_back(station.position);
     const auto distance = [this](const Point_3& p) { return m_spacing * m_thickness(p); };
     Well_spaced_points<Domain, typename Network::Traits, decltype(distance)> points(
-        m_domain, distance, room_of_place / m_spacing, curve().traits(), watch);
+        m_domain, distance, room_of_place / m_spacing, curve().traits(), watch,
+        m_guard.boundary().layer());
     try {
       const Watched_scope scope(&watch);
       for(const Vector& p : points(there, seed)) m_stations.push_back({p, thickness(p), {}});

@@ -48,8 +48,14 @@ public:
 
   // Takes the distances of the samples to the boundary, and whether the curve is to keep clear of
   // that.
-  Unfilled_space(const Samples& samples, const Distances& boundary_distances, Wall wall)
-      : m_samples(samples), m_boundary_distances(boundary_distances), m_wall(wall)
+  Unfilled_space(const Samples& samples,
+                 const Distances& boundary_distances,
+                 Wall wall,
+                 double wall_distance = 0)
+      : m_samples(samples),
+        m_boundary_distances(boundary_distances),
+        m_wall(wall),
+        m_wall_distance(wall_distance)
   {}
 
   const Samples& samples() const { return m_samples; }
@@ -154,15 +160,19 @@ private:
   template <typename Thickness>
   std::vector<double> to_be_covered(std::vector<double> distances, const Thickness& thickness) const
   {
-    if(m_wall == Wall::KEEP_CLEAR)
-      for(std::size_t k = 0; k < distances.size(); ++k)
-        if(m_boundary_distances[k] < 2 * thickness(m_samples.points()[k])) distances[k] = 0;
+    if(m_wall == Wall::COVER && m_wall_distance == 0) return distances;
+    for(std::size_t k = 0; k < distances.size(); ++k) {
+      const double r = thickness(m_samples.points()[k]);
+      const double clear = (std::max)(m_wall == Wall::KEEP_CLEAR ? 2 * r : 0, m_wall_distance);
+      if(m_boundary_distances[k] < clear) distances[k] = 0;
+    }
     return distances;
   }
 
   const Samples& m_samples;
   const Distances& m_boundary_distances;
   const Wall m_wall;
+  const double m_wall_distance;
 };
 
 } // namespace internal

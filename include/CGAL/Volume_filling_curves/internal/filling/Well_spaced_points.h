@@ -42,14 +42,21 @@ class Well_spaced_points
   using Space = Space_of<Domain>;
 
 public:
-  // Takes the distance at a point, also to be kept from points that are there already, and what
-  // part of it is to be kept from the boundary. Once the run is to stop no more points are found.
+  // Takes the distance at a point, also to be kept from points that are there already, what part of
+  // it is to be kept from the boundary, and a layer along the boundary to which that is added. Once
+  // the run is to stop no more points are found.
   Well_spaced_points(const Domain& domain,
                      const Distance& distance,
                      double room,
                      const Traits& traits,
-                     Run_watch& watch)
-      : m_domain(domain), m_distance(distance), m_room(room), m_traits(traits), m_watch(watch)
+                     Run_watch& watch,
+                     double layer = 0)
+      : m_domain(domain),
+        m_distance(distance),
+        m_room(room),
+        m_traits(traits),
+        m_watch(watch),
+        m_layer(layer)
   {}
 
   std::vector<Vector> operator()(const std::vector<Vector>& there, std::size_t seed)
@@ -131,7 +138,7 @@ private:
   bool has_room(const Vector& x, double room) const
   {
     const Point_3 p = to_point(x, m_traits);
-    return m_domain.is_inside(p) && m_domain.distance(p) >= room * m_distance(p);
+    return m_domain.is_inside(p) && m_domain.distance(p) - m_layer >= room * m_distance(p);
   }
 
   // Candidates that follow one another lie near each other, as the cubes do.
@@ -197,6 +204,7 @@ private:
   const double m_room; // at the boundary, in units of the distance
   const Traits m_traits;
   Run_watch& m_watch;
+  const double m_layer;
   double m_least_side = 0;
   std::deque<Vector> m_candidates; // no vector, which takes thrice as much while it grows
   std::vector<bool> m_is_kept;     // of all candidates, in the order of the cubes

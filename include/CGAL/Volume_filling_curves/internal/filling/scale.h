@@ -99,6 +99,7 @@ Filling_parameters<Point_3> scaled(Filling_parameters<Point_3> parameters,
   parameters.bend_radius *= factor;
   parameters.strand_distance *= factor;
   for(auto& port : parameters.ports) port.point = scaled(port.point, factor, traits);
+  parameters.wall_distance *= factor;
   if(auto& field = parameters.direction_field)
     field = [field, factor, traits](const Point_3& p) {
       return field(scaled(p, 1 / factor, traits));

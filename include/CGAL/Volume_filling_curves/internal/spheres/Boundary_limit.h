@@ -58,8 +58,9 @@ public:
     for(std::size_t l = 0; l < spheres.number_of_directions(); ++l)
       largest = (std::max)(largest, spheres.radius(c, l));
     constexpr double slack = 1 - 1e-9; // rounding of radii
-    const double least =
-        (std::max)(m_boundary.clearance(p, 2 * largest) / 2, slack * limited_radius);
+    const double layer = m_boundary.layer();
+    const double least = (std::max)((m_boundary.clearance(p, 2 * largest + layer) - layer) / 2,
+                                    slack * limited_radius);
     for(std::size_t l = 0; l < spheres.number_of_directions(); ++l) {
       if(spheres.radius(c, l) < least) continue;
       const double radius = m_boundary.tangent_radius(p, spheres.direction(c, l),

@@ -73,6 +73,12 @@ struct Filling_parameters : Curve_run_parameters
   /// call concurrently. None by default.
   std::function<double(const Point_3&)> thickness_field;
 
+  /// The distance from the boundary that the whole curve keeps, in the input's unit: certified like
+  /// containment. The curve still covers the domain as well as it can from there; points nearer to
+  /// the boundary than that do not count in `Filling_result::unfilled_fraction`. 0 (default) stands
+  /// for none.
+  double wall_distance = 0;
+
   /// A direction field for the curve to follow: a function of the point that returns a vector, a
   /// `std::array<double, 3>` or any type with members `x()`, `y()` and `z()`. Neither its sign nor
   /// its length matters; zero stands for no preference. It must be finite and safe to call

@@ -58,7 +58,8 @@
   X(time_limit)                    \
   X(time_step)                     \
   X(tolerance)                     \
-  X(wall)
+  X(wall)                          \
+  X(wall_distance)
 
 #define CGAL_VFC_PARAMETERS(X) \
   CGAL_VFC_OWN_PARAMETERS(X)   \

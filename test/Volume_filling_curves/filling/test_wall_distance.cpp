@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "support/fill_test_support.h"
+#include "support/mesh_test_support.h"
+
+#include <CGAL/Volume_filling_curves/Ball_domain_3.h>
+#include <CGAL/Volume_filling_curves/Box_domain_3.h>
+#include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+// Fillings that keep a distance from the boundary.
+namespace test_wall_distance {
+
+using namespace fill_test;
+namespace np = CGAL::Volume_filling_curves::parameters;
+using Ball = vfc::Ball_domain_3<Kernel>;
+using Box = vfc::Box_domain_3<Kernel>;
+using Mesh_domain = vfc::Triangle_mesh_domain_3<Kernel>;
+using vfc::Filling_status;
+
+const Box box(Point(0, 0, 0), Point(2, 1, 1));
+
+TEST(Wall_distance, is_kept_by_a_filling_that_covers_the_rest)
+{
+  for(const double c : {0.05, 0.1}) {
+    Curve curve;
+    const auto result = vfc::fill(curve, box, np::thickness(0.1).wall_distance(c));
+    EXPECT_EQ(result.status, Filling_status::CONVERGED);
+    EXPECT_GE(result.min_wall_distance, c);
+    EXPECT_EQ(result.min_wall_distance, vfc::min_wall_distance(curve, box).distance);
+    EXPECT_LE(result.unfilled_fraction, 0.01);
+    EXPECT_GT(coverage(curve, box, 0.1).fraction_within_r, c < 0.1 ? 0.7 : 0.6);
+  }
+}
+
+TEST(Wall_distance, is_kept_in_a_mesh_from_a_tree_and_from_a_circle)
+{
+  const Mesh_domain domain(meshes::to_mesh(meshes::sphere(1, 2)));
+  for(const auto start : {vfc::Filling_start::TREE, vfc::Filling_start::CIRCLE}) {
+    Curve curve;
+    const auto result =
+        vfc::fill(curve, domain, np::thickness(0.25).wall_distance(0.2).start(start));
+    EXPECT_GE(vfc::min_wall_distance(curve, domain).distance, 0.2);
+    EXPECT_LE(result.unfilled_fraction, 0.01);
+  }
+}
+
+TEST(Wall_distance, above_the_thickness_leaves_the_layer_along_the_boundary_out)
+{
+  Curve curve;
+  const auto result = vfc::fill(curve, box, np::thickness(0.1).wall_distance(0.3));
+  EXPECT_EQ(result.status, Filling_status::CONVERGED);
+  EXPECT_GE(vfc::min_wall_distance(curve, box).distance, 0.3);
+  EXPECT_LE(result.unfilled_fraction, 0.01);
+  EXPECT_GT(result.uncovered_fraction, 0.2);
+}
+
+TEST(Wall_distance, scales_with_the_domain)
+{
+  Curve curve, large;
+  const double scale = 1024;
+  vfc::fill(curve, Ball(Point(0, 0, 0), 1), np::thickness(0.3).wall_distance(0.25));
+  vfc::fill(large, Ball(Point(0, 0, 0), scale),
+            np::thickness(0.3 * scale).wall_distance(0.25 * scale));
+  ASSERT_EQ(curve.number_of_nodes(), large.number_of_nodes());
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
+    const Point& p = curve.point(v);
+    EXPECT_EQ(Point(scale * p.x(), scale * p.y(), scale * p.z()), large.point(v));
+  }
+}
+
+std::string complaint(Curve curve, double wall_distance)
+{
+  try {
+    (void)vfc::fill(curve, box, np::thickness(0.1).wall_distance(wall_distance));
+  } catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Wall_distance, is_refused_if_it_leaves_no_room_or_the_curve_is_nearer)
+{
+  const std::string no_room = complaint(Curve(), 0.6);
+  EXPECT_EQ(no_room.substr(0, 77),
+            "wall_distance is 0.6, but no place is found that is farther from the boundary");
+  const Curve start = polyline({Point(0.5, 0.5, 0.5), Point(1.5, 0.5, 0.5), Point(1.5, 0.8, 0.5)});
+  EXPECT_EQ(complaint(start, 0.3),
+            "wall_distance is 0.3, but the curve to start from comes as near "
+            "to the boundary as 0.2");
+  EXPECT_EQ(complaint(Curve(), -1), "wall_distance is -1, but must be finite and not negative");
+}
+
+} // namespace test_wall_distance
