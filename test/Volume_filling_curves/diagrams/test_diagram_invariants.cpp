@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_diagram_invariants {
 
 namespace VFC = CGAL::Volume_filling_curves;
 using namespace VFC::internal;
@@ -139,4 +139,4 @@ TEST(Diagram_invariants, Determinants_are_exact_however_large)
   EXPECT_EQ(Goeritz_form(braid_diagram(word)).determinant(), next - 2);
 }
 
-} // namespace
+} // namespace test_diagram_invariants

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_knot_diagram {
 
 namespace VFC = CGAL::Volume_filling_curves;
 using VFC::Knottedness;
@@ -165,4 +165,4 @@ TEST_F(Shared_knots, Are_knotted_for_certain)
   }
 }
 
-} // namespace
+} // namespace test_knot_diagram

@@ -22,8 +22,9 @@
 #include <string>
 #include <vector>
 
+namespace test_knot_polynomials {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using namespace VFC::internal;
 using namespace knot_test;
@@ -245,4 +246,4 @@ TEST(Knot_polynomials, A_limit_of_work_ends_without_a_polynomial)
   EXPECT_TRUE(homfly_polynomial(diagram));
 }
 
-} // namespace
+} // namespace test_knot_polynomials

@@ -16,8 +16,9 @@
 #include <utility>
 #include <vector>
 
+namespace test_laurent_polynomials {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using namespace VFC::internal;
 
@@ -106,4 +107,4 @@ TEST(Laurent_polynomial_2, Products_distribute_over_sums)
   EXPECT_EQ(text(loop), "1 - v^2");
 }
 
-} // namespace
+} // namespace test_laurent_polynomials

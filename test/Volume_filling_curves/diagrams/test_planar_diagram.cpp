@@ -10,8 +10,9 @@
 
 #include <gtest/gtest.h>
 
+namespace test_planar_diagram {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using VFC::Planar_diagram;
 using namespace VFC::internal;
@@ -86,4 +87,4 @@ TEST(Planar_diagram, Mirror_images_have_opposite_signs)
   }
 }
 
-} // namespace
+} // namespace test_planar_diagram

@@ -22,7 +22,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_polygon_projection {
 
 namespace VFC = CGAL::Volume_filling_curves;
 using namespace VFC::internal;
@@ -345,4 +345,4 @@ TEST(Polygon_projection, Diagrams_do_not_depend_on_the_scale)
   }
 }
 
-} // namespace
+} // namespace test_polygon_projection

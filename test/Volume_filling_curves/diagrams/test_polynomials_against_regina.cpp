@@ -26,8 +26,9 @@
 #include <string>
 #include <vector>
 
+namespace test_polynomials_against_regina {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using namespace VFC::internal;
 using namespace knot_test;
@@ -167,4 +168,4 @@ TEST(Polynomials_against_regina, Random_diagrams_have_the_same)
   }
 }
 
-} // namespace
+} // namespace test_polynomials_against_regina

@@ -18,8 +18,9 @@
 #include <string>
 #include <vector>
 
+namespace test_prime_knots {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using namespace VFC::internal;
 using namespace knot_test;
@@ -127,4 +128,4 @@ TEST(Prime_knots, Other_knots_have_no_factors)
   EXPECT_FALSE(Prime_factors::of(computed_key(braid(Braid_word(11, 1))), 20)); // 11a_367
 }
 
-} // namespace
+} // namespace test_prime_knots

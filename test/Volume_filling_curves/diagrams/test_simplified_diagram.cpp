@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_simplified_diagram {
 
 namespace VFC = CGAL::Volume_filling_curves;
 using namespace VFC::internal;
@@ -153,4 +153,4 @@ TEST_F(Shared_knots, Come_to_at_most_ten_crossings)
   }
 }
 
-} // namespace
+} // namespace test_simplified_diagram

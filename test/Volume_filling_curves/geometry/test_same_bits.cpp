@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace test_same_bits {
 
 using namespace CGAL::Volume_filling_curves::internal;
 
@@ -74,4 +74,4 @@ TEST(Sums_over_rows, are_taken_in_order)
   EXPECT_GT(dot(x.colwise().reverse().eval(), ones), 1);
 }
 
-} // namespace
+} // namespace test_same_bits

@@ -19,8 +19,9 @@
 #include <string>
 #include <vector>
 
+namespace test_identify {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using namespace knot_test;
 using VFC::Knot_chirality;
@@ -179,4 +180,4 @@ TEST(Identify, A_progress_function_can_interrupt)
                VFC::Run_interrupted);
 }
 
-} // namespace
+} // namespace test_identify

@@ -26,8 +26,9 @@
 #include <string>
 #include <vector>
 
+namespace test_identify_known_curves {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using namespace knot_test;
 using VFC::Link_identity;
@@ -118,4 +119,4 @@ TEST(Identify_census, Each_knot_of_regina_has_a_name_of_its_own)
   EXPECT_EQ(names.size(), 249u);
 }
 
-} // namespace
+} // namespace test_identify_known_curves

@@ -17,8 +17,9 @@
 #include <random>
 #include <string>
 
+namespace test_long_identify {
+
 namespace VFC = CGAL::Volume_filling_curves;
-namespace {
 
 using namespace knot_test;
 
@@ -37,4 +38,4 @@ TEST(Long_identify, All_prime_knots_are_named_in_five_random_conformations)
       }
 }
 
-} // namespace
+} // namespace test_long_identify

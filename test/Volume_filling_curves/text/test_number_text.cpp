@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_number_text {
 
 namespace internal = CGAL::Volume_filling_curves::internal;
 namespace c_library = internal::c_library;
@@ -153,4 +153,4 @@ TEST(Number_text, whole_text_has_to_be_the_number)
   EXPECT_FALSE(internal::parse_all("", x));
 }
 
-} // namespace
+} // namespace test_number_text
