@@ -123,6 +123,27 @@ TEST(Prime_knots, Connected_sums_of_more_crossings_are_found_by_their_factors)
   }
 }
 
+TEST(Prime_knots, Keys_of_chiral_sums_differ_from_those_of_their_mirror_images)
+{
+  std::vector<Prime_knot> chiral; // with their mirror images, which have the inverse ratio
+  std::map<Knot_key, Prime_knot> of_ratio;
+  for(std::size_t i = 0; i < prime_knot_keys.size(); ++i)
+    for(const bool is_mirror : {false, true}) {
+      const Prime_knot knot{i, is_mirror};
+      if(knot.is_amphichiral() || knot.third_key()) continue;
+      chiral.push_back(knot);
+      EXPECT_TRUE(of_ratio.emplace(knot.key() * knot.mirrored().key().inverse(), knot).second);
+    }
+  for(const Prime_knot& first : chiral)
+    for(const Prime_knot& second : chiral) {
+      if(second == first.mirrored()) continue;
+      const Knot_key ratio =
+          key({first, second}) * key({first.mirrored(), second.mirrored()}).inverse();
+      EXPECT_NE(ratio, Knot_key()) << first.name() << '#' << second.name();
+      EXPECT_EQ(of_ratio.count(ratio), 0u) << first.name() << '#' << second.name();
+    }
+}
+
 TEST(Prime_knots, Other_knots_have_no_factors)
 {
   EXPECT_FALSE(Prime_factors::of(computed_key(braid(Braid_word(11, 1))), 20)); // 11a_367

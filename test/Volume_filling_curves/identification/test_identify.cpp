@@ -129,6 +129,16 @@ TEST(Identify, Unknots_and_unlinks_are_proved)
   EXPECT_EQ(VFC::identify(Planar_diagram()).number_of_components, 0u);
 }
 
+TEST(Identify, A_crossing_that_was_not_removed_leaves_the_unknot_proved)
+{
+  const Link_identity kink =
+      VFC::internal::Link_identification(Planar_diagram{{{1, 1, 0, 0}}, 0})();
+  EXPECT_EQ(kink.name, "0_1");
+  EXPECT_TRUE(kink.is_proved);
+  EXPECT_EQ(kink.knottedness, VFC::Knottedness::UNKNOTTED);
+  EXPECT_EQ(kink.chirality, Knot_chirality::AMPHICHIRAL);
+}
+
 TEST(Identify, Links_have_a_linking_matrix_and_polynomials)
 {
   const Link_identity hopf = VFC::identify(closure(braid({1, 1})));
@@ -153,6 +163,20 @@ TEST(Identify, Knots_beyond_the_table_are_knotted_without_a_name)
   EXPECT_EQ(sum.name, "8_19#9_42");
   EXPECT_FALSE(sum.is_proved);
   EXPECT_EQ(sum.chirality, Knot_chirality::UNKNOWN); // that of 9_42 is
+}
+
+TEST(Identify, A_name_without_a_proof_proves_no_knot_to_be_amphichiral)
+{
+  const Link_identity symmetric = VFC::identify(closure(connected_sum(knot("4_1"), knot("8_9"))));
+  EXPECT_EQ(symmetric.name, "4_1#8_9");
+  EXPECT_FALSE(symmetric.is_proved);
+  EXPECT_EQ(symmetric.chirality, Knot_chirality::UNKNOWN);
+  const Braid septafoil = knot("7_1");
+  const Link_identity chiral =
+      VFC::identify(closure(connected_sum(connected_sum(septafoil, septafoil), septafoil)));
+  EXPECT_EQ(chiral.name, "7_1#7_1#7_1");
+  EXPECT_FALSE(chiral.is_proved);
+  EXPECT_EQ(chiral.chirality, Knot_chirality::CHIRAL);
 }
 
 TEST(Identify, Polylines_are_identified_in_themselves)

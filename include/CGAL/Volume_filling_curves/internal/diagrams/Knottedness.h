@@ -29,7 +29,7 @@ namespace Volume_filling_curves {
 enum class Knottedness
 {
   UNKNOWN,                         ///< no proof
-  UNKNOTTED,                       ///< all crossings can be removed: a trivial link
+  UNKNOTTED,                       ///< a trivial link: all crossings can be removed
   KNOTTED_BY_DETERMINANT,          ///< the determinant is not that of the trivial link
   KNOTTED_BY_ALEXANDER_POLYNOMIAL, ///< the Alexander polynomial is not that of the trivial link
   KNOTTED_BY_HOMFLY_POLYNOMIAL     ///< the HOMFLY-PT polynomial is not that of the trivial link

@@ -87,7 +87,6 @@ public:
 
 private:
   static constexpr std::size_t max_crossings_of_proof = 10; // of the diagram
-  static constexpr std::size_t max_crossings_of_sum = 20;   // keys of more are tried for seconds
 
   void find_polynomials()
   {
@@ -116,11 +115,16 @@ private:
     m_can_be_proved = !m_homfly || !jones;
     if(m_can_be_proved) return;
     const Knot_key key = Knot_key::of(*m_homfly, *jones);
-    auto factors = Prime_factors::of(key, (std::min)(crossings, max_crossings_of_sum));
+    auto factors = Prime_factors::of(key, crossings);
     if(!factors) return;
-    m_identity.chirality = chirality(*factors);
+    const Knot_chirality chirality = this->chirality(*factors);
     m_identity.name = knot_name(*factors);
-    m_identity.is_proved = crossings <= max_crossings_of_proof;
+    m_identity.is_proved =
+        crossings <= max_crossings_of_proof && chirality != Knot_chirality::UNKNOWN;
+    // Polynomials prove that a knot is chiral, never that it is amphichiral.
+    if(m_identity.is_proved || chirality == Knot_chirality::CHIRAL)
+      m_identity.chirality = chirality;
+    if(m_identity.is_proved && factors->empty()) m_identity.knottedness = Knottedness::UNKNOTTED;
     std::size_t least_crossings = 0;
     for(const Prime_knot& knot : *factors) least_crossings += knot.crossings();
     m_can_be_proved = !m_identity.is_proved && least_crossings <= max_crossings_of_proof;

@@ -26,8 +26,8 @@ namespace Volume_filling_curves {
 /// Whether a knot is isotopic to its mirror image, for either orientation.
 enum class Knot_chirality
 {
-  UNKNOWN,    ///< the invariants that were computed leave it open, or the knot has no name
-  CHIRAL,     ///< it is not; the name says which of the two it is
+  UNKNOWN,    ///< no proof, or the knot has no name
+  CHIRAL,     ///< it is not; the name distinguishes the two
   AMPHICHIRAL ///< it is
 };
 
@@ -75,7 +75,8 @@ struct Link_identity
   /// Whether the knot or link is proved to be trivial or not, whatever its name.
   Knottedness knottedness = Knottedness::UNKNOWN;
 
-  /// Of knots with a name.
+  /// The chirality of a knot with a name. Without a proof of the name it is never amphichiral, since
+  /// polynomials only prove that a knot is chiral.
   Knot_chirality chirality = Knot_chirality::UNKNOWN;
 
   std::size_t number_of_components = 0; ///< of the link

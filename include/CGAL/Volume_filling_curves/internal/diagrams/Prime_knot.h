@@ -88,8 +88,8 @@ inline std::string knot_name(const std::vector<Prime_knot>& factors)
 class Prime_factors
 {
 public:
-  // The factors, sorted, of at most so many crossings together; nothing if there are none with this
-  // key. \pre at most three factors
+  // The factors, sorted, of at most so many crossings together; nothing if no three knots of the
+  // table, or fewer, have this key. Takes at most some milliseconds.
   static std::optional<std::vector<Prime_knot>> of(const Knot_key& key, std::size_t max_crossings)
   {
     Prime_factors factors;
