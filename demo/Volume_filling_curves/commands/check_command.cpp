@@ -144,12 +144,11 @@ Defects find_defects(Session& session, const Check_options& options)
     throw Usage_error("--wall-distance: is for FILE MESH");
   if(!options.domain.empty())
     throw Usage_error("--domain: needs --certificate; to check a curve use FILE MESH");
-  if(is_polygon_file(options.file) && !has_second)
-    return read_polygons_and_defects(options.file).defects;
-  const bool is_mesh = is_mesh_file(options.file);
-  if(is_mesh && has_second)
-    throw Usage_error("FILE: " + options.file + ": is a surface, but " + options.mesh +
-                      " takes a curve to check");
+  const bool is_polygons = is_polygon_file(options.file), is_mesh = is_mesh_file(options.file);
+  if((is_polygons || is_mesh) && has_second)
+    throw Usage_error("FILE: " + options.file + (is_mesh ? ": is a surface" : ": holds polygons") +
+                      ", but " + options.mesh + " takes a curve to check");
+  if(is_polygons) return read_polygons_and_defects(options.file).defects;
   return is_mesh ? read_mesh_and_defects(options.file).defects : defects_of_curve(session, options);
 }
 

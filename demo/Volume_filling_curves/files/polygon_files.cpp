@@ -49,9 +49,21 @@ std::vector<Wkt_record> wkt_records(const std::string& text)
   return records;
 }
 
+// CGAL's readers crash at rings without corners.
+bool has_empty_ring(const std::string& text)
+{
+  if(text.find("EMPTY") != std::string::npos) return true;
+  for(std::size_t k = text.find('('); k != std::string::npos; k = text.find('(', k + 1)) {
+    const std::size_t next = text.find_first_not_of(' ', k + 1);
+    if(next != std::string::npos && text[next] == ')') return true;
+  }
+  return false;
+}
+
 // Returns whether the record holds polygons, and adds them.
 bool read_record(const Wkt_record& record, std::vector<Polygon>& polygons)
 {
+  if(has_empty_ring(record.text)) return false;
   std::istringstream in(record.text);
   std::vector<Polygon> found(1);
   const std::string multiple = "MULTIPOLYGON";
@@ -98,7 +110,7 @@ Polygons_and_defects read_polygons_and_defects(const std::string& file)
     if(!read_record(record, result.polygons))
       result.defects.push_back(
           polygon_error("syntax error", file, record.line,
-                        "this is no POLYGON or MULTIPOLYGON of two coordinates"));
+                        "this is no POLYGON or MULTIPOLYGON with corners of two coordinates"));
   if(!result.defects.empty()) return result;
   try {
     result.domain.emplace(result.polygons);

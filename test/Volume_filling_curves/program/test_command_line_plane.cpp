@@ -103,6 +103,19 @@ TEST_F(Command_line_plane, refuses_wrong_polygons_with_line_and_corners)
   EXPECT_EQ(words.status, 4);
   EXPECT_TRUE(has(words.err, "words.wkt:2: error: syntax error")) << words.err;
   EXPECT_EQ(run("fill missing.wkt -o c.obj").status, 4);
+  EXPECT_EQ(run("check words.wkt c.obj").status, 1) << "polygons take no second file";
+}
+
+TEST_F(Command_line_plane, refuses_rings_without_corners)
+{
+  for(const char* text :
+      {"POLYGON EMPTY", "POLYGON()", "POLYGON(( ))", "MULTIPOLYGON EMPTY", "MULTIPOLYGON(())",
+       "POLYGON((0 0, 1 0, 1 1), ())", "POLYGON((0 0, 1 0"}) {
+    write("empty.wkt", text);
+    const Finished check = run("check empty.wkt");
+    EXPECT_EQ(check.status, 4) << text;
+    EXPECT_TRUE(has(check.out, "empty.wkt:1: error: syntax error")) << check.out;
+  }
 }
 
 TEST_F(Command_line_plane, refuses_options_that_are_for_meshes)
