@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 // The pieces with which a curve gets its shape, on curves whose shapes are known.
@@ -139,6 +140,39 @@ TEST(Shape_check, leaves_out_the_other_side_of_a_bend)
   EXPECT_NEAR(check(curve_of({hairpin}), 0.5, 1.8).strands.value, 1.2, 1e-9);
 }
 
+TEST(Strand_pairs, are_those_nearer_than_the_mean_of_their_limits)
+{
+  std::vector<std::vector<Point>> strands;
+  for(int k = 0; k < 12; ++k)
+    strands.push_back(segment(6, Vector(0.3 * k * k, 0, 0), Vector(0.3 * k * k, 1, 0.2 * k)));
+  const Curve curve = curve_of(strands);
+  std::vector<double> thickness;
+  for(const Point& p : curve.points()) thickness.push_back(0.02 + 0.5 * p.x());
+  Shape_goal goal;
+  goal.strand_distance.in_thickness = 1;
+  const Strand_pairs pairs(sequential, curve, Shape_limits(goal, thickness), 0);
+  std::set<std::array<std::size_t, 2>> found;
+  for(const auto& [e, f] : pairs.pairs()) found.insert({e, f});
+  EXPECT_EQ(found.size(), pairs.pairs().size());
+  std::size_t near = 0, far = 0;
+  for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+    for(std::size_t f = 0; f < e; ++f) {
+      if(curve.component(curve.source(e)) == curve.component(curve.source(f))) continue;
+      const auto end = [&](std::size_t k, int i) {
+        return internal::to_vector(curve.point(i == 0 ? curve.source(k) : curve.target(k)));
+      };
+      const bool is_near =
+          internal::squared_segment_distance(end(e, 0), end(e, 1), end(f, 0), end(f, 1)) <
+          pairs.distance(e, f) * pairs.distance(e, f);
+      ++(is_near ? near : far);
+      if(is_near) {
+        EXPECT_EQ(found.count({e, f}), 1u) << e << ' ' << f;
+      }
+    }
+  EXPECT_GT(near, 100u);
+  EXPECT_GT(far, 100u);
+}
+
 TEST(Strand_paths, go_once_along_every_edge)
 {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, -1, 0}, {3, 0, 0}};
@@ -157,6 +191,19 @@ TEST(Shape_projection, leaves_a_curve_within_its_limits)
   const std::vector<Vector> before = positions(curve);
   const std::vector<Vector> after = positions(projected(curve, 1, 1, 20, true));
   for(std::size_t v = 0; v < before.size(); ++v) EXPECT_LT((after[v] - before[v]).norm(), 1e-12);
+}
+
+TEST(Shape_projection, ends_with_the_run)
+{
+  const Curve curve = curve_of({ring(40, 1)});
+  const Shape_limits shape = limits(curve, 2, 1);
+  const Strand_pairs pairs(sequential, curve, shape, 1);
+  const Wall_planes walls;
+  const internal::Shape_projection projection(curve, shape, pairs, walls);
+  std::vector<Vector> x = positions(curve);
+  internal::Run_watch watch(0);
+  const internal::Watched_scope scope(&watch);
+  EXPECT_THROW(projection(x, 1, false), internal::Run_stopped);
 }
 
 TEST(Shape_projection, widens_a_ring_that_is_too_small)

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,7 @@ public:
   {
     const std::vector<double> lengths = mean_edges(x);
     for(int k = 0; k < sweeps; ++k) {
+      check_run();
       for(std::size_t p = 0; p < paths().size(); ++p)
         is_tense ? keep_length(x, paths()[p], lengths[p]) : even(x, paths()[p]);
       for(const auto& [e, f] : m_pairs.pairs()) push_apart(x, e, f);

@@ -10,10 +10,8 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
-#include <CGAL/Volume_filling_curves/internal/curve/Curve_interval.h>
-#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Strand_neighbors.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
-#include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>
 
 #include <CGAL/number_type_config.h>
@@ -23,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -43,17 +40,16 @@ public:
   Strand_pairs(ConcurrencyTag, const Network& curve, const Shape_limits& limits, double slack)
   {
     const Vector_field x = coordinates(curve);
-    take_edges(curve, limits);
-    const Neighbors<Network> neighbors(curve, m_half_turns);
-    const double largest =
-        m_distances.empty() ? 0 : *std::max_element(m_distances.begin(), m_distances.end());
+    const Strand_neighbors<Network> neighbors(curve, take_edges(curve, limits));
+    std::vector<double> margins = m_distances;
+    for(double& margin : margins) margin *= 1 + slack;
     const auto can_touch = [&](std::size_t e, std::size_t f) {
       const auto end = [&](std::size_t k, int i) { return row(x, m_ends[k][i]); };
       return !are_middles_apart((1 + slack) * distance(e, f), end(e, 0), end(e, 1), end(f, 0),
                                 end(f, 1)) &&
-             !neighbors(e, f);
+             !neighbors.are_neighbors(e, f);
     };
-    m_pairs = Broad_phase(ConcurrencyTag(), curve, x, x, (1 + slack) * largest)
+    m_pairs = Broad_phase(ConcurrencyTag(), curve, x, x, margins)
                   .template pairs<ConcurrencyTag>(can_touch);
   }
 
@@ -79,45 +75,23 @@ public:
   }
 
 private:
-  // Edges of one strand. Those of components with junctions need a search, with one length for all.
+  // Returns the length of curve, for each edge, from which on others are of different strands.
   template <typename Network>
-  class Neighbors
+  std::vector<double> take_edges(const Network& curve, const Shape_limits& limits)
   {
-  public:
-    Neighbors(const Network& curve, const std::vector<double>& half_turns)
-        : m_half_turns(half_turns), m_spans(arc_length_spans(curve))
-    {
-      if(curve.has_junction())
-        m_search.emplace(curve, *std::max_element(half_turns.begin(), half_turns.end()));
-    }
-
-    bool operator()(std::size_t e, std::size_t f) const
-    {
-      if(m_spans.of_edge[e].is_comparable(m_spans.of_edge[f]))
-        return m_spans.gap(e, f) < (m_half_turns[e] + m_half_turns[f]) / 2;
-      return m_search && m_search->are_neighbors(e, f);
-    }
-
-  private:
-    const std::vector<double>& m_half_turns;
-    const Curve_intervals m_spans;
-    std::optional<Least_clearance<Network>> m_search;
-  };
-
-  template <typename Network>
-  void take_edges(const Network& curve, const Shape_limits& limits)
-  {
+    std::vector<double> half_turns;
     for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
       const std::size_t v = curve.source(e), w = curve.target(e);
       const double radius = (limits.bend_radius[v] + limits.bend_radius[w]) / 2;
       m_ends.push_back({static_cast<Index>(v), static_cast<Index>(w)});
       m_distances.push_back((limits.strand_distance[v] + limits.strand_distance[w]) / 2);
-      m_half_turns.push_back(CGAL_PI * (std::max)(radius, m_distances.back() / 2));
+      half_turns.push_back(CGAL_PI * (std::max)(radius, m_distances.back() / 2));
     }
+    return half_turns;
   }
 
   std::vector<Pair> m_ends;
-  std::vector<double> m_distances, m_half_turns; // of each edge
+  std::vector<double> m_distances; // of each edge
   std::vector<Pair> m_pairs;
 };
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,9 +36,12 @@ public:
     if constexpr(Boundary::is_bounded) {
       const Vector_field x = coordinates(curve);
       take_axes(x);
-      for(std::size_t v = 0; v < distances.size(); ++v)
+      unsigned counter = 0;
+      for(std::size_t v = 0; v < distances.size(); ++v) {
+        check_sometimes(nullptr, counter);
         if(!curve.is_pinned(v) && !boundary.is_farther(row(x, v), reach * distances[v]))
           add(curve, boundary.domain(), v, distances[v]);
+      }
     }
   }
 
