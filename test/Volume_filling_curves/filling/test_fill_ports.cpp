@@ -174,9 +174,21 @@ TEST(Fill_ports, refuses_ports_that_make_no_sense)
   EXPECT_NE(message({good, {Point(0.5, 0, 0.5), {0, -1, 0}}}).find("port 2"), std::string::npos);
   EXPECT_NE(message({good, {Point(0.5, 0, 0.5), {0, nan, 0}}}).find("not finite"),
             std::string::npos);
+  EXPECT_EQ(message({good, good}), "ports 1 and 2: their necks meet");
   Curve curve = polyline({Point(0.3, 0.3, 0.3), Point(0.6, 0.6, 0.6)});
   EXPECT_THROW(vfc::fill(curve, box, np::thickness(0.1).ports(std::vector<Port>{good, good})),
                std::invalid_argument);
+}
+
+TEST(Fill_ports, search_for_a_way_within_the_time_limit)
+{
+  const Ball ball({0, 0, 0}, 1);
+  Curve curve;
+  const auto result = vfc::fill(
+      curve, ball,
+      np::thickness(0.2).ports(std::vector<Port>{{{1, 0, 0}}, {{-1, 0, 0}}}).time_limit(1e-9));
+  EXPECT_EQ(result.status, vfc::Filling_status::LIMIT);
+  EXPECT_EQ(curve.number_of_nodes(), 0u);
 }
 
 } // namespace test_fill_ports

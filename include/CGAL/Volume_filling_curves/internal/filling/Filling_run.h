@@ -139,6 +139,7 @@ private:
   void place_arcs()
   {
     constexpr double share_of_spacing = 0.5;
+    const Watched_scope scope(&m_watch);
     if(m_curves.number_of_nodes() > 0)
       throw std::invalid_argument("ports: there are curves, too, and their ends are the ports");
     const Port_arcs<Domain, Traits> arcs(m_domain, m_survey.thickness(), m_parameters.ports,

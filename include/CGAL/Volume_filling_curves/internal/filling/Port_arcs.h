@@ -17,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
 
 #include <CGAL/Bbox_3.h>
@@ -101,6 +102,7 @@ public:
     for(std::size_t k = 0; k < ports.size(); ++k)
       m_necks.push_back(Neck_placement<Domain, Traits>(domain, m_thickness(ports[k].point), traits)(
           ports[k], "port " + std::to_string(k + 1)));
+    require_disjoint_necks();
     for(std::size_t k = 0; k < ports.size(); k += 2) add_arc(k);
   }
 
@@ -140,6 +142,17 @@ private:
     return nodes;
   }
 
+  void require_disjoint_necks() const
+  {
+    const Exact_predicates<Traits> predicates(m_traits);
+    const auto inner = [&](std::size_t k) { return to_point(nodes_of_neck(k).back(), m_traits); };
+    for(std::size_t k = 0; k < m_necks.size(); ++k)
+      for(std::size_t l = 0; l < k; ++l)
+        if(predicates.do_segments_intersect(m_necks[k].wall, inner(k), m_necks[l].wall, inner(l)))
+          throw std::invalid_argument("ports " + std::to_string(l + 1) + " and " +
+                                      std::to_string(k + 1) + ": their necks meet");
+  }
+
   // Keeps the way of an arc off the arcs before, and off all necks; its own are open at their ends.
   Domain_without_segments<Domain> free_domain(std::size_t first) const
   {
@@ -171,9 +184,12 @@ private:
   {
     const Domain_without_segments<Domain> domain = free_domain(k);
     Ways ways(domain, m_traits, most_cells);
+    const auto is_end = [&](const Vector& p) {
+      check_run();
+      return ways.sees(from, p);
+    };
     for(const double cell : cells_of_ways)
-      if(ways.flood(to, cell * thickness_at(k + 1),
-                    [&](const Vector& p) { return ways.sees(from, p); }))
+      if(ways.flood(to, cell * thickness_at(k + 1), is_end))
         return ways.way_from(from, longest_step * thickness_at(k));
     throw std::invalid_argument("ports " + std::to_string(k + 1) + " and " + std::to_string(k + 2) +
                                 ": no way was found between them");
