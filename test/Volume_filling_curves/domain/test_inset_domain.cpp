@@ -11,7 +11,11 @@
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Inset_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 // What is farther than c from the boundary, as a domain, and as a limit of a guard.
@@ -95,6 +100,23 @@ TEST(Inset, is_a_smaller_ball_or_box)
   EXPECT_EQ(scaled.wall_distance(), 0.5);
   EXPECT_TRUE(scaled.is_inside(Point(0.51, 4, 4)));
   EXPECT_FALSE(scaled.is_inside(Point(0.49, 4, 4)));
+}
+
+TEST(Inset, of_a_planar_domain_is_planar)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  CGAL::Polygon_2<Kernel> square;
+  for(const auto& [x, y] : {std::pair(0, 0), {4, 0}, {4, 4}, {0, 4}})
+    square.push_back(Kernel::Point_2(x, y));
+  const Inset_domain_3 inset(Polygon_domain_3<>(square), 1);
+  EXPECT_EQ(internal::dimension_of<decltype(inset)>, 2);
+  EXPECT_EQ(inset.bbox(), CGAL::Bbox_3(1, 1, 0, 3, 3, 0));
+  EXPECT_TRUE(inset.is_inside(Point(1.1, 2, 0)));
+  EXPECT_FALSE(inset.is_inside(Point(0.9, 2, 0)));
+  EXPECT_FALSE(inset.is_inside(Point(2, 2, 0.1)));
+  EXPECT_TRUE(inset.is_triangle_inside(Point(1.1, 2, 0), Point(2.9, 2, 0), Point(2, 2.9, 0)));
+  EXPECT_FALSE(inset.is_triangle_inside(Point(1.1, 2, 0), Point(2.9, 2, 0), Point(2, 3.1, 0)));
+  EXPECT_THROW(Inset_domain_3(Polygon_domain_3<>(square), 2), std::invalid_argument);
 }
 
 TEST(Inset, is_refused_if_the_distance_is_none_or_leaves_nothing)

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/domain/Depth_test.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
@@ -42,7 +43,8 @@ namespace Volume_filling_curves {
  *
  * \tparam Domain a model of `VolumeFillingDomain_3`, bounded, whose distances are lower bounds
  *
- * \cgalModels{VolumeFillingDomain_3, ScalableVolumeFillingDomain_3 if `Domain` is one}
+ * \cgalModels{VolumeFillingDomain_3, and ScalableVolumeFillingDomain_3 or
+ * PlanarVolumeFillingDomain_3 if `Domain` is one}
  */
 template <typename Domain>
 class Inset_domain_3
@@ -53,6 +55,9 @@ public:
 
   /// the domain's vector type
   using Vector_3 = typename Domain::Vector_3;
+
+  /// the dimension of the domain
+  static constexpr int dimension = internal::dimension_of<Domain>;
 
   /// constructs the inset of `domain`, which must outlive it, by the distance `c`.
   ///
@@ -81,8 +86,9 @@ public:
   CGAL::Bbox_3 bbox() const
   {
     const CGAL::Bbox_3 box = m_domain->bbox();
-    return {box.xmin() + m_c, box.ymin() + m_c, box.zmin() + m_c,
-            box.xmax() - m_c, box.ymax() - m_c, box.zmax() - m_c};
+    const double z = is_plane ? 0 : m_c;
+    return {box.xmin() + m_c, box.ymin() + m_c, box.zmin() + z,
+            box.xmax() - m_c, box.ymax() - m_c, box.zmax() - z};
   }
 
   /// returns whether `p` lies strictly inside.
@@ -124,6 +130,7 @@ public:
   }
 
 private:
+  static constexpr bool is_plane = internal::Space_of<Domain>::is_plane;
   static constexpr int max_steps = 32;
   static constexpr double least_step = 1e-2; // of the limit: medial spheres need no more
   static constexpr double slack = 1e-12;     // of distances, in units of the box, for rounding
@@ -134,7 +141,7 @@ private:
     if(!(m_c >= 0) || !std::isfinite(m_c))
       throw std::invalid_argument("the distance of an inset must be finite and not negative");
     const internal::Vector sides(box.x_span(), box.y_span(), box.z_span());
-    if(!(2 * m_c < sides.minCoeff()))
+    if(!(2 * m_c < (is_plane ? (std::min)(sides.x(), sides.y()) : sides.minCoeff())))
       throw std::invalid_argument("the domain has no inset by that distance: its box is narrower "
                                   "than twice as much");
     m_limit = m_c + slack * internal::stable_norm(sides);
