@@ -135,6 +135,19 @@ TEST(Wall_distance, is_exact_in_a_ball_and_a_box)
   EXPECT_EQ(nearest.point, Point(0, 0.75, 0));
 }
 
+struct One_number : Points_only
+{
+  double distance(const Point& p) const { return p.x() == 0.25 ? 0.5 : std::nan(""); }
+};
+
+TEST(Wall_distance, ends_if_distances_are_no_numbers)
+{
+  const Mesh_domain domain(meshes::to_mesh(meshes::sphere(1, 2)));
+  const auto nearest =
+      min_wall_distance(segments({Point(0, 0, 0), Point(0.5, 0, 0)}), One_number{{domain}});
+  EXPECT_EQ(nearest.edge, 0u);
+}
+
 TEST(Wall_distance, of_nothing_is_infinite)
 {
   const auto nearest = min_wall_distance(Network(), Ball_domain_3<>(Point(0, 0, 0), 1));

@@ -125,7 +125,7 @@ private:
              Place& nearest) const
   {
     const double least = (at_a + at_b - (b - a).norm()) / 2;
-    if(least >= nearest.distance - (std::max)(tolerance, precision * nearest.distance)) return;
+    if(!(least < nearest.distance - (std::max)(tolerance, precision * nearest.distance))) return;
     const Vector middle = (a + b) / 2;
     const double at_middle = distance(middle);
     if(at_middle < nearest.distance) nearest = {at_middle, nearest.edge, middle};
