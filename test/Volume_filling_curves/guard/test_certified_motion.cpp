@@ -28,11 +28,8 @@ struct All_pairs
   std::size_t number_of_edges;
 
   template <typename ConcurrencyTag, typename Margin>
-  All_pairs(ConcurrencyTag,
-            const Network& curve,
-            const Vector_field&,
-            const Vector_field&,
-            const Margin&)
+  All_pairs(
+      ConcurrencyTag, const Network& curve, const Vector_field&, const Vector_field&, const Margin&)
       : number_of_edges(curve.number_of_edges())
   {}
 
