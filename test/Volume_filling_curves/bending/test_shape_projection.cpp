@@ -32,7 +32,7 @@
 namespace test_shape_projection {
 
 using namespace fill_test;
-namespace internal = vfc::internal;
+namespace internal = VFC::internal;
 using internal::Shape_check;
 using internal::Shape_goal;
 using internal::Shape_limits;
@@ -211,7 +211,7 @@ TEST(Shape_projection, widens_a_ring_that_is_too_small)
   const Curve curve = curve_of({ring(12, 0.1, {3, 1, 2})});
   const Curve wide = projected(curve, 1, 1, 400, false);
   EXPECT_GE(check(wide, 1, 1).bend.value, 1);
-  EXPECT_LT(vfc::length(wide), 8);
+  EXPECT_LT(VFC::length(wide), 8);
 }
 
 TEST(Shape_projection, opens_a_corner)
@@ -247,7 +247,7 @@ TEST(Shape_projection, leaves_pinned_nodes_and_coordinate_planes)
 
 TEST(Wall_planes, push_nodes_inside)
 {
-  const vfc::Box_domain_3<Kernel> box({0, 0, 0}, {4, 4, 4});
+  const VFC::Box_domain_3<Kernel> box({0, 0, 0}, {4, 4, 4});
   const Curve curve = curve_of({segment(8, {0.01, 1, 2}, {0.02, 3, 2})});
   Wall_planes walls;
   walls.find(curve, internal::Boundary(box), std::vector<double>(curve.number_of_nodes(), 0.1));
