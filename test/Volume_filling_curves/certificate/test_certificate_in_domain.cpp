@@ -26,7 +26,7 @@
 namespace test_certificate_in_domain {
 
 using namespace certificate_test;
-using Mesh_domain = vfc::Triangle_mesh_domain_3<>;
+using Mesh_domain = VFC::Triangle_mesh_domain_3<>;
 using Point = Network::Point_3;
 
 Network square(double size, const Point& center)
@@ -42,8 +42,8 @@ Motion filling(const Domain& domain, const Network& start)
 {
   Motion motion;
   motion.start = motion.end = start;
-  vfc::fill(motion.end, domain,
-            vfc::parameters::thickness(0.4).number_of_iterations(30).certificate(
+  VFC::fill(motion.end, domain,
+            VFC::parameters::thickness(0.4).number_of_iterations(30).certificate(
                 std::ref(motion.certificate)));
   return motion;
 }
@@ -86,13 +86,13 @@ TEST(Certificate_in_domain, of_a_filling_is_valid)
 std::vector<std::vector<Point>> polylines(const Network& curve)
 {
   std::vector<std::vector<Point>> result;
-  vfc::curve_network_to_polylines(curve, std::back_inserter(result));
+  VFC::curve_network_to_polylines(curve, std::back_inserter(result));
   return result;
 }
 
 TEST(Certificate_verdict, is_a_sentence)
 {
-  const vfc::Ball_domain_3<> ball(Point(0, 0, 0), 2), smaller(Point(0, 0, 0), 1);
+  const VFC::Ball_domain_3<> ball(Point(0, 0, 0), 2), smaller(Point(0, 0, 0), 1);
   const Motion motion = filling(ball, square(0.5, Point(0, 0, 0)));
   const Certificate_verdict verdict = verdict_in(motion, ball);
   const std::string operations = std::to_string(verdict.number_of_operations);
@@ -111,12 +111,12 @@ TEST(Certificate_verdict, is_a_sentence)
 
 TEST(Certificate_in_domain, is_verified_for_polylines)
 {
-  const vfc::Ball_domain_3<> ball(Point(0, 0, 0), 1);
+  const VFC::Ball_domain_3<> ball(Point(0, 0, 0), 1);
   Network curve;
   Isotopy_certificate certificate;
-  const auto result = vfc::fill(
+  const auto result = VFC::fill(
       curve, ball,
-      vfc::parameters::thickness(0.4).number_of_iterations(3).certificate(std::ref(certificate)));
+      VFC::parameters::thickness(0.4).number_of_iterations(3).certificate(std::ref(certificate)));
   EXPECT_TRUE(verify_certificate(certificate, result.start, curve, ball).is_valid);
   EXPECT_TRUE(verify_certificate(certificate, result.start, polylines(curve)).is_valid);
   EXPECT_TRUE(verify_certificate(certificate, result.start[0], polylines(curve)[0]).is_valid);
@@ -125,7 +125,7 @@ TEST(Certificate_in_domain, is_verified_for_polylines)
 
 TEST(Certificate_in_domain, of_a_filled_ball_is_valid)
 {
-  const vfc::Ball_domain_3<> ball(Point(0, 0, 0), 2), smaller(Point(0, 0, 0), 1);
+  const VFC::Ball_domain_3<> ball(Point(0, 0, 0), 2), smaller(Point(0, 0, 0), 1);
   const Motion motion = filling(ball, square(0.5, Point(0, 0, 0)));
   EXPECT_TRUE(verdict_in(motion, ball).is_valid);
   EXPECT_FALSE(verdict_in(motion, smaller).is_valid);

@@ -48,12 +48,12 @@ TEST(Planar_diagram, Codes_that_are_none_are_refused)
 
 TEST(Planar_diagram, Signs_follow_from_the_order_of_the_arcs)
 {
-  EXPECT_EQ(writhe(trefoil), -3);
-  EXPECT_EQ(writhe(figure_eight), 0);
-  EXPECT_EQ(std::abs(writhe(hopf_link)), 2);
-  EXPECT_EQ(writhe(negative_loop), -1);
-  EXPECT_EQ(writhe(positive_loop), 1);
-  EXPECT_EQ(writhe(circle_on_circle), 0);
+  EXPECT_EQ(VFC::internal::writhe(trefoil), -3);
+  EXPECT_EQ(VFC::internal::writhe(figure_eight), 0);
+  EXPECT_EQ(std::abs(VFC::internal::writhe(hopf_link)), 2);
+  EXPECT_EQ(VFC::internal::writhe(negative_loop), -1);
+  EXPECT_EQ(VFC::internal::writhe(positive_loop), 1);
+  EXPECT_EQ(VFC::internal::writhe(circle_on_circle), 0);
 }
 
 TEST(Planar_diagram, Components_include_free_loops)
@@ -82,7 +82,7 @@ TEST(Planar_diagram, Mirror_images_have_opposite_signs)
   for(const auto& diagram : {trefoil, figure_eight, hopf_link, negative_loop, positive_loop}) {
     const Planar_diagram image = mirror(diagram);
     EXPECT_TRUE(is_planar_diagram(image));
-    EXPECT_EQ(writhe(image), -writhe(diagram));
+    EXPECT_EQ(VFC::internal::writhe(image), -VFC::internal::writhe(diagram));
     EXPECT_EQ(mirror(image).crossings, diagram.crossings);
   }
 }

@@ -23,8 +23,8 @@
 
 namespace test_field_vector {
 
-namespace vfc = CGAL::Volume_filling_curves;
-using Traits = vfc::Curve_flow_traits_3<>;
+namespace VFC = CGAL::Volume_filling_curves;
+using Traits = VFC::Curve_flow_traits_3<>;
 using Point = Traits::Point_3;
 using Vector = CGAL::Kernel_traits<Point>::Kernel::Vector_3;
 using Exact_vector = CGAL::Exact_predicates_exact_constructions_kernel::Vector_3;
@@ -45,7 +45,7 @@ struct Convertible
 
 TEST(Field_vector, is_made_from_all_vectors)
 {
-  vfc::Filling_parameters<> parameters;
+  VFC::Filling_parameters<> parameters;
   const Point p(1, 2, 3);
   const Array expected = {1, 2, 3};
   const auto expect_vector = [&] { EXPECT_EQ(Array(parameters.direction_field(p)), expected); };
@@ -67,7 +67,7 @@ TEST(Field_vector, is_made_from_all_vectors)
 
 TEST(Field_vector, of_no_function_is_no_field)
 {
-  vfc::Filling_parameters<> parameters;
+  VFC::Filling_parameters<> parameters;
   EXPECT_FALSE(parameters.direction_field);
   parameters.direction_field = std::function<Vector(const Point&)>();
   EXPECT_FALSE(parameters.direction_field);
@@ -79,20 +79,20 @@ TEST(Field_vector, of_no_function_is_no_field)
 template <typename NamedParameters>
 std::vector<Point> grow(double size, const NamedParameters& np)
 {
-  using Domain = vfc::Box_domain_3<>;
+  using Domain = VFC::Box_domain_3<>;
   const Domain domain(Point(0, 0, 0), Point(size, size, size));
   const double middle = size / 2, a = size / 8;
-  vfc::Curve_network_3<> curves(
+  VFC::Curve_network_3<> curves(
       {{middle, middle, middle}, {middle + a, middle, middle}, {middle, middle + a, middle}},
       {{0, 1}, {1, 2}, {2, 0}});
-  vfc::Isotopy_guard_3<Traits, Domain> guard(curves, domain);
-  vfc::grow_fingers(guard, np);
+  VFC::Isotopy_guard_3<Traits, Domain> guard(curves, domain);
+  VFC::grow_fingers(guard, np);
   std::vector<Point> points;
   for(const std::size_t v : curves.nodes()) points.push_back(curves.point(v));
   return points;
 }
 
-using vfc::parameters::thickness;
+using VFC::parameters::thickness;
 
 TEST(Field_vector, makes_no_difference_to_what_follows)
 {
@@ -105,8 +105,8 @@ TEST(Field_vector, makes_no_difference_to_what_follows)
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(grow(1, thickness(r_in_float).direction_field(vector)), expected);
   EXPECT_EQ(grow(1, thickness(r_in_long_double).direction_field(vector)), expected);
-  const vfc::Curve_network_3<> edge(std::vector<Point>{{0, 0, 0}, {1, 0, 1}});
-  EXPECT_EQ(vfc::alignment(edge, vector), vfc::alignment(edge, array));
+  const VFC::Curve_network_3<> edge(std::vector<Point>{{0, 0, 0}, {1, 0, 1}});
+  EXPECT_EQ(VFC::alignment(edge, vector), VFC::alignment(edge, array));
 }
 
 TEST(Thickness_field, may_have_whole_numbers)

@@ -32,9 +32,9 @@ namespace test_fill_at_any_scale {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using vfc::Filling_status;
-using Domain = vfc::Triangle_mesh_domain_3<Kernel>;
-using Ball = vfc::Ball_domain_3<Kernel>;
+using VFC::Filling_status;
+using Domain = VFC::Triangle_mesh_domain_3<Kernel>;
+using Ball = VFC::Ball_domain_3<Kernel>;
 using Coordinates = std::vector<std::array<double, 3>>;
 
 // of two; the first three are sizes that a run takes as they are, and meshes end at 1e100
@@ -64,7 +64,7 @@ void expect_same_at_any_scale(const std::vector<int>& exponents_of_units,
   for(const int exponent : exponents_of_units) {
     const double unit = std::ldexp(1., exponent);
     Curve curve;
-    const auto result = vfc::fill(curve, make_domain(unit), np);
+    const auto result = VFC::fill(curve, make_domain(unit), np);
     const Coordinates found = coordinates(curve.points(), unit);
     EXPECT_GT(found.size(), 100u);
     EXPECT_GT(result.thickness / unit, 0.05);
@@ -86,7 +86,7 @@ TEST(Fill_at_any_scale, boxes)
   expect_same_at_any_scale(
       far_exponents,
       [](double unit) {
-        return vfc::Box_domain_3<Kernel>(Point(0, 0, 0), Point(2 * unit, unit, unit));
+        return VFC::Box_domain_3<Kernel>(Point(0, 0, 0), Point(2 * unit, unit, unit));
       },
       few_steps);
 }
@@ -106,14 +106,14 @@ TEST(Fill_at_any_scale, implicit_domains)
         const auto distance = [unit](const Point& p) {
           return unit * (std::hypot(p.x() / unit, p.y() / unit, p.z() / unit) - 1);
         };
-        return vfc::Implicit_domain_3<decltype(distance)>(distance,
+        return VFC::Implicit_domain_3<decltype(distance)>(distance,
                                                           {-unit, -unit, -unit, unit, unit, unit});
       },
       few_steps);
 }
 
 // Follows a run by the lengths that it is shown.
-struct Lengths : vfc::Default_curve_flow_visitor
+struct Lengths : VFC::Default_curve_flow_visitor
 {
   template <typename Flow>
   void on_start(const Flow& flow)
@@ -144,7 +144,7 @@ std::vector<double> lengths_of_run(double unit)
 {
   Lengths visitor;
   std::vector<double> lengths;
-  const auto note = [&](const vfc::Run_progress& progress) {
+  const auto note = [&](const VFC::Run_progress& progress) {
     lengths.insert(lengths.end(), {progress.thickness, progress.expected_length});
     return true;
   };
@@ -153,7 +153,7 @@ std::vector<double> lengths_of_run(double unit)
     return std::array<double, 3>{p.y() / unit, -p.x() / unit, 0};
   };
   Curve curve;
-  const auto result = vfc::fill(curve, Domain(corner(unit)),
+  const auto result = VFC::fill(curve, Domain(corner(unit)),
                                 np::thickness(thickness)
                                     .direction_field(direction)
                                     .number_of_iterations(3)
@@ -182,11 +182,11 @@ TEST(Fill_at_any_scale, the_certificate_is_that_of_the_callers_curves)
   for(const int exponent : {-200, 300}) {
     const auto mesh = corner(std::ldexp(1., exponent));
     Curve curve;
-    vfc::Isotopy_certificate certificate;
+    VFC::Isotopy_certificate certificate;
     const auto result =
-        vfc::fill(curve, mesh, np::number_of_iterations(2).certificate(std::ref(certificate)));
+        VFC::fill(curve, mesh, np::number_of_iterations(2).certificate(std::ref(certificate)));
     ASSERT_EQ(result.start.size(), 1u);
-    const auto verdict = vfc::verify_certificate(certificate, Curve(result.start), curve, mesh);
+    const auto verdict = VFC::verify_certificate(certificate, Curve(result.start), curve, mesh);
     EXPECT_TRUE(verdict.is_valid);
   }
 }
@@ -198,14 +198,14 @@ TEST(Fill_at_any_scale, a_given_curve_and_a_resumed_run)
   const std::vector<Point> triangle = {
       Point(unit / 4, unit / 4, unit / 2), Point(unit, unit / 2, unit / 2),
       Point(unit / 2, unit, unit / 2), Point(unit / 4, unit / 4, unit / 2)};
-  vfc::Run_state state;
-  const auto keep = [&](const vfc::Run_checkpoint& moment) { state = moment.state(); };
+  VFC::Run_state state;
+  const auto keep = [&](const VFC::Run_checkpoint& moment) { state = moment.state(); };
   const std::vector<std::vector<Point>> start = {triangle};
   Curve early(start), resumed(start), whole(start);
   const auto parameters = np::thickness(unit / 5);
-  vfc::fill(early, domain, parameters.number_of_iterations(3).checkpoint(keep));
-  vfc::fill(resumed, domain, parameters.number_of_iterations(6).resume_from(std::cref(state)));
-  vfc::fill(whole, domain, parameters.number_of_iterations(6));
+  VFC::fill(early, domain, parameters.number_of_iterations(3).checkpoint(keep));
+  VFC::fill(resumed, domain, parameters.number_of_iterations(6).resume_from(std::cref(state)));
+  VFC::fill(whole, domain, parameters.number_of_iterations(6));
   EXPECT_TRUE(coordinates(resumed.points(), unit) == coordinates(whole.points(), unit));
   EXPECT_FALSE(coordinates(early.points(), unit) == coordinates(whole.points(), unit));
 }
@@ -225,7 +225,7 @@ TEST(Fill_at_any_scale, beyond_the_limits_of_coordinates_it_is_refused)
 {
   for(const int exponent : {-600, 600})
     EXPECT_NE(refusal([&](Curve& curve) {
-                vfc::fill(curve, Ball(Point(0, 0, 0), std::ldexp(1., exponent)));
+                VFC::fill(curve, Ball(Point(0, 0, 0), std::ldexp(1., exponent)));
               }).find("must be between 1e-150 and 1e150"),
               std::string::npos);
 }
@@ -241,7 +241,7 @@ TEST(Fill_at_any_scale, domains_of_other_types_are_refused_with_advice)
 {
   const auto fill = [](double radius) {
     return
-        [radius](Curve& curve) { vfc::fill(curve, Plain_ball(Point(0, 0, 0), radius), few_steps); };
+        [radius](Curve& curve) { VFC::fill(curve, Plain_ball(Point(0, 0, 0), radius), few_steps); };
   };
   EXPECT_EQ(refusal(fill(1e38)), "");
   EXPECT_NE(refusal(fill(1e45)).find("no member function scaled()"), std::string::npos);
@@ -251,7 +251,7 @@ TEST(Fill_at_any_scale, a_refusal_for_the_number_of_nodes_has_the_callers_length
 {
   const double unit = std::ldexp(1., 300);
   const std::string text = refusal([&](Curve& curve) {
-    vfc::fill(curve, Ball(Point(0, 0, 0), unit), np::thickness(1e-4 * unit));
+    VFC::fill(curve, Ball(Point(0, 0, 0), unit), np::thickness(1e-4 * unit));
   });
   EXPECT_EQ(text.find("thickness is 2.03704e+86, but"), 0u) << text;
 }

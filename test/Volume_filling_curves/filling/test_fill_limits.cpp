@@ -32,13 +32,13 @@ namespace test_fill_limits {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using vfc::Filling_status;
-using vfc::Run_progress;
-using vfc::Run_stage;
-using vfc::internal::Filling_size;
-using Box = vfc::Box_domain_3<Kernel>;
+using VFC::Filling_status;
+using VFC::Run_progress;
+using VFC::Run_stage;
+using VFC::internal::Filling_size;
+using Box = VFC::Box_domain_3<Kernel>;
 
-const vfc::Ball_domain_3<Kernel> ball(Point(0, 0, 0), 1);
+const VFC::Ball_domain_3<Kernel> ball(Point(0, 0, 0), 1);
 
 // The distances of uniform samples of a plate to its boundary.
 std::vector<double> distances_in_plate(double thickness)
@@ -74,7 +74,7 @@ TEST(Fill_limits, a_thickness_that_needs_too_many_nodes_is_refused)
 {
   Curve curve;
   try {
-    vfc::fill(curve, ball, np::thickness(1e-4));
+    VFC::fill(curve, ball, np::thickness(1e-4));
     FAIL();
   } catch(const std::invalid_argument& error) {
     const std::string text = error.what();
@@ -89,7 +89,7 @@ TEST(Fill_limits, a_field_that_needs_too_many_nodes_in_some_places_is_refused)
 {
   Curve curve;
   const auto field = [](const Point& p) { return p.x() > 0 ? 1e-9 : 0.2; };
-  EXPECT_THROW(vfc::fill(curve, ball, np::thickness(field)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(curve, ball, np::thickness(field)), std::invalid_argument);
   EXPECT_EQ(curve.number_of_nodes(), 0u);
 }
 
@@ -102,7 +102,7 @@ TEST(Fill_limits, the_default_thickness_grows_in_thin_domains_and_says_so)
     last = progress;
     return progress.stage == Run_stage::PREPARING;
   };
-  const auto result = vfc::fill(curve, plate, np::progress(note));
+  const auto result = VFC::fill(curve, plate, np::progress(note));
   EXPECT_EQ(result.status, Filling_status::INTERRUPTED);
   EXPECT_NEAR(result.default_thickness, 2.5e-3, 1e-4);
   EXPECT_NEAR(result.thickness, 4.56e-3, 1e-4);
@@ -118,7 +118,7 @@ TEST(Fill_limits, the_default_thickness_does_not_grow_beyond_the_widest_ball)
   const auto go_on = [](const Run_progress& progress) {
     return progress.stage == Run_stage::PREPARING;
   };
-  const auto result = vfc::fill(curve, plate, np::progress(go_on));
+  const auto result = VFC::fill(curve, plate, np::progress(go_on));
   EXPECT_NEAR(result.thickness, 0.002, 1e-6);
   EXPECT_NEAR(result.default_thickness, 0.0005, 1e-6);
 }
@@ -133,7 +133,7 @@ TEST(Fill_limits, a_domain_too_thin_for_any_default_thickness_is_refused)
   CGAL::Polygon_mesh_processing::triangulate_faces(plate);
   Curve curve;
   try {
-    vfc::fill(curve, plate);
+    VFC::fill(curve, plate);
     FAIL();
   } catch(const std::invalid_argument& error) {
     const std::string text = error.what();
@@ -154,7 +154,7 @@ TEST(Fill_limits, a_run_that_is_stopped_returns_soon_whatever_the_number_of_part
     return false;
   };
   const double start = cpu_time::of_process();
-  const auto result = vfc::fill(curve, plate, np::thickness(0.003).progress(go_on));
+  const auto result = VFC::fill(curve, plate, np::thickness(0.003).progress(go_on));
   EXPECT_EQ(result.status, Filling_status::INTERRUPTED);
   EXPECT_GT(result.parts, 1000u);
   EXPECT_EQ(result.unreachable_parts, 0u);
@@ -167,16 +167,16 @@ TEST(Fill_limits, a_run_can_be_stopped_while_the_domain_is_made_of_a_mesh)
   for(int k = 0; k < 200; ++k) cubes.push_back({k, 0, 0});
   const auto mesh = meshes::to_mesh(meshes::voxels(cubes));
   Curve curve;
-  const auto result = vfc::fill(curve, mesh, np::progress([](const auto&) { return false; }));
+  const auto result = VFC::fill(curve, mesh, np::progress([](const auto&) { return false; }));
   EXPECT_EQ(result.status, Filling_status::INTERRUPTED);
-  EXPECT_EQ(vfc::fill(curve, mesh, np::time_limit(0)).status, Filling_status::LIMIT);
+  EXPECT_EQ(VFC::fill(curve, mesh, np::time_limit(0)).status, Filling_status::LIMIT);
   EXPECT_EQ(curve.number_of_nodes(), 0u);
 }
 
 TEST(Fill_limits, the_default_thickness_of_wide_domains_stays)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, ball, np::number_of_iterations(0));
+  const auto result = VFC::fill(curve, ball, np::number_of_iterations(0));
   EXPECT_EQ(result.default_thickness, 0);
   EXPECT_NEAR(result.thickness, 0.25, 3e-3);
 }
@@ -184,7 +184,7 @@ TEST(Fill_limits, the_default_thickness_of_wide_domains_stays)
 TEST(Fill_limits, without_any_time_the_curve_is_valid)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, ball, np::thickness(0.1).time_limit(0));
+  const auto result = VFC::fill(curve, ball, np::thickness(0.1).time_limit(0));
   EXPECT_EQ(result.status, Filling_status::LIMIT);
   EXPECT_EQ(result.statistics.iterations, 0u);
   EXPECT_TRUE(std::isnan(result.thickness_fit.thin_fraction)) << "nobody has looked";
@@ -200,14 +200,14 @@ void expect_valid_when_stopped(std::size_t last)
     return progress.stage != Run_stage::FLOWING || ++reports < last;
   };
   Curve curve;
-  vfc::Isotopy_certificate certificate;
-  const auto result = vfc::fill(
+  VFC::Isotopy_certificate certificate;
+  const auto result = VFC::fill(
       curve, ball, np::thickness(0.15).certificate(std::ref(certificate)).progress(go_on));
   EXPECT_EQ(result.status, Filling_status::INTERRUPTED) << last;
   EXPECT_FALSE(curve.has_garbage());
-  EXPECT_TRUE(vfc::is_embedded(curve));
+  EXPECT_TRUE(VFC::is_embedded(curve));
   expect_inside(curve, ball);
-  EXPECT_TRUE(vfc::verify_certificate(certificate, Curve(result.start), curve).is_valid) << last;
+  EXPECT_TRUE(VFC::verify_certificate(certificate, Curve(result.start), curve).is_valid) << last;
 }
 
 TEST(Fill_limits, a_run_that_is_stopped_within_a_step_has_a_certified_curve)

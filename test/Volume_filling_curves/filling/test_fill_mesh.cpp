@@ -53,15 +53,15 @@ template <typename Mesh>
 std::vector<Point> filled()
 {
   Curve curve;
-  vfc::fill(curve, tetrahedron<Mesh>(), few_steps);
+  VFC::fill(curve, tetrahedron<Mesh>(), few_steps);
   return points(curve);
 }
 
 TEST(Fill_mesh, fills_the_inside_of_any_mesh)
 {
-  const vfc::Triangle_mesh_domain_3 domain(tetrahedron<Surface_mesh>());
+  const VFC::Triangle_mesh_domain_3 domain(tetrahedron<Surface_mesh>());
   Curve curve;
-  vfc::fill(curve, domain, few_steps);
+  VFC::fill(curve, domain, few_steps);
   expect_inside(curve, domain);
   EXPECT_EQ(filled<Surface_mesh>(), points(curve));
   EXPECT_EQ(filled<Polyhedron>().size(), curve.number_of_nodes());
@@ -70,7 +70,7 @@ TEST(Fill_mesh, fills_the_inside_of_any_mesh)
 // A model of `VolumeFillingDomainWithSurface_3` and no more.
 class Archetype
 {
-  using Mesh_domain = vfc::Triangle_mesh_domain_3<Kernel>;
+  using Mesh_domain = VFC::Triangle_mesh_domain_3<Kernel>;
 
 public:
   typedef Kernel::Point_3 Point_3;
@@ -111,12 +111,12 @@ private:
 
 TEST(Fill_mesh, asks_a_domain_with_a_surface_what_it_asks_a_mesh)
 {
-  const vfc::Triangle_mesh_domain_3 domain(tetrahedron<Surface_mesh>());
+  const VFC::Triangle_mesh_domain_3 domain(tetrahedron<Surface_mesh>());
   for(const double factor : {1., std::ldexp(1., 150)}) {
     Curve curve, same;
     const auto steps = np::thickness(0.1 * factor).number_of_iterations(5);
-    vfc::fill(curve, domain.scaled(factor), steps);
-    vfc::fill(same, Archetype(domain.scaled(factor)), steps);
+    VFC::fill(curve, domain.scaled(factor), steps);
+    VFC::fill(same, Archetype(domain.scaled(factor)), steps);
     EXPECT_EQ(points(same), points(curve));
   }
 }
@@ -128,37 +128,37 @@ TEST(Fill_mesh, takes_a_map_of_points)
   for(const auto v : mesh.vertices())
     doubled[v] = Point(2 * mesh.point(v).x(), 2 * mesh.point(v).y(), 2 * mesh.point(v).z());
   Curve curve, large;
-  vfc::fill(curve, mesh, few_steps);
-  vfc::fill(large, mesh, np::thickness(0.2).number_of_iterations(5).vertex_point_map(doubled));
+  VFC::fill(curve, mesh, few_steps);
+  VFC::fill(large, mesh, np::thickness(0.2).number_of_iterations(5).vertex_point_map(doubled));
   ASSERT_EQ(large.number_of_nodes(), curve.number_of_nodes());
   EXPECT_EQ(large.point(0).x(), 2 * curve.point(0).x());
 }
 
 TEST(Fill_mesh, takes_a_struct_of_parameters)
 {
-  vfc::Filling_parameters<> parameters;
+  VFC::Filling_parameters<> parameters;
   parameters.thickness = 0.1;
   parameters.number_of_iterations = 5;
   Curve curve;
-  vfc::fill(curve, tetrahedron<Surface_mesh>(), parameters);
+  VFC::fill(curve, tetrahedron<Surface_mesh>(), parameters);
   EXPECT_EQ(points(curve), filled<Surface_mesh>());
 }
 
 TEST(Fill_mesh, takes_curves_whose_traits_are_a_kernel)
 {
-  vfc::Curve_network_3<Kernel> curve;
-  vfc::fill(curve, tetrahedron<Surface_mesh>(), few_steps);
+  VFC::Curve_network_3<Kernel> curve;
+  VFC::fill(curve, tetrahedron<Surface_mesh>(), few_steps);
   EXPECT_EQ(points(curve), filled<Surface_mesh>());
 }
 
 TEST(Deduction_guides, find_the_traits_of_points)
 {
-  const vfc::Triangle_mesh_domain_3 domain(tetrahedron<Polyhedron>());
-  const vfc::Domain_samples_3 samples(domain, 10);
-  static_assert(std::is_same_v<decltype(domain), const vfc::Triangle_mesh_domain_3<Kernel>>);
+  const VFC::Triangle_mesh_domain_3 domain(tetrahedron<Polyhedron>());
+  const VFC::Domain_samples_3 samples(domain, 10);
+  static_assert(std::is_same_v<decltype(domain), const VFC::Triangle_mesh_domain_3<Kernel>>);
   static_assert(
       std::is_same_v<decltype(samples),
-                     const vfc::Domain_samples_3<Traits, vfc::Triangle_mesh_domain_3<Kernel>>>);
+                     const VFC::Domain_samples_3<Traits, VFC::Triangle_mesh_domain_3<Kernel>>>);
   EXPECT_EQ(samples.points().size(), 10u);
 }
 

@@ -38,8 +38,8 @@ using polygons::plate;
 using polygons::Polygon;
 using polygons::polygon;
 using polygons::rectangle;
-using vfc::Filling_status;
-using Domain = vfc::Polygon_domain_3<Traits>;
+using VFC::Filling_status;
+using Domain = VFC::Polygon_domain_3<Traits>;
 using Polygons = std::vector<Polygon>;
 using Coordinates = std::vector<std::array<double, 3>>;
 
@@ -77,17 +77,17 @@ void expect_filled(const Input& input, double r, std::size_t components = 1)
 {
   const Domain domain(input);
   Curve curve;
-  const auto result = vfc::fill(curve, input, np::thickness(r));
+  const auto result = VFC::fill(curve, input, np::thickness(r));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_EQ(curve.number_of_components(), components);
   EXPECT_EQ(result.parts, components);
   expect_in_plane(curve);
   expect_simple(curve);
   expect_inside(curve, domain);
-  const vfc::Coverage found = coverage(curve, domain, r);
+  const VFC::Coverage found = coverage(curve, domain, r);
   EXPECT_GT(found.fraction_within_r, .91);
   EXPECT_LT(found.p99, 1.25);
-  EXPECT_GT(vfc::min_clearance(curve, r), .9 * r);
+  EXPECT_GT(VFC::min_clearance(curve, r), .9 * r);
 }
 
 TEST(Fill_polygon, covers_a_plate_with_two_holes_at_two_thicknesses)
@@ -122,7 +122,7 @@ template <typename Tag, typename NamedParameters>
 Coordinates filled(const Polygon& polygon, const NamedParameters& np)
 {
   Curve curve;
-  vfc::fill<Tag>(curve, polygon, np);
+  VFC::fill<Tag>(curve, polygon, np);
   expect_in_plane(curve);
   return coordinates(curve);
 }
@@ -143,7 +143,7 @@ TEST(Fill_polygon, scales_with_its_polygon_by_powers_of_two)
   for(const int exponent : {0, -300, -100, 100, 400}) {
     const double unit = std::ldexp(1., exponent);
     Curve curve;
-    const auto result = vfc::fill(curve, domain.scaled(unit), np::thickness(thickness * unit));
+    const auto result = VFC::fill(curve, domain.scaled(unit), np::thickness(thickness * unit));
     Coordinates found = coordinates(curve);
     for(auto& p : found)
       for(double& x : p) x /= unit;
@@ -156,7 +156,7 @@ TEST(Fill_polygon, scales_with_its_polygon_by_powers_of_two)
 TEST(Fill_polygon, leads_from_port_to_port)
 {
   std::vector<Point> arc = {{-1.45, -.9, 0}, {-1.3, -.9, 0}, {1.45, -.9, 0}};
-  const auto result = vfc::fill(arc, plate(), np::thickness(thickness));
+  const auto result = VFC::fill(arc, plate(), np::thickness(thickness));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_EQ(arc.front(), Point(-1.45, -.9, 0));
   EXPECT_EQ(arc.back(), Point(1.45, -.9, 0));
@@ -170,7 +170,7 @@ TEST(Fill_polygon, grows_from_a_circle)
 {
   Curve curve;
   const auto result =
-      vfc::fill(curve, plate(), np::thickness(thickness).start(vfc::Filling_start::CIRCLE));
+      VFC::fill(curve, plate(), np::thickness(thickness).start(VFC::Filling_start::CIRCLE));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   expect_in_plane(curve);
   expect_simple(curve);
@@ -180,7 +180,7 @@ TEST(Fill_polygon, grows_from_a_circle)
 TEST(Fill_polygon, keeps_clear_of_the_boundary)
 {
   Curve curve;
-  vfc::fill(curve, plate(), np::thickness(thickness).wall(vfc::Wall::KEEP_CLEAR));
+  VFC::fill(curve, plate(), np::thickness(thickness).wall(VFC::Wall::KEEP_CLEAR));
   expect_in_plane(curve);
   const Domain domain(plate());
   double least = 1;
@@ -193,11 +193,11 @@ TEST(Fill_polygon, follows_a_thickness_that_varies)
   const auto field = [](const Point& p) { return .06 + .02 * (p.x() + 1.5); };
   const Domain domain(plate());
   Curve curve;
-  const auto result = vfc::fill(curve, domain, np::thickness(field));
+  const auto result = VFC::fill(curve, domain, np::thickness(field));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   expect_in_plane(curve);
-  const vfc::Domain_samples_3<Traits, Domain> samples(domain, 20000, 1);
-  const auto found = vfc::coverage(samples, vfc::sample_distances(curve, samples), field);
+  const VFC::Domain_samples_3<Traits, Domain> samples(domain, 20000, 1);
+  const auto found = VFC::coverage(samples, VFC::sample_distances(curve, samples), field);
   EXPECT_GT(found.fraction_within_r, .9);
   EXPECT_LT(found.p99, 1.3);
 }
@@ -209,35 +209,35 @@ TEST(Fill_polygon, follows_the_projection_of_a_direction_field)
   };
   const auto along_x = [](const Point&) { return std::array<double, 3>{1, 0, 0}; };
   Curve with, without;
-  const auto result = vfc::fill(with, plate(), np::thickness(thickness).direction_field(field));
-  vfc::fill(without, plate(), np::thickness(thickness));
+  const auto result = VFC::fill(with, plate(), np::thickness(thickness).direction_field(field));
+  VFC::fill(without, plate(), np::thickness(thickness));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   expect_in_plane(with);
-  EXPECT_GT(vfc::alignment(with, along_x), .1 + vfc::alignment(without, along_x));
+  EXPECT_GT(VFC::alignment(with, along_x), .1 + VFC::alignment(without, along_x));
 }
 
 TEST(Fill_polygon, reaches_a_length)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, plate(), np::length(40));
+  const auto result = VFC::fill(curve, plate(), np::length(40));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
-  EXPECT_NEAR(vfc::length(curve), 40, .8);
+  EXPECT_NEAR(VFC::length(curve), 40, .8);
   expect_in_plane(curve);
 }
 
 TEST(Fill_polygon, is_certified_in_its_domain)
 {
-  vfc::Isotopy_certificate certificate;
+  VFC::Isotopy_certificate certificate;
   Curve curve;
   const Domain domain(plate());
   const auto result =
-      vfc::fill(curve, domain, np::thickness(2 * thickness).certificate(std::ref(certificate)));
+      VFC::fill(curve, domain, np::thickness(2 * thickness).certificate(std::ref(certificate)));
   const Curve start(result.start);
-  const auto verdict = vfc::verify_certificate(certificate, start, curve, domain);
+  const auto verdict = VFC::verify_certificate(certificate, start, curve, domain);
   EXPECT_TRUE(verdict.is_valid) << verdict.message;
 }
 
-struct Interruption : vfc::Default_curve_flow_visitor
+struct Interruption : VFC::Default_curve_flow_visitor
 {
   std::size_t steps;
 
@@ -252,18 +252,18 @@ struct Interruption : vfc::Default_curve_flow_visitor
 
 Coordinates filled_in_two_runs(std::size_t steps)
 {
-  vfc::Filling_parameters<Point> parameters;
+  VFC::Filling_parameters<Point> parameters;
   parameters.thickness = thickness;
-  vfc::Run_state state;
-  parameters.checkpoint = [&](const vfc::Run_checkpoint& checkpoint) {
-    if(checkpoint.is_last) state = vfc::Run_state(checkpoint.state().bytes());
+  VFC::Run_state state;
+  parameters.checkpoint = [&](const VFC::Run_checkpoint& checkpoint) {
+    if(checkpoint.is_last) state = VFC::Run_state(checkpoint.state().bytes());
   };
   Curve curve;
   const Domain domain(plate());
-  vfc::fill(curve, domain, parameters, Interruption(steps));
+  VFC::fill(curve, domain, parameters, Interruption(steps));
   parameters.resume_from = &state;
   curve = Curve();
-  vfc::fill(curve, domain, parameters);
+  VFC::fill(curve, domain, parameters);
   return coordinates(curve);
 }
 
@@ -277,7 +277,7 @@ TEST(Fill_polygon, resumes_with_the_same_bits)
 TEST(Fill_polygon, ends_at_its_limits)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, plate(), np::thickness(.01).time_limit(.2));
+  const auto result = VFC::fill(curve, plate(), np::thickness(.01).time_limit(.2));
   EXPECT_EQ(result.status, Filling_status::LIMIT);
   expect_in_plane(curve);
   expect_inside(curve, Domain(plate()));
@@ -286,14 +286,14 @@ TEST(Fill_polygon, ends_at_its_limits)
 TEST(Fill_polygon, refuses_curves_off_the_plane)
 {
   std::vector<Point> arc = {{-1.4, 0, 0}, {-1.2, 0, 1e-9}};
-  EXPECT_THROW(vfc::fill(arc, plate(), np::thickness(thickness)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(arc, plate(), np::thickness(thickness)), std::invalid_argument);
 }
 
 TEST(Isotopy_guard, refuses_to_leave_a_plane_however_far_the_boundary_is)
 {
   Curve curve = polyline({{-1.4, 0, 0}, {-1.35, .01, 0}, {-1.3, 0, 0}});
   const Domain domain(plate());
-  vfc::Isotopy_guard_3<Traits, Domain> guard(curve, domain);
+  VFC::Isotopy_guard_3<Traits, Domain> guard(curve, domain);
   EXPECT_FALSE(guard.move_node(1, Point(-1.35, .01, 1e-300)));
   EXPECT_FALSE(guard.insert_node(0, Point(-1.37, .01, -1e-9)));
   EXPECT_TRUE(guard.move_node(1, Point(-1.35, .02, 0)));
@@ -329,7 +329,7 @@ public:
 TEST(Fill_polygon, takes_other_planar_domains)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, Disk(), np::thickness(.1));
+  const auto result = VFC::fill(curve, Disk(), np::thickness(.1));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_EQ(result.parts, 1u);
   expect_in_plane(curve);

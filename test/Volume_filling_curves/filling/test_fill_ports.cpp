@@ -28,12 +28,12 @@ namespace test_fill_ports {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using Ball = vfc::Ball_domain_3<Kernel>;
-using Box = vfc::Box_domain_3<Kernel>;
-using Port = vfc::Port<Point>;
-using Neck = vfc::Port_neck<Point>;
-using vfc::internal::to_vector;
-using vfc::internal::Vector;
+using Ball = VFC::Ball_domain_3<Kernel>;
+using Box = VFC::Box_domain_3<Kernel>;
+using Port = VFC::Port<Point>;
+using Neck = VFC::Port_neck<Point>;
+using VFC::internal::to_vector;
+using VFC::internal::Vector;
 
 Vector direction(const Neck& neck)
 {
@@ -64,8 +64,8 @@ std::vector<Neck> expect_filled(const Domain& domain,
                                 const std::vector<Port>& ports)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, domain, np::thickness(thickness).ports(ports));
-  EXPECT_EQ(result.status, vfc::Filling_status::CONVERGED);
+  const auto result = VFC::fill(curve, domain, np::thickness(thickness).ports(ports));
+  EXPECT_EQ(result.status, VFC::Filling_status::CONVERGED);
   EXPECT_EQ(result.necks.size(), ports.size());
   EXPECT_EQ(curve.number_of_components(), ports.size() / 2);
   expect_inside(curve, domain);
@@ -102,8 +102,8 @@ TEST(Fill_ports, four_ports_make_two_arcs_that_share_the_volume)
   const std::vector<Port> ports = {
       {Point(-1, 0, 0)}, {Point(1, 0, 0)}, {Point(0, -1, 0)}, {Point(0, 1, 0)}};
   expect_filled(ball, 0.2, ports);
-  vfc::fill(curve, ball, np::thickness(0.2).ports(ports));
-  const std::vector<double> lengths = vfc::component_lengths(curve);
+  VFC::fill(curve, ball, np::thickness(0.2).ports(ports));
+  const std::vector<double> lengths = VFC::component_lengths(curve);
   ASSERT_EQ(lengths.size(), 2u);
   EXPECT_GT(std::min(lengths[0], lengths[1]), 0.5 * std::max(lengths[0], lengths[1]));
 }
@@ -114,7 +114,7 @@ TEST(Fill_ports, shortens_necks_where_the_domain_is_narrow)
   Curve curve;
   const std::vector<Port> ports = {{Point(0.5, 0.5, 0)}, {Point(1.5, 1.5, 0.2)}};
   const auto result =
-      vfc::fill(curve, plate, np::thickness(0.2).ports(ports).number_of_iterations(5));
+      VFC::fill(curve, plate, np::thickness(0.2).ports(ports).number_of_iterations(5));
   ASSERT_EQ(result.necks.size(), 2u);
   EXPECT_NEAR(result.necks[0].length, 0.1, 0.01);
   EXPECT_NEAR(std::abs(result.necks[1].direction[2]), 1, 1e-6);
@@ -122,11 +122,11 @@ TEST(Fill_ports, shortens_necks_where_the_domain_is_narrow)
 
 TEST(Fill_ports, stays_in_the_plane)
 {
-  const vfc::Polygon_domain_3<Traits> plate(polygons::plate());
+  const VFC::Polygon_domain_3<Traits> plate(polygons::plate());
   Curve curve;
   const std::vector<Port> ports = {{Point(-1.5, 0, 0)}, {Point(0.2, 1, 0)}};
-  const auto result = vfc::fill(curve, plate, np::thickness(0.08).ports(ports));
-  EXPECT_EQ(result.status, vfc::Filling_status::CONVERGED);
+  const auto result = VFC::fill(curve, plate, np::thickness(0.08).ports(ports));
+  EXPECT_EQ(result.status, VFC::Filling_status::CONVERGED);
   for(const Point& p : curve.points()) EXPECT_EQ(p.z(), 0);
   ASSERT_EQ(result.necks.size(), 2u);
   expect_straight(curve, 0, 1, result.necks[0]);
@@ -140,7 +140,7 @@ TEST(Fill_ports, scales_with_the_domain)
   const auto fill = [](double scale, Curve& curve) {
     const std::vector<Port> ports = {{Point(0, 0.5 * scale, 0.3 * scale)},
                                      {Point(scale, 0.5 * scale, 0.3 * scale)}};
-    return vfc::fill(curve, Box(Point(0, 0, 0), Point(scale, scale, scale)),
+    return VFC::fill(curve, Box(Point(0, 0, 0), Point(scale, scale, scale)),
                      np::thickness(0.25 * scale).ports(ports).number_of_iterations(3));
   };
   Curve small, large;
@@ -159,7 +159,7 @@ TEST(Fill_ports, refuses_ports_that_make_no_sense)
   const auto message = [&](const std::vector<Port>& ports) {
     Curve curve;
     try {
-      vfc::fill(curve, box, np::thickness(0.1).ports(ports));
+      VFC::fill(curve, box, np::thickness(0.1).ports(ports));
     } catch(const std::invalid_argument& error) {
       return std::string(error.what());
     }
@@ -176,7 +176,7 @@ TEST(Fill_ports, refuses_ports_that_make_no_sense)
             std::string::npos);
   EXPECT_EQ(message({good, good}), "ports 1 and 2: their necks meet");
   Curve curve = polyline({Point(0.3, 0.3, 0.3), Point(0.6, 0.6, 0.6)});
-  EXPECT_THROW(vfc::fill(curve, box, np::thickness(0.1).ports(std::vector<Port>{good, good})),
+  EXPECT_THROW(VFC::fill(curve, box, np::thickness(0.1).ports(std::vector<Port>{good, good})),
                std::invalid_argument);
 }
 
@@ -184,10 +184,10 @@ TEST(Fill_ports, search_for_a_way_within_the_time_limit)
 {
   const Ball ball({0, 0, 0}, 1);
   Curve curve;
-  const auto result = vfc::fill(
+  const auto result = VFC::fill(
       curve, ball,
       np::thickness(0.2).ports(std::vector<Port>{{{1, 0, 0}}, {{-1, 0, 0}}}).time_limit(1e-9));
-  EXPECT_EQ(result.status, vfc::Filling_status::LIMIT);
+  EXPECT_EQ(result.status, VFC::Filling_status::LIMIT);
   EXPECT_EQ(curve.number_of_nodes(), 0u);
 }
 

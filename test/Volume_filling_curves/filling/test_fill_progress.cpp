@@ -18,11 +18,11 @@ namespace test_fill_progress {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using vfc::Filling_status;
-using vfc::Run_progress;
-using vfc::Run_stage;
+using VFC::Filling_status;
+using VFC::Run_progress;
+using VFC::Run_stage;
 
-const vfc::Ball_domain_3<Kernel> ball(Point(0, 0, 0), 1);
+const VFC::Ball_domain_3<Kernel> ball(Point(0, 0, 0), 1);
 
 TEST(Fill_progress, has_all_stages_in_their_order)
 {
@@ -32,7 +32,7 @@ TEST(Fill_progress, has_all_stages_in_their_order)
     reports.push_back(progress);
     return true;
   };
-  const auto result = vfc::fill(curve, ball, np::thickness(0.3).progress(note));
+  const auto result = VFC::fill(curve, ball, np::thickness(0.3).progress(note));
   ASSERT_EQ(result.status, Filling_status::CONVERGED);
   std::vector<Run_stage> stages;
   for(const Run_progress& progress : reports) {
@@ -52,7 +52,7 @@ TEST(Fill_progress, ends_a_run_in_each_stage_with_a_valid_curve)
   for(const Run_stage last : {Run_stage::PREPARING, Run_stage::BRANCHING, Run_stage::FLOWING}) {
     Curve curve;
     const auto go_on = [&](const Run_progress& progress) { return progress.stage != last; };
-    const auto result = vfc::fill(curve, ball, np::thickness(0.3).progress(go_on));
+    const auto result = VFC::fill(curve, ball, np::thickness(0.3).progress(go_on));
     EXPECT_EQ(result.status, Filling_status::INTERRUPTED) << last;
     expect_inside(curve, ball);
   }
@@ -61,8 +61,8 @@ TEST(Fill_progress, ends_a_run_in_each_stage_with_a_valid_curve)
 TEST(Fill_progress, changes_nothing_of_the_curve)
 {
   Curve watched, unwatched;
-  vfc::fill(watched, ball, np::thickness(0.3).progress([](const Run_progress&) { return true; }));
-  vfc::fill(unwatched, ball, np::thickness(0.3));
+  VFC::fill(watched, ball, np::thickness(0.3).progress([](const Run_progress&) { return true; }));
+  VFC::fill(unwatched, ball, np::thickness(0.3));
   ASSERT_EQ(watched.number_of_nodes(), unwatched.number_of_nodes());
   for(std::size_t v = 0; v < watched.number_of_nodes(); ++v)
     EXPECT_EQ(watched.point(v), unwatched.point(v));

@@ -35,7 +35,7 @@ struct Strange_domain
   using Point_3 = Point;
   using Vector_3 = Kernel::Vector_3;
 
-  vfc::Box_domain_3<> cube{Point(-1, -1, -1), Point(1, 1, 1)};
+  VFC::Box_domain_3<> cube{Point(-1, -1, -1), Point(1, 1, 1)};
   std::function<CGAL::Bbox_3()> box = [this] { return cube.bbox(); };
   std::function<bool(const Point&)> inside = [this](const Point& p) { return cube.is_inside(p); };
   std::function<bool(const Point&, const Point&, const Point&)> triangle_inside =
@@ -64,23 +64,23 @@ std::string refusal(const Strange_domain& domain, const NamedParameters& np)
 {
   Curve curve;
   try {
-    vfc::fill(curve, domain, np.number_of_iterations(3));
+    VFC::fill(curve, domain, np.number_of_iterations(3));
   } catch(const std::invalid_argument& error) {
     return error.what();
   }
-  EXPECT_TRUE(vfc::is_embedded(curve));
+  EXPECT_TRUE(VFC::is_embedded(curve));
   return "";
 }
 
 template <typename Field>
 std::string refusal_of_thickness(const Field& field)
 {
-  return refusal(Strange_domain(), vfc::parameters::thickness(field));
+  return refusal(Strange_domain(), VFC::parameters::thickness(field));
 }
 
 std::string refusal_of_domain(const Strange_domain& domain)
 {
-  return refusal(domain, vfc::parameters::thickness(.4));
+  return refusal(domain, VFC::parameters::thickness(.4));
 }
 
 bool contains(const std::string& text, const std::string& part)
@@ -122,19 +122,19 @@ TEST(Fill, passes_on_what_functions_throw)
 {
   const auto fill_with = [](const auto& np, const Strange_domain& domain) {
     Curve curve;
-    vfc::fill(curve, domain, np);
+    VFC::fill(curve, domain, np);
   };
   const auto field = [](const Point& p) { return p.x() > 0 ? throw std::logic_error("mine") : .4; };
-  EXPECT_THROW(fill_with(vfc::parameters::thickness(field), Strange_domain()), std::logic_error);
+  EXPECT_THROW(fill_with(VFC::parameters::thickness(field), Strange_domain()), std::logic_error);
   const auto directions = [](const Point&) -> std::array<double, 3> {
     throw std::logic_error("mine");
   };
   EXPECT_THROW(
-      fill_with(vfc::parameters::thickness(.4).direction_field(directions), Strange_domain()),
+      fill_with(VFC::parameters::thickness(.4).direction_field(directions), Strange_domain()),
       std::logic_error);
   Strange_domain domain;
   domain.room = [](const Point&) -> double { throw std::logic_error("mine"); };
-  EXPECT_THROW(fill_with(vfc::parameters::thickness(.4), domain), std::logic_error);
+  EXPECT_THROW(fill_with(VFC::parameters::thickness(.4), domain), std::logic_error);
 }
 
 TEST(Fill, tells_where_a_direction_is_not_finite)
@@ -143,7 +143,7 @@ TEST(Fill, tells_where_a_direction_is_not_finite)
     return std::array<double, 3>{0, p.x() > 0 ? nan : 1., 0};
   };
   const std::string message = refusal(
-      Strange_domain(), vfc::parameters::thickness(.4).direction_field(std::cref(directions)));
+      Strange_domain(), VFC::parameters::thickness(.4).direction_field(std::cref(directions)));
   EXPECT_TRUE(contains(message, "direction_field is not finite at (")) << message;
 }
 
@@ -153,9 +153,9 @@ TEST(Grow_fingers, tells_where_a_thickness_is_not_positive_and_finite)
   for(const double bad : {nan, -.1, 0., infinity}) {
     Curve curve =
         polyline({Point(-.2, 0, 0), Point(.2, 0, 0), Point(.2, .2, 0), Point(-.2, .2, 0)});
-    vfc::Isotopy_guard_3<Traits, Strange_domain> guard(curve, domain);
+    VFC::Isotopy_guard_3<Traits, Strange_domain> guard(curve, domain);
     const auto field = [&](const Point& p) { return p.x() > 0 ? bad : .4; };
-    EXPECT_THROW(vfc::grow_fingers(guard, vfc::parameters::thickness(field)),
+    EXPECT_THROW(VFC::grow_fingers(guard, VFC::parameters::thickness(field)),
                  std::invalid_argument);
   }
 }

@@ -30,17 +30,17 @@ namespace test_fill_round {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using vfc::Filling_status;
-using Box = vfc::Box_domain_3<Kernel>;
-using Result = vfc::Filling_result<Point>;
+using VFC::Filling_status;
+using Box = VFC::Box_domain_3<Kernel>;
+using Result = VFC::Filling_result<Point>;
 
 const Box box({0, 0, 0}, {6, 6, 6});
 
 // By the measures, which count strands from half of a turn of the bend radius on.
 void expect_shape(const Curve& curve, double bend_radius, double strand_distance)
 {
-  EXPECT_GE(vfc::min_bend_radius(curve), (1 - 1e-9) * bend_radius);
-  EXPECT_GE(vfc::min_clearance(curve, CGAL_PI * bend_radius), (1 - 1e-9) * strand_distance);
+  EXPECT_GE(VFC::min_bend_radius(curve), (1 - 1e-9) * bend_radius);
+  EXPECT_GE(VFC::min_clearance(curve, CGAL_PI * bend_radius), (1 - 1e-9) * strand_distance);
 }
 
 std::vector<Point> points(const Curve& curve)
@@ -52,23 +52,23 @@ TEST(Fill_round, keeps_bends_and_strands_in_a_box)
 {
   const Box wide({0, 0, 0}, {7, 7, 7});
   Curve curve;
-  vfc::Isotopy_certificate certificate;
+  VFC::Isotopy_certificate certificate;
   const Result result =
-      vfc::fill(curve, wide, np::thickness(1).round_bends(true).certificate(std::ref(certificate)));
+      VFC::fill(curve, wide, np::thickness(1).round_bends(true).certificate(std::ref(certificate)));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   EXPECT_TRUE(result.shape_excesses.empty());
   expect_shape(curve, 0.85, 1.6);
   expect_inside(curve, wide);
   EXPECT_GE(coverage(curve, wide, 1).fraction_within_r, 0.75);
   const Curve start(result.start);
-  EXPECT_TRUE(vfc::verify_certificate(certificate, start, curve, wide).is_valid);
+  EXPECT_TRUE(VFC::verify_certificate(certificate, start, curve, wide).is_valid);
 }
 
 TEST(Fill_round, keeps_a_strand_distance_in_a_ball)
 {
-  const vfc::Ball_domain_3<Kernel> ball({0, 0, 0}, 4);
+  const VFC::Ball_domain_3<Kernel> ball({0, 0, 0}, 4);
   Curve curve;
-  const Result result = vfc::fill(curve, ball, np::thickness(1).strand_distance(1.7));
+  const Result result = VFC::fill(curve, ball, np::thickness(1).strand_distance(1.7));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   expect_shape(curve, 0.85, 1.7);
   expect_inside(curve, ball);
@@ -79,9 +79,9 @@ TEST(Fill_round, takes_a_larger_thickness_for_wide_bends)
 {
   for(const double bend_radius : {1.5, 2.}) {
     Curve curve;
-    const Result result = vfc::fill(curve, box, np::thickness(1).bend_radius(bend_radius));
+    const Result result = VFC::fill(curve, box, np::thickness(1).bend_radius(bend_radius));
     EXPECT_NEAR(result.thickness, bend_radius / 0.85, 1e-9);
-    EXPECT_GE(vfc::length(curve), CGAL_PI * bend_radius) << "the curve has vanished";
+    EXPECT_GE(VFC::length(curve), CGAL_PI * bend_radius) << "the curve has vanished";
     if(result.status == Filling_status::CONVERGED || result.status == Filling_status::PARTIAL)
       expect_shape(curve, bend_radius, 1.6 * bend_radius / 0.85);
     else
@@ -94,12 +94,12 @@ TEST(Fill_round, says_where_a_constraint_is_not_reached)
 {
   const Box small({0, 0, 0}, {1, 1, 1}); // no ring with that radius fits in
   Curve curve;
-  const Result result = vfc::fill(curve, small, np::thickness(0.25).bend_radius(0.9));
+  const Result result = VFC::fill(curve, small, np::thickness(0.25).bend_radius(0.9));
   EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
-  EXPECT_GE(vfc::length(curve), 1) << "the curve has vanished";
+  EXPECT_GE(VFC::length(curve), 1) << "the curve has vanished";
   ASSERT_FALSE(result.shape_excesses.empty());
   EXPECT_TRUE(result.shape_excesses.front().is_bend);
-  EXPECT_NEAR(result.shape_excesses.front().value, vfc::min_bend_radius(curve), 1e-9);
+  EXPECT_NEAR(result.shape_excesses.front().value, VFC::min_bend_radius(curve), 1e-9);
   EXPECT_EQ(result.shape_excesses.front().limit, 0.9);
   EXPECT_NE(result.reason.find("bends with a radius of"), std::string::npos) << result.reason;
 }
@@ -107,9 +107,9 @@ TEST(Fill_round, says_where_a_constraint_is_not_reached)
 TEST(Fill_round, refuses_a_radius_beyond_the_domain)
 {
   Curve curve;
-  EXPECT_THROW(vfc::fill(curve, box, np::bend_radius(100)), std::invalid_argument);
-  EXPECT_THROW(vfc::fill(curve, box, np::bend_radius(-1)), std::invalid_argument);
-  EXPECT_THROW(vfc::fill(curve, box, np::strand_distance(100)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(curve, box, np::bend_radius(100)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(curve, box, np::bend_radius(-1)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(curve, box, np::strand_distance(100)), std::invalid_argument);
 }
 
 TEST(Fill_round, is_the_same_in_parallel_and_at_another_scale)
@@ -117,7 +117,7 @@ TEST(Fill_round, is_the_same_in_parallel_and_at_another_scale)
   const auto fill_box = [](auto tag, double unit) {
     Curve curve;
     const Box scaled({0, 0, 0}, {4 * unit, 4 * unit, 4 * unit});
-    vfc::fill<decltype(tag)>(curve, scaled, np::thickness(unit).bend_radius(0.85 * unit));
+    VFC::fill<decltype(tag)>(curve, scaled, np::thickness(unit).bend_radius(0.85 * unit));
     std::vector<Point> result;
     for(const Point& p : curve.points())
       result.emplace_back(p.x() / unit, p.y() / unit, p.z() / unit);
@@ -134,18 +134,18 @@ TEST(Fill_round, goes_on_with_the_same_bits)
   const Box small({0, 0, 0}, {4, 4, 4});
   const auto parameters = np::thickness(1).round_bends(true);
   Curve whole;
-  const Result result = vfc::fill(whole, small, parameters);
+  const Result result = VFC::fill(whole, small, parameters);
   for(const std::size_t limit : {std::size_t(20), result.statistics.iterations - 1}) {
-    vfc::Run_state state;
+    VFC::Run_state state;
     Curve begun;
-    vfc::fill(begun, small,
+    VFC::fill(begun, small,
               parameters.number_of_iterations(limit).checkpoint(
-                  [&](const vfc::Run_checkpoint& checkpoint) {
+                  [&](const VFC::Run_checkpoint& checkpoint) {
                     if(checkpoint.is_last) state = checkpoint.state();
                   }));
     ASSERT_FALSE(state.is_empty());
     Curve resumed;
-    const Result end = vfc::fill(resumed, small, parameters.resume_from(std::cref(state)));
+    const Result end = VFC::fill(resumed, small, parameters.resume_from(std::cref(state)));
     EXPECT_EQ(points(resumed), points(whole)) << "from iteration " << limit;
     EXPECT_EQ(end.statistics.iterations, result.statistics.iterations);
     EXPECT_EQ(end.status, result.status);

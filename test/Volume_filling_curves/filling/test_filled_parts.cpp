@@ -27,9 +27,9 @@ namespace test_filled_parts {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using Mesh_domain = vfc::Triangle_mesh_domain_3<Kernel>;
+using Mesh_domain = VFC::Triangle_mesh_domain_3<Kernel>;
 using meshes::Soup;
-using vfc::Filling_status;
+using VFC::Filling_status;
 
 Soup moved(Soup soup, double x, double y, double z)
 {
@@ -43,7 +43,7 @@ template <typename Domain>
 void expect_filled(const Domain& domain, double thickness, std::size_t parts)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, domain, np::thickness(thickness));
+  const auto result = VFC::fill(curve, domain, np::thickness(thickness));
   const bool is_crowded = result.crowded_fraction > 0.05; // in the shell around a cavity
   EXPECT_EQ(result.status, is_crowded ? Filling_status::PARTIAL : Filling_status::CONVERGED);
   EXPECT_EQ(result.reason.empty(), !is_crowded) << result.reason;
@@ -85,9 +85,9 @@ TEST(Parts, without_samples_are_found_in_their_boxes)
   const Soup soup = meshes::cube(40) + moved(meshes::cube(0.5), 50, 0, 0);
   const Mesh_domain domain(meshes::to_mesh(soup));
   Curve curve;
-  const auto result = vfc::fill(
+  const auto result = VFC::fill(
       curve, domain,
-      np::thickness(0.4).number_of_iterations(1).spacing(1).start(vfc::Filling_start::CIRCLE));
+      np::thickness(0.4).number_of_iterations(1).spacing(1).start(VFC::Filling_start::CIRCLE));
   EXPECT_EQ(result.parts, 2u);
   EXPECT_EQ(curve.number_of_components(), 2u);
 }
@@ -104,7 +104,7 @@ struct Two_balls
 
 TEST(Parts, of_any_domain_are_found_by_samples)
 {
-  const vfc::Implicit_domain_3 domain(Two_balls(), CGAL::Bbox_3(-1, -1, -1, 3.2, 1, 1));
+  const VFC::Implicit_domain_3 domain(Two_balls(), CGAL::Bbox_3(-1, -1, -1, 3.2, 1, 1));
   expect_filled(domain, 0.25, 2);
 }
 
@@ -113,7 +113,7 @@ TEST(Parts, have_no_curve_if_one_is_given)
   const Mesh_domain domain(meshes::to_mesh(two_spheres));
   const Curve start(std::vector<Point>{{0, 0, 0}, {0.2, 0, 0}, {0, 0.2, 0}, {0, 0, 0}});
   Curve curve = start;
-  const auto result = vfc::fill(curve, domain, np::thickness(0.25));
+  const auto result = VFC::fill(curve, domain, np::thickness(0.25));
   EXPECT_EQ(result.status, Filling_status::PARTIAL);
   EXPECT_EQ(result.parts, 2u);
   EXPECT_EQ(result.unreachable_parts, 1u);
@@ -126,30 +126,30 @@ TEST(Parts, are_in_the_certificate)
 {
   const Mesh_domain domain(meshes::to_mesh(two_spheres));
   Curve curve;
-  vfc::Isotopy_certificate certificate;
+  VFC::Isotopy_certificate certificate;
   const auto result =
-      vfc::fill(curve, domain,
+      VFC::fill(curve, domain,
                 np::thickness(0.3).number_of_iterations(10).certificate(std::ref(certificate)));
   const Curve start(result.start);
   EXPECT_EQ(start.number_of_components(), 2u);
   EXPECT_TRUE(
-      vfc::verify_certificate(certificate, start, curve, meshes::to_mesh(two_spheres)).is_valid);
+      VFC::verify_certificate(certificate, start, curve, meshes::to_mesh(two_spheres)).is_valid);
 }
 
 // A visitor that takes note of a warning.
-struct Warned : vfc::Default_curve_flow_visitor
+struct Warned : VFC::Default_curve_flow_visitor
 {
-  void on_thin_domain(const vfc::Thickness_fit& given) { fit = given; }
-  vfc::Thickness_fit fit;
+  void on_thin_domain(const VFC::Thickness_fit& given) { fit = given; }
+  VFC::Thickness_fit fit;
 };
 
-vfc::Filling_result<Point> filled_plate(double thickness, Warned& visitor)
+VFC::Filling_result<Point> filled_plate(double thickness, Warned& visitor)
 {
   Soup soup = meshes::cube(3);
   for(Point& p : soup.points) p = {p.x(), p.y(), p.z() / 15};
   const Mesh_domain plate(meshes::to_mesh(soup));
   Curve curve;
-  return vfc::fill(curve, plate, np::thickness(thickness).visitor(std::ref(visitor)));
+  return VFC::fill(curve, plate, np::thickness(thickness).visitor(std::ref(visitor)));
 }
 
 TEST(Thin_domain, is_told_before_and_after)

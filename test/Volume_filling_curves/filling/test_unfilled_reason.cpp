@@ -28,10 +28,10 @@ namespace test_unfilled_reason {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using vfc::Filling_status;
-using Box = vfc::Box_domain_3<Kernel>;
-using Mesh_domain = vfc::Triangle_mesh_domain_3<Kernel>;
-using Unfilled = vfc::internal::Unfilled_space<Curve, vfc::Domain_samples_3<Traits, Box>>;
+using VFC::Filling_status;
+using Box = VFC::Box_domain_3<Kernel>;
+using Mesh_domain = VFC::Triangle_mesh_domain_3<Kernel>;
+using Unfilled = VFC::internal::Unfilled_space<Curve, VFC::Domain_samples_3<Traits, Box>>;
 
 bool never()
 {
@@ -45,8 +45,8 @@ TEST(Neck, is_narrower_than_r_or_is_none)
 {
   // the neck between the chambers is 0.2 wide
   const Mesh_domain domain(meshes::to_mesh(exact_surface::two_chambers()));
-  const vfc::internal::Vector beyond(2.3, 0.5, 0.5), on_this_side(0.5, 0.5, 0.5);
-  vfc::internal::Neck_search<Curve, Mesh_domain> necks(small_triangle, domain, never);
+  const VFC::internal::Vector beyond(2.3, 0.5, 0.5), on_this_side(0.5, 0.5, 0.5);
+  VFC::internal::Neck_search<Curve, Mesh_domain> necks(small_triangle, domain, never);
   EXPECT_TRUE(necks.is_behind_neck(beyond, 0.45));
   EXPECT_FALSE(necks.is_behind_neck(beyond, 0.1));
   EXPECT_FALSE(necks.is_behind_neck(on_this_side, 0.3));
@@ -55,7 +55,7 @@ TEST(Neck, is_narrower_than_r_or_is_none)
 TEST(Neck, is_not_claimed_after_a_search_that_was_ended)
 {
   const Mesh_domain domain(meshes::to_mesh(exact_surface::two_chambers()));
-  vfc::internal::Neck_search<Curve, Mesh_domain> necks(small_triangle, domain, [] { return true; });
+  VFC::internal::Neck_search<Curve, Mesh_domain> necks(small_triangle, domain, [] { return true; });
   EXPECT_FALSE(necks.is_behind_neck({2.3, 0.5, 0.5}, 0.45));
 }
 
@@ -63,7 +63,7 @@ TEST(Unfilled_reason, is_no_neck_in_a_convex_box)
 {
   const Box box(Point(0, 0, 0), Point(4, 2, 1));
   Curve curve;
-  const auto result = vfc::fill(curve, box,
+  const auto result = VFC::fill(curve, box,
                                 np::thickness(0.2)
                                     .direction_field([](const Point&) {
                                       return std::array<double, 3>{1, 0, 0};
@@ -93,7 +93,7 @@ TEST(Unfilled_reason, is_a_neck_where_there_is_one)
 {
   const Mesh_domain domain(meshes::to_mesh(cubes_and_neck()));
   Curve curve = small_triangle;
-  const auto result = vfc::fill(curve, domain, np::thickness(0.2));
+  const auto result = VFC::fill(curve, domain, np::thickness(0.2));
   EXPECT_EQ(result.status, Filling_status::PARTIAL);
   EXPECT_EQ(result.reason,
             "the curve did not get through a neck narrower than r to 1 empty region");
@@ -105,30 +105,30 @@ struct Slow_unfilled_space : Unfilled
   using Unfilled::Unfilled;
 
   template <typename Thickness>
-  std::vector<vfc::Empty_region_3<Point>> regions(const Curve&,
+  std::vector<VFC::Empty_region_3<Point>> regions(const Curve&,
                                                   const std::vector<double>&,
                                                   const Thickness&) const
   {
-    throw vfc::internal::Run_stopped();
+    throw VFC::internal::Run_stopped();
   }
 };
 
 TEST(Empty_regions, are_unknown_if_there_was_no_time_to_search)
 {
   const Box box(Point(0, 0, 0), Point(4, 2, 1));
-  const vfc::Domain_samples_3<Traits, Box> samples(box, 2000, 1);
+  const VFC::Domain_samples_3<Traits, Box> samples(box, 2000, 1);
   const Unfilled::Distances boundary_distances(box, samples.points());
   const auto thickness = [](const Point&) { return 0.2; };
   const auto measured = [&](const auto& unfilled) {
-    vfc::internal::Run_watch watch;
-    vfc::Filling_result<Point> result;
-    vfc::internal::measure_filling(result, unfilled, small_triangle, thickness, watch);
+    VFC::internal::Run_watch watch;
+    VFC::Filling_result<Point> result;
+    VFC::internal::measure_filling(result, unfilled, small_triangle, thickness, watch);
     return result;
   };
-  const auto known = measured(Unfilled(samples, boundary_distances, vfc::Wall::COVER));
+  const auto known = measured(Unfilled(samples, boundary_distances, VFC::Wall::COVER));
   EXPECT_TRUE(known.are_empty_regions_known);
   EXPECT_FALSE(known.empty_regions.empty());
-  const auto unknown = measured(Slow_unfilled_space(samples, boundary_distances, vfc::Wall::COVER));
+  const auto unknown = measured(Slow_unfilled_space(samples, boundary_distances, VFC::Wall::COVER));
   EXPECT_FALSE(unknown.are_empty_regions_known);
   EXPECT_EQ(unknown.uncovered_fraction, known.uncovered_fraction);
 }
@@ -137,9 +137,9 @@ TEST(Uncovered_fraction, is_of_the_whole_volume_if_the_boundary_is_kept_clear)
 {
   const Box box(Point(0, 0, 0), Point(4, 2, 1));
   Curve curve;
-  const auto result = vfc::fill(curve, box, np::thickness(0.2).wall(vfc::Wall::KEEP_CLEAR));
-  const vfc::Domain_samples_3<Traits, Box> samples(box, 20000, 1);
-  const double whole = vfc::unfilled_fraction(samples, vfc::sample_distances(curve, samples), 0.2);
+  const auto result = VFC::fill(curve, box, np::thickness(0.2).wall(VFC::Wall::KEEP_CLEAR));
+  const VFC::Domain_samples_3<Traits, Box> samples(box, 20000, 1);
+  const double whole = VFC::unfilled_fraction(samples, VFC::sample_distances(curve, samples), 0.2);
   EXPECT_GT(whole, 0.05);
   EXPECT_NEAR(result.uncovered_fraction, whole, 0.01);
   EXPECT_LE(result.unfilled_fraction, 0.01);
@@ -149,7 +149,7 @@ TEST(Spacing, is_refused_above_the_thickness)
 {
   Curve curve;
   try {
-    (void)vfc::fill(curve, Box(Point(0, 0, 0), Point(1, 1, 1)), np::spacing(5));
+    (void)VFC::fill(curve, Box(Point(0, 0, 0), Point(1, 1, 1)), np::spacing(5));
     FAIL();
   } catch(const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "spacing is 5, but must be positive and at most 1");

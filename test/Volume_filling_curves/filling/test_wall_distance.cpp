@@ -23,10 +23,10 @@ namespace test_wall_distance {
 
 using namespace fill_test;
 namespace np = CGAL::Volume_filling_curves::parameters;
-using Ball = vfc::Ball_domain_3<Kernel>;
-using Box = vfc::Box_domain_3<Kernel>;
-using Mesh_domain = vfc::Triangle_mesh_domain_3<Kernel>;
-using vfc::Filling_status;
+using Ball = VFC::Ball_domain_3<Kernel>;
+using Box = VFC::Box_domain_3<Kernel>;
+using Mesh_domain = VFC::Triangle_mesh_domain_3<Kernel>;
+using VFC::Filling_status;
 
 const Box box(Point(0, 0, 0), Point(2, 1, 1));
 
@@ -34,10 +34,10 @@ TEST(Wall_distance, is_kept_by_a_filling_that_covers_the_rest)
 {
   for(const double c : {0.05, 0.1}) {
     Curve curve;
-    const auto result = vfc::fill(curve, box, np::thickness(0.1).wall_distance(c));
+    const auto result = VFC::fill(curve, box, np::thickness(0.1).wall_distance(c));
     EXPECT_EQ(result.status, Filling_status::CONVERGED);
     EXPECT_GE(result.min_wall_distance, c);
-    EXPECT_EQ(result.min_wall_distance, vfc::min_wall_distance(curve, box).distance);
+    EXPECT_EQ(result.min_wall_distance, VFC::min_wall_distance(curve, box).distance);
     EXPECT_LE(result.unfilled_fraction, 0.01);
     EXPECT_GT(coverage(curve, box, 0.1).fraction_within_r, c < 0.1 ? 0.7 : 0.6);
   }
@@ -46,11 +46,11 @@ TEST(Wall_distance, is_kept_by_a_filling_that_covers_the_rest)
 TEST(Wall_distance, is_kept_in_a_mesh_from_a_tree_and_from_a_circle)
 {
   const Mesh_domain domain(meshes::to_mesh(meshes::sphere(1, 2)));
-  for(const auto start : {vfc::Filling_start::TREE, vfc::Filling_start::CIRCLE}) {
+  for(const auto start : {VFC::Filling_start::TREE, VFC::Filling_start::CIRCLE}) {
     Curve curve;
     const auto result =
-        vfc::fill(curve, domain, np::thickness(0.25).wall_distance(0.2).start(start));
-    EXPECT_GE(vfc::min_wall_distance(curve, domain).distance, 0.2);
+        VFC::fill(curve, domain, np::thickness(0.25).wall_distance(0.2).start(start));
+    EXPECT_GE(VFC::min_wall_distance(curve, domain).distance, 0.2);
     EXPECT_LE(result.unfilled_fraction, 0.01);
   }
 }
@@ -58,9 +58,9 @@ TEST(Wall_distance, is_kept_in_a_mesh_from_a_tree_and_from_a_circle)
 TEST(Wall_distance, above_the_thickness_leaves_the_layer_along_the_boundary_out)
 {
   Curve curve;
-  const auto result = vfc::fill(curve, box, np::thickness(0.1).wall_distance(0.3));
+  const auto result = VFC::fill(curve, box, np::thickness(0.1).wall_distance(0.3));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
-  EXPECT_GE(vfc::min_wall_distance(curve, box).distance, 0.3);
+  EXPECT_GE(VFC::min_wall_distance(curve, box).distance, 0.3);
   EXPECT_LE(result.unfilled_fraction, 0.01);
   EXPECT_GT(result.uncovered_fraction, 0.2);
 }
@@ -69,8 +69,8 @@ TEST(Wall_distance, scales_with_the_domain)
 {
   Curve curve, large;
   const double scale = 1024;
-  vfc::fill(curve, Ball(Point(0, 0, 0), 1), np::thickness(0.3).wall_distance(0.25));
-  vfc::fill(large, Ball(Point(0, 0, 0), scale),
+  VFC::fill(curve, Ball(Point(0, 0, 0), 1), np::thickness(0.3).wall_distance(0.25));
+  VFC::fill(large, Ball(Point(0, 0, 0), scale),
             np::thickness(0.3 * scale).wall_distance(0.25 * scale));
   ASSERT_EQ(curve.number_of_nodes(), large.number_of_nodes());
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
@@ -82,7 +82,7 @@ TEST(Wall_distance, scales_with_the_domain)
 std::string complaint(Curve curve, double wall_distance)
 {
   try {
-    (void)vfc::fill(curve, box, np::thickness(0.1).wall_distance(wall_distance));
+    (void)VFC::fill(curve, box, np::thickness(0.1).wall_distance(wall_distance));
   } catch(const std::invalid_argument& error) {
     return error.what();
   }

@@ -40,7 +40,7 @@ void read(const std::string& content)
   const Network curve = start_curve();
   try {
     const Isotopy_certificate certificate(content);
-    vfc::verify_certificate(certificate, curve, curve);
+    VFC::verify_certificate(certificate, curve, curve);
     require(Isotopy_certificate(certificate.text()).bytes() == certificate.bytes());
   } catch(const std::invalid_argument&) {
   }
@@ -88,7 +88,7 @@ void compare(const std::vector<Operation>& all)
   pieces.trailer.nodes = end.points().size();
   pieces.trailer.edges = end.edges().size();
   pieces.trailer.curve = end.digest();
-  const auto verdict = vfc::verify_certificate(put_together(pieces), start, guard.curve());
+  const auto verdict = VFC::verify_certificate(put_together(pieces), start, guard.curve());
   require(verdict.number_of_operations == number);
   require(verdict.is_valid == (number == all.size()));
 }

@@ -125,7 +125,7 @@ TEST(Border_of_double, segments_from_a_corner_as_on_the_lattice)
 TEST(Border_of_double, triangles_meet_as_on_the_lattice)
 {
   test_at_all_scales(cases_per_scale / 10, [](const auto& p, const auto& x) {
-    const bool meet = internal::Triangle_intersection<Curve_flow_traits_3<Kernel>>().do_intersect(
+    const bool meet = internal::Triangle_intersection<Traits>().do_intersect(
         {to_point(x[0]), to_point(x[1]), to_point(x[2])},
         {to_point(x[3]), to_point(x[4]), to_point(x[5])});
     ASSERT_EQ(meet, brute_force::do_hulls_meet<Integer>({p[0], p[1], p[2]}, {p[3], p[4], p[5]}));

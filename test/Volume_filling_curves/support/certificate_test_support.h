@@ -24,15 +24,15 @@
 namespace certificate_test {
 
 using namespace guard_test;
-namespace vfc = CGAL::Volume_filling_curves;
+namespace VFC = CGAL::Volume_filling_curves;
 namespace internal = CGAL::Volume_filling_curves::internal;
-using Network = vfc::Curve_network_3<>;
-using Guard = vfc::Isotopy_guard_3<>;
+using Network = VFC::Curve_network_3<>;
+using Guard = VFC::Isotopy_guard_3<>;
 using Operation = internal::Certificate_operation;
 using Kind = Operation::Kind;
-using vfc::Certificate_verdict;
-using vfc::Isotopy_certificate;
-using vfc::verify_certificate;
+using VFC::Certificate_verdict;
+using VFC::Isotopy_certificate;
+using VFC::verify_certificate;
 
 // A motion: the curves at both ends and its certificate.
 struct Motion

@@ -21,23 +21,23 @@
 // Common parts of the tests of filling.
 namespace fill_test {
 
-namespace vfc = CGAL::Volume_filling_curves;
+namespace VFC = CGAL::Volume_filling_curves;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Traits = vfc::Curve_flow_traits_3<Kernel>;
-using Curve = vfc::Curve_network_3<Traits>;
+using Traits = VFC::Curve_flow_traits_3<Kernel>;
+using Curve = VFC::Curve_network_3<Traits>;
 
 template <typename Domain>
-vfc::Coverage coverage(const Curve& curve, const Domain& domain, double thickness)
+VFC::Coverage coverage(const Curve& curve, const Domain& domain, double thickness)
 {
-  const vfc::Domain_samples_3<Traits, Domain> samples(domain, 20000, 1);
-  return vfc::coverage(samples, vfc::sample_distances(curve, samples), thickness);
+  const VFC::Domain_samples_3<Traits, Domain> samples(domain, 20000, 1);
+  return VFC::coverage(samples, VFC::sample_distances(curve, samples), thickness);
 }
 
 template <typename Domain>
 void expect_inside(const Curve& curve, const Domain& domain)
 {
-  const vfc::Containment outside = vfc::containment(curve, domain);
+  const VFC::Containment outside = VFC::containment(curve, domain);
   EXPECT_EQ(outside.outside_nodes.size(), 0u);
   EXPECT_EQ(outside.outside_edges.size(), 0u);
 }
