@@ -119,15 +119,21 @@ Filling_result fill(Session& session,
   return result;
 }
 
+// States why the thickness is not the one that was asked for.
 void note_thickness(const Session& session,
                     const Fill_options& options,
-                    double thickness,
-                    bool is_grown)
+                    const Filling_result& result)
 {
-  if(options.parameters.thickness == 0 && options.parameters.length == 0 &&
-     options.thickness_field.empty() && !is_grown)
-    session.console().note("thickness " + to_text(thickness) +
-                           ", a quarter of the radius of the widest ball inside");
+  const curves::Filling_parameters<>& asked_for = options.parameters;
+  if(!options.thickness_field.empty() || asked_for.length > 0) return;
+  const double least = curves::internal::least_thickness_for(asked_for);
+  const auto note = [&](const std::string& reason) {
+    session.console().note("thickness " + to_text(result.thickness) + ", " + reason);
+  };
+  if(asked_for.thickness < least && result.thickness <= least)
+    note("the least with room for such bends and distances of strands");
+  else if(asked_for.thickness == 0 && !(result.default_thickness > 0))
+    note("a quarter of the radius of the widest ball inside");
 }
 
 // Reads the mesh; mending it takes its part of the time that the filling has.
@@ -159,7 +165,7 @@ int fill_domain(Session& session,
   poll_interruptions();
   const Filling_result result =
       fill(session, curve, domain, field, directions, options, state, certificate);
-  note_thickness(session, options, result.thickness, result.default_thickness > 0);
+  note_thickness(session, options, result);
   report_stages(session, result.statistics);
   // the certificate first: no curve comes out of a run that was to be certified without one
   if(!options.certificate.empty()) write_certificate(options.certificate, certificate);

@@ -7,6 +7,7 @@
 // Fillings with a bend radius and a distance of strands. All is measured anew.
 
 #include "support/fill_test_support.h"
+#include "support/polygon_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
@@ -88,6 +89,35 @@ TEST(Fill_round, takes_a_larger_thickness_for_wide_bends)
       EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
     expect_inside(curve, box);
   }
+}
+
+TEST(Fill_round, takes_a_larger_thickness_for_distant_strands)
+{
+  Curve curve;
+  const Result result = VFC::fill(curve, box, np::thickness(0.1).strand_distance(2));
+  EXPECT_NEAR(result.thickness, 1, 1e-9);
+  EXPECT_LT(curve.number_of_nodes(), 1000u);
+  if(result.status == Filling_status::CONVERGED) expect_shape(curve, 0.85, 2);
+  expect_inside(curve, box);
+}
+
+TEST(Fill_round, does_not_call_a_domain_thin_that_has_room_for_the_larger_thickness)
+{
+  const VFC::Polygon_domain_3<Traits> plate(polygons::plate());
+  Curve curve;
+  const auto result =
+      VFC::fill(curve, plate, np::thickness(0.01).bend_radius(0.1).number_of_iterations(1));
+  EXPECT_NEAR(result.thickness_fit.thickness, 0.1 / 0.85, 1e-9);
+  EXPECT_LT(result.thickness_fit.thin_fraction, 0.05);
+}
+
+TEST(Fill_round, gets_no_thinner_than_its_bends_allow_for_the_sake_of_a_length)
+{
+  Curve curve;
+  const Result result = VFC::fill(curve, box, np::length(1000).bend_radius(0.85));
+  EXPECT_EQ(result.status, Filling_status::LENGTH_NOT_REACHED);
+  EXPECT_NEAR(result.thickness, 1, 1e-9);
+  expect_inside(curve, box);
 }
 
 TEST(Fill_round, says_where_a_constraint_is_not_reached)

@@ -69,8 +69,7 @@ public:
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
     if(!m_thickness.varies())
-      m_thickness.set_number(
-          (std::max)(m_thickness.number(), least_thickness_for(parameters.bend_radius)));
+      m_thickness.set_number((std::max)(m_thickness.number(), least_thickness_for(parameters)));
     if(!watch.must_stop())
       m_size.check(thickness_with_as_many_nodes(),
                    is_asked_for ? Filling_size::most_nodes
@@ -211,7 +210,7 @@ private:
     const bool is_thickness_known = is_thickness_asked_for() && !m_thickness.varies();
     if(!Has_surface<Domain>::value || !is_thickness_known || m_parameters.wall != Wall::COVER)
       return Boundary_distances<Domain>::no_limit;
-    return needed_width * m_thickness.number();
+    return needed_width * (std::max)(m_thickness.number(), least_thickness_for(m_parameters));
   }
 
   // A ball that a curve is worth being started in, in units of the thickness, or of the widest ball

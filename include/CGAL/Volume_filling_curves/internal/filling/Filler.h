@@ -139,12 +139,22 @@ private:
     for(int k = 0; k < max_corrections_of_thickness && !m_stages.end(); ++k) {
       const double excess = m_stages.decide([&] { return flow().length() / m_parameters.length; });
       if(std::abs(excess - 1) < length_tolerance) return;
-      // the strands' cross sections fill the volume
-      m_thickness = std::sqrt(excess) * m_thickness;
+      if(!suit_thickness(excess)) return;
       // the shrinking steps alone do not follow the thickness far
       if(std::abs(excess - 1) > excess_to_open_for) run(Filling_stage::opening());
       find_places(false);
     }
+  }
+
+  // The strands' cross sections fill the volume. Returns whether the thickness changes: it gets no
+  // less than the shape that is required has room for.
+  bool suit_thickness(double excess)
+  {
+    const double former = m_thickness.number();
+    const double least = least_thickness_for(m_parameters);
+    m_thickness = std::sqrt(excess) * m_thickness;
+    if(m_thickness.number() < least) m_thickness.set_number(least);
+    return m_thickness.number() != former;
   }
 
   // Strands find their places: round ones, or any.

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -31,11 +32,15 @@ namespace internal {
 // r bends jam before that, and 70 instead of 82 % of the volume are within r.
 constexpr double bend_radius_of_thickness = 0.85, strand_distance_of_thickness = 1.6;
 
-// The thickness at which a curve with that bend radius fills a domain. With less, bends would
-// tangle, or contract the curve: in a cube of side 10 r one with a bend radius of 2 r vanished.
-inline double least_thickness_for(double bend_radius)
+// The thickness at which a curve with the bend radius and the distance of strands that are given
+// fills a domain. With less, bends would tangle, or contract the curve: in a cube of side 10 r one
+// with a bend radius of 2 r vanished. Strands 2 r apart have medial spheres of radius r between
+// them; with a distance of many r, nearly all pairs of edges would be too close.
+template <typename Point_3>
+double least_thickness_for(const Filling_parameters<Point_3>& parameters)
 {
-  return bend_radius / bend_radius_of_thickness;
+  return (std::max)(parameters.bend_radius / bend_radius_of_thickness,
+                    parameters.strand_distance / 2);
 }
 
 // Returns no limits unless bends are to be rounded, or one of the limits is given.

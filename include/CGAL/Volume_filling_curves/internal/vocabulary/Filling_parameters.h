@@ -94,9 +94,9 @@ struct Filling_parameters : Curve_run_parameters
   double direction_weight = 0.2;
 
   /// The places where the curves enter the domain, if no curves are given: an even number of them.
-  /// An arc leads from each odd port to the next one. The arc that has the least of the volume
-  /// grows first, so that they share it. At a port the curve is straight for a length of r, less
-  /// where the domain is narrow, see `Filling_result::necks`. None by default.
+  /// An arc leads from each odd port to the next one. The arcs share the volume: the one with the
+  /// least of it grows first. At a port the curve is straight for a length of r, less where the
+  /// domain is narrow, see `Filling_result::necks`. None by default.
   std::vector<Port<Point_3>> ports;
 
   /// The required length of the result, reached within 2 %, in the input's unit, instead of a
@@ -112,7 +112,8 @@ struct Filling_parameters : Curve_run_parameters
 
   /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
   /// curve between them, pi times `bend_radius`, or pi/2 times the distance. 0 (default) stands for
-  /// none, unless `round_bends` is set or there is a `bend_radius`; then it is 1.6 r.
+  /// none, unless `round_bends` is set or there is a `bend_radius`; then it is 1.6 r. A constant
+  /// thickness grows to half of it.
   double strand_distance = 0;
 
   /// Whether bends are rounded to a radius of 0.85 r, and strands pushed 1.6 r apart, unless
