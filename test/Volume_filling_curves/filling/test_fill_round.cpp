@@ -14,6 +14,9 @@
 #include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
 #include <CGAL/number_type_config.h>
@@ -21,8 +24,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -91,6 +96,8 @@ TEST(Fill_round, takes_a_larger_thickness_for_wide_bends)
   }
 }
 
+using Plate = VFC::Polygon_domain_3<Traits>;
+
 TEST(Fill_round, takes_a_larger_thickness_for_distant_strands)
 {
   Curve curve;
@@ -103,7 +110,7 @@ TEST(Fill_round, takes_a_larger_thickness_for_distant_strands)
 
 TEST(Fill_round, does_not_call_a_domain_thin_that_has_room_for_the_larger_thickness)
 {
-  const VFC::Polygon_domain_3<Traits> plate(polygons::plate());
+  const Plate plate(polygons::plate());
   Curve curve;
   const auto result =
       VFC::fill(curve, plate, np::thickness(0.01).bend_radius(0.1).number_of_iterations(1));
@@ -118,6 +125,78 @@ TEST(Fill_round, gets_no_thinner_than_its_bends_allow_for_the_sake_of_a_length)
   EXPECT_EQ(result.status, Filling_status::LENGTH_NOT_REACHED);
   EXPECT_NEAR(result.thickness, 1, 1e-9);
   expect_inside(curve, box);
+}
+
+// A plate with two holes is filled as in space, and z stays 0.
+TEST(Fill_round, stays_in_the_plane)
+{
+  const Plate plate(polygons::plate());
+  for(const double r : {0.08, 0.04}) {
+    Curve curve;
+    const Result result = VFC::fill(curve, plate, np::thickness(r).round_bends(true));
+    EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
+    for(const Point& p : curve.points()) EXPECT_EQ(p.z(), 0);
+    expect_shape(curve, 0.85 * r, 1.6 * r);
+    expect_inside(curve, plate);
+    EXPECT_GE(coverage(curve, plate, r).fraction_within_r, 0.93);
+  }
+}
+
+// Pinned nodes make a neck straight: each lies on a segment from the wall to the end of a neck.
+void expect_straight_necks(const Curve& curve, const Result& result)
+{
+  using VFC::internal::to_vector;
+  using VFC::internal::Vector;
+  for(const std::size_t v : curve.nodes()) {
+    if(!curve.is_pinned(v)) continue;
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& neck : result.necks) {
+      const Vector wall = to_vector(neck.wall);
+      const Vector u(neck.direction[0], neck.direction[1], neck.direction[2]);
+      const Vector x = to_vector(curve.point(v));
+      least = (std::min)(
+          least, VFC::internal::squared_distance_to_segment(x, wall, wall + neck.length * u));
+    }
+    EXPECT_LE(least, 1e-18);
+  }
+}
+
+template <typename Domain>
+void expect_round_between_ports(const Domain& domain,
+                                double r,
+                                const std::vector<VFC::Port<Point>>& ports,
+                                double fraction_within_r)
+{
+  Curve curve;
+  const Result result = VFC::fill(curve, domain, np::thickness(r).round_bends(true).ports(ports));
+  EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
+  ASSERT_EQ(result.necks.size(), ports.size());
+  for(const auto& neck : result.necks) EXPECT_NEAR(neck.length, r, 1e-9);
+  expect_straight_necks(curve, result);
+  expect_shape(curve, 0.85 * r, 1.6 * r);
+  expect_inside(curve, domain);
+  EXPECT_GE(coverage(curve, domain, r).fraction_within_r, fraction_within_r);
+}
+
+// The corner at the end of a neck kept a radius of 0.2 r, and the curve shrank by half meanwhile.
+TEST(Fill_round, bends_behind_the_necks_of_ports)
+{
+  const VFC::Ball_domain_3<Kernel> ball({0, 0, 0}, 1);
+  expect_round_between_ports(ball, 0.2, {{Point(-0.6, 0.8, 0)}, {Point(0, 0, 1.01)}}, 0.75);
+  expect_round_between_ports(Plate(polygons::plate()), 0.08,
+                             {{Point(-1.5, 0, 0)}, {Point(0.2, 1, 0)}}, 0.9);
+}
+
+// Nodes that the guard held at that distance held bends of 0.3 r next to them.
+TEST(Fill_round, keeps_a_distance_from_the_boundary)
+{
+  const Box cube({0, 0, 0}, {1, 1, 1});
+  const double r = 0.1;
+  Curve curve;
+  const Result result = VFC::fill(curve, cube, np::thickness(r).round_bends(true).wall_distance(r));
+  EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
+  EXPECT_GE(result.min_wall_distance, r);
+  expect_shape(curve, 0.85 * r, 1.6 * r);
 }
 
 TEST(Fill_round, says_where_a_constraint_is_not_reached)

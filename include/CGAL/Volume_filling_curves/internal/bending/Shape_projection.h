@@ -89,20 +89,26 @@ private:
     x[v] += m_mobility[v] * way;
   }
 
+  // Edges between pinned nodes, as in the necks of ports, are left out: they stay as they are, and
+  // with shorter ones in the mean the others would shrink in each sweep.
   std::vector<double> mean_edges(const std::vector<Vector>& x) const
   {
     std::vector<double> means;
-    for(const Path& path : paths())
-      means.push_back(length(x, path) / static_cast<double>(path.number_of_edges()));
+    for(const Path& path : paths()) means.push_back(mean_edge(x, path));
     return means;
   }
 
-  double length(const std::vector<Vector>& x, const Path& path) const
+  double mean_edge(const std::vector<Vector>& x, const Path& path) const
   {
     double sum = 0;
-    for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i)
-      sum += (x[node(path, i + 1)] - x[node(path, i)]).norm();
-    return sum;
+    std::size_t number = 0;
+    for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i) {
+      const std::size_t v = node(path, i), w = node(path, i + 1);
+      if(m_mobility[v] + m_mobility[w] == 0) continue;
+      sum += (x[w] - x[v]).norm();
+      ++number;
+    }
+    return number > 0 ? sum / static_cast<double>(number) : 0;
   }
 
   void keep_length(std::vector<Vector>& x, const Path& path, double mean) const
@@ -192,6 +198,8 @@ private:
     const Vector bend = edge * (out / std::sqrt(out2) - in / std::sqrt(in2));
     const double size = bend.norm(), most = 2 * edge * std::sqrt(sine2);
     if(!(size > most)) return;
+    if(apart == 1 && m_mobility[v] == 0)
+      return turn_neighbors(x, nodes, (size - most) / (size * edge) * bend);
     const Vector sixth = (size - most) / (6 * size) * bend;
     constexpr double n = apart, mean = (n - 1) / (2 * n + 1);
     move(x, v, (2 - mean) * sixth);
@@ -200,6 +208,19 @@ private:
       move(x, nodes[apart - k], way);
       move(x, nodes[apart + k], way);
     }
+  }
+
+  // The neighbors of a pinned node turn around it until its bend, of edges of length 1, has lost
+  // the excess. As outer nodes of the corner they would go a sixth of that: the corner at the end
+  // of a neck kept a radius of 0.2 r.
+  void turn_neighbors(std::vector<Vector>& x, const Index* nodes, const Vector& excess) const
+  {
+    const std::size_t u = nodes[0], v = nodes[1], w = nodes[2];
+    const double number = m_mobility[u] + m_mobility[w];
+    if(number == 0) return;
+    const double in = (x[v] - x[u]).norm(), out = (x[w] - x[v]).norm();
+    move(x, u, -in / number * excess);
+    move(x, w, -out / number * excess);
   }
 
   // A closed curve that is shorter than a ring with the limit for its radius would shrink to a

@@ -28,7 +28,7 @@ namespace internal {
 class Wall_planes
 {
 public:
-  // Takes the distance that each node is to keep.
+  // Takes the distance that each node is to keep, besides the one that the boundary has.
   template <typename Network, typename Boundary>
   void find(const Network& curve, const Boundary& boundary, const std::vector<double>& distances)
   {
@@ -39,8 +39,9 @@ public:
       unsigned counter = 0;
       for(std::size_t v = 0; v < distances.size(); ++v) {
         check_sometimes(nullptr, counter);
-        if(!curve.is_pinned(v) && !boundary.is_farther(row(x, v), reach * distances[v]))
-          add(curve, boundary.domain(), v, distances[v]);
+        const double distance = boundary.wall_distance() + distances[v];
+        if(!curve.is_pinned(v) && !boundary.is_farther(row(x, v), reach * distance))
+          add(curve, boundary.domain(), v, distance);
       }
     }
   }

@@ -72,6 +72,7 @@ public:
     m_wall_distance = distance;
     m_layer = layer;
   }
+  double wall_distance() const { return m_wall_distance; }
   double layer() const { return m_layer; }
 
   // returns whether the closed triangle lies inside, far enough from the boundary. \pre p does
