@@ -14,15 +14,12 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Shaped_step.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
-#include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Medial_sphere.h>
@@ -31,7 +28,6 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -136,8 +132,7 @@ public:
         m_first_certified_change(guard.number_of_certified_changes()),
         m_first_refused_change(guard.number_of_refused_changes()),
         m_parameters(parameters),
-        m_thickness(thickness),
-        m_step(guard, parameters.max_displacement)
+        m_motion(guard, thickness, m_parameters, m_statistics)
   {
     if(!is_under_way) start();
   }
@@ -151,8 +146,7 @@ public:
   /// \pre `max_displacement` is positive
   void set_max_displacement(double max_displacement)
   {
-    m_parameters.max_displacement = max_displacement;
-    m_step.set_largest_displacement(max_displacement);
+    m_motion.set_max_displacement(max_displacement);
   }
 
   /// changes the least length of an edge, in units of the thickness, and remeshes the curve to it.
@@ -161,14 +155,14 @@ public:
   void set_spacing(double spacing)
   {
     m_parameters.spacing = spacing;
-    remesh_until_even();
+    m_motion.remesh_until_even();
     update();
   }
 
   /// separates strands that are closer than `distance`, in units of the least thickness, after
   /// every step. By default only strands that block one another are separated, up to half of the
   /// thickness.
-  void keep_apart(double distance) { m_step.keep_apart(distance); }
+  void keep_apart(double distance) { m_motion.keep_apart(distance); }
 
   /// changes the parameters, and remeshes the curve to the edge lengths that they require.
   ///
@@ -188,21 +182,22 @@ public:
   void set_parameters(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
     m_parameters = parameters;
-    m_thickness = thickness;
-    m_step.start_anew(parameters.max_displacement);
-    m_shaped_steps = 0;
+    m_motion.set_thickness(thickness);
+    m_motion.start_anew();
     start();
   }
 
   // Brings the curve into limits of its shape in the steps from here on, see Shaped_step.
   void set_shape(const internal::Shape_goal& goal, internal::Shape_phase phase)
   {
-    m_shape = goal;
-    m_shape_phase = phase;
+    m_motion.set_shape(goal, phase);
   }
 
   // whether it keeps the limits
-  bool is_shaped() const { return check_shape(m_shape, m_node_thickness).is_passed(); }
+  bool is_shaped() const
+  {
+    return check_shape(m_motion.shape(), m_motion.node_thickness()).is_passed();
+  }
 
   // Compares the curve as it stands with limits of its shape.
   internal::Shape_check check_shape(const internal::Shape_goal& goal,
@@ -235,8 +230,7 @@ public:
   bool step()
   {
     ++m_statistics.iterations;
-    const bool has_moved = m_shape_phase == internal::Shape_phase::POLISHING ? polish() : move();
-    remesh();
+    const bool has_moved = m_motion(m_direction.positions(), direction());
     update();
     return has_moved;
   }
@@ -248,9 +242,9 @@ public:
   void update()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
-    update_thickness();
-    m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(), m_node_thickness,
-                       m_statistics, m_guard.watch());
+    m_motion.update_thickness();
+    m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(),
+                       m_motion.node_thickness(), m_statistics, m_guard.watch());
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -264,16 +258,15 @@ public:
   // The numbers that the next steps depend on, except for parameters, thickness and the curve.
   auto history()
   {
-    return std::tuple_cat(
-        std::tie(m_first_certified_change, m_first_refused_change, m_statistics, m_shaped_steps),
-        m_step.history());
+    return std::tuple_cat(std::tie(m_first_certified_change, m_first_refused_change, m_statistics),
+                          m_motion.history());
   }
 
   // Continues from the history of another flow of the same curve: update() computes the same bits.
   void go_on(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
     m_parameters = parameters;
-    m_thickness = thickness;
+    m_motion.set_thickness(thickness);
     set_max_displacement(parameters.max_displacement);
     update();
   }
@@ -292,7 +285,7 @@ public:
   double thickness() const { return m_parameters.thickness; }
 
   /// returns the thickness at node `v`.
-  double thickness(size_type v) const { return m_node_thickness[v]; }
+  double thickness(size_type v) const { return m_motion.node_thickness()[v]; }
 
   /// returns the length of all edges.
   double length() const { return m_direction.length(); }
@@ -342,19 +335,17 @@ public:
   /// @}
 
 private:
-  using Remesher = internal::Remesher<Guard, ConcurrencyTag>;
-
   void start()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
-    m_parameters.thickness = m_thickness.number();
+    m_parameters.thickness = m_motion.thickness().number();
     internal::check_parameters(m_parameters);
-    if(!m_thickness.is_given()) {
+    if(!m_motion.thickness().is_given()) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
           curve(), parameters_in_domain().number_of_directions, m_guard.watch());
-      m_thickness = Thickness(measure());
+      m_motion.set_thickness(Thickness(measure()));
     }
-    remesh_until_even();
+    m_motion.remesh_until_even();
     update();
   }
 
@@ -369,115 +360,12 @@ private:
     return p;
   }
 
-  void update_thickness()
-  {
-    m_node_thickness = m_thickness.at_each(curve().points());
-    m_parameters.thickness = m_thickness.mean(m_node_thickness);
-    const auto least = std::min_element(m_node_thickness.begin(), m_node_thickness.end());
-    // A step keeps strands a tenth of the thickness apart; closer ones could hardly move again.
-    constexpr double clearance_over_thickness = 0.1;
-    m_guard.set_clearance(least == m_node_thickness.end() ? 0 : clearance_over_thickness * *least);
-  }
-
-  // Returns whether any node moved.
-  bool move()
-  {
-    const internal::Stage_timer stage(m_statistics.seconds_motion);
-    if(m_shape_phase == internal::Shape_phase::BENDING)
-      return shaped_step().bend(direction(), m_parameters.max_displacement * least_thickness(),
-                                m_shaped_steps++);
-    return m_step(m_direction.positions(), direction(), m_parameters, m_node_thickness,
-                  m_statistics);
-  }
-
-  using Shaped_step = internal::Shaped_step<Guard, ConcurrencyTag>;
-
-  Shaped_step shaped_step() { return {m_guard, m_shape, m_node_thickness}; }
-
-  // Folds, whose edges are far shorter than others, are collapsed; nothing else is remeshed, since
-  // a corner at half an edge bends twice as sharply.
-  bool polish()
-  {
-    constexpr int motions_per_step = 5;
-    constexpr double fold = 0.25; // of the least length of an edge
-    const internal::Stage_timer stage(m_statistics.seconds_motion);
-    bool has_moved = false;
-    for(int k = 0; k < motions_per_step && !must_stop(); ++k) {
-      make_remesher(fold * m_parameters.spacing).collapse_short_edges();
-      collect_garbage();
-      if(!shaped_step().polish()) break;
-      has_moved = true;
-    }
-    return has_moved;
-  }
-
-  double least_thickness() const
-  {
-    return *std::min_element(m_node_thickness.begin(), m_node_thickness.end());
-  }
-
-  void remesh()
-  {
-    constexpr std::size_t bends_per_remeshing = 3;
-    if(m_shape_phase == internal::Shape_phase::POLISHING) return;
-    if(m_shape_phase == internal::Shape_phase::BENDING) {
-      if(m_shaped_steps % bends_per_remeshing == 0) remesh_until_even();
-      return;
-    }
-    const internal::Stage_timer stage(m_statistics.seconds_remeshing);
-    Remesher remesher = make_remesher();
-    remesher.collapse_short_edges();
-    remesher.split_long_edges();
-    m_statistics.refused_remeshing += remesher.number_of_refusals();
-    if(curve().has_garbage()) m_step.renumber(m_guard.collect_garbage());
-  }
-
-  void collect_garbage()
-  {
-    m_step.renumber(m_guard.collect_garbage());
-    update_thickness();
-  }
-
-  bool must_stop() const { return m_guard.watch() != nullptr && m_guard.watch()->must_stop(); }
-
-  Remesher make_remesher() { return make_remesher(m_parameters.spacing); }
-
-  Remesher make_remesher(double least_edge)
-  {
-    std::vector<double> spacing = m_node_thickness;
-    for(double& h : spacing) h *= least_edge;
-    return {m_guard, std::move(spacing)};
-  }
-
-  // Rounds of collapses, which join pairs of edges that are too short, and then of splits, which
-  // halve edges that are too long. If the guard's watch ends the run, edges stay as they are.
-  void remesh_until_even()
-  {
-    const internal::Stage_timer stage(m_statistics.seconds_remeshing);
-    do {
-      collect_garbage();
-      make_remesher().collapse_short_edges();
-    } while(curve().has_garbage() && !must_stop());
-    do {
-      collect_garbage();
-      make_remesher().split_long_edges();
-    } while(curve().has_garbage() && !must_stop());
-    if(curve().has_garbage()) collect_garbage();
-  }
-
   Guard& m_guard;
   size_type m_first_certified_change,
       m_first_refused_change; // the guard's counts at the start of the flow
   Curve_flow_parameters m_parameters;
-  Thickness m_thickness;
   Curve_flow_statistics m_statistics;
-  internal::Guarded_step<Guard, ConcurrencyTag> m_step;
-  internal::Shape_goal m_shape;
-  internal::Shape_phase m_shape_phase = internal::Shape_phase::NONE;
-  std::size_t m_shaped_steps = 0; // that have bent the curve
-
-  // values of the current curve
-  std::vector<double> m_node_thickness;
+  internal::Flow_motion<Guard, ConcurrencyTag> m_motion;
   internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
 };
 

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_FLOW_MOTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_FLOW_MOTION_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Shaped_step.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
+#include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Motion of a curve along the directions of its flow, and the lengths of its edges. A curve that is
+// brought into a shape bends, and then is polished, instead of going freely. The thickness at the
+// nodes, which edges and steps are measured in, is kept up to date. Near linear.
+template <typename Guard, typename ConcurrencyTag>
+class Flow_motion
+{
+public:
+  using Thickness = internal::Thickness<typename Guard::Curve_network::Point_3>;
+
+  // Takes the parameters and the statistics of the flow, which must outlive the motion: the one has
+  // the mean thickness, the other one the time.
+  Flow_motion(Guard& guard,
+              const Thickness& thickness,
+              Curve_flow_parameters& parameters,
+              Curve_flow_statistics& statistics)
+      : m_guard(guard),
+        m_thickness(thickness),
+        m_parameters(parameters),
+        m_statistics(statistics),
+        m_step(guard, parameters.max_displacement)
+  {}
+
+  // Forgets how the last steps went.
+  void start_anew()
+  {
+    m_step.start_anew(m_parameters.max_displacement);
+    m_shaped_steps = 0;
+  }
+
+  void set_max_displacement(double max_displacement)
+  {
+    m_parameters.max_displacement = max_displacement;
+    m_step.set_largest_displacement(max_displacement);
+  }
+
+  // Strands go that far apart after every free step, in units of the least thickness.
+  void keep_apart(double distance) { m_step.keep_apart(distance); }
+
+  // Brings the curve into limits of its shape in the steps from here on, see Shaped_step.
+  void set_shape(const Shape_goal& goal, Shape_phase phase)
+  {
+    m_shape = goal;
+    m_shape_phase = phase;
+  }
+
+  const Shape_goal& shape() const { return m_shape; }
+
+  const Thickness& thickness() const { return m_thickness; }
+  void set_thickness(const Thickness& thickness) { m_thickness = thickness; }
+
+  const std::vector<double>& node_thickness() const { return m_node_thickness; }
+
+  void update_thickness()
+  {
+    m_node_thickness = m_thickness.at_each(m_guard.curve().points());
+    m_parameters.thickness = m_thickness.mean(m_node_thickness);
+    // A step keeps strands a tenth of the thickness apart; closer ones could hardly move again.
+    constexpr double clearance_over_thickness = 0.1;
+    m_guard.set_clearance(m_node_thickness.empty() ? 0
+                                                   : clearance_over_thickness * least_thickness());
+  }
+
+  // Takes the positions of the nodes, and the direction of each. Moves the curve, remeshes it, and
+  // returns whether it moved.
+  bool operator()(const Vector_field& positions, const Vector_field& direction)
+  {
+    const bool has_moved =
+        m_shape_phase == Shape_phase::POLISHING ? polish() : move(positions, direction);
+    remesh();
+    return has_moved;
+  }
+
+  // Rounds of collapses, which join pairs of edges that are too short, and then of splits, which
+  // halve edges that are too long. If the guard's watch ends the run, edges stay as they are.
+  void remesh_until_even()
+  {
+    const Stage_timer stage(m_statistics.seconds_remeshing);
+    do {
+      collect_garbage();
+      make_remesher().collapse_short_edges();
+    } while(has_garbage() && !must_stop());
+    do {
+      collect_garbage();
+      make_remesher().split_long_edges();
+    } while(has_garbage() && !must_stop());
+    if(has_garbage()) collect_garbage();
+  }
+
+  // The numbers that the next steps depend on, except for parameters, thickness and the curve.
+  auto history() { return std::tuple_cat(std::tie(m_shaped_steps), m_step.history()); }
+
+private:
+  using Remesher = internal::Remesher<Guard, ConcurrencyTag>;
+  using Shaped_step = internal::Shaped_step<Guard, ConcurrencyTag>;
+
+  // Returns whether any node moved.
+  bool move(const Vector_field& positions, const Vector_field& direction)
+  {
+    const Stage_timer stage(m_statistics.seconds_motion);
+    if(m_shape_phase == Shape_phase::BENDING)
+      return shaped_step().bend(direction, m_parameters.max_displacement * least_thickness(),
+                                m_shaped_steps++);
+    return m_step(positions, direction, m_parameters, m_node_thickness, m_statistics);
+  }
+
+  Shaped_step shaped_step() { return {m_guard, m_shape, m_node_thickness}; }
+
+  // Folds, whose edges are far shorter than others, are collapsed; nothing else is remeshed, since
+  // a corner at half an edge bends twice as sharply.
+  bool polish()
+  {
+    constexpr int motions_per_step = 5;
+    constexpr double fold = 0.25; // of the least length of an edge
+    const Stage_timer stage(m_statistics.seconds_motion);
+    bool has_moved = false;
+    for(int k = 0; k < motions_per_step && !must_stop(); ++k) {
+      make_remesher(fold * m_parameters.spacing).collapse_short_edges();
+      collect_garbage();
+      if(!shaped_step().polish()) break;
+      has_moved = true;
+    }
+    return has_moved;
+  }
+
+  double least_thickness() const
+  {
+    return *std::min_element(m_node_thickness.begin(), m_node_thickness.end());
+  }
+
+  void remesh()
+  {
+    constexpr std::size_t bends_per_remeshing = 3;
+    if(m_shape_phase == Shape_phase::POLISHING) return;
+    if(m_shape_phase == Shape_phase::BENDING) {
+      if(m_shaped_steps % bends_per_remeshing == 0) remesh_until_even();
+      return;
+    }
+    const Stage_timer stage(m_statistics.seconds_remeshing);
+    Remesher remesher = make_remesher();
+    remesher.collapse_short_edges();
+    remesher.split_long_edges();
+    m_statistics.refused_remeshing += remesher.number_of_refusals();
+    if(has_garbage()) m_step.renumber(m_guard.collect_garbage());
+  }
+
+  bool has_garbage() const { return m_guard.curve().has_garbage(); }
+
+  void collect_garbage()
+  {
+    m_step.renumber(m_guard.collect_garbage());
+    update_thickness();
+  }
+
+  bool must_stop() const { return m_guard.watch() != nullptr && m_guard.watch()->must_stop(); }
+
+  Remesher make_remesher() { return make_remesher(m_parameters.spacing); }
+
+  Remesher make_remesher(double least_edge)
+  {
+    std::vector<double> spacing = m_node_thickness;
+    for(double& h : spacing) h *= least_edge;
+    return {m_guard, std::move(spacing)};
+  }
+
+  Guard& m_guard;
+  Thickness m_thickness;
+  std::vector<double> m_node_thickness; // of the current curve
+  Curve_flow_parameters& m_parameters;
+  Curve_flow_statistics& m_statistics;
+  Guarded_step<Guard, ConcurrencyTag> m_step;
+  Shape_goal m_shape;
+  Shape_phase m_shape_phase = Shape_phase::NONE;
+  std::size_t m_shaped_steps = 0; // that have bent the curve
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FLOW_FLOW_MOTION_H
