@@ -18,8 +18,13 @@
 #include "session/errors.h"
 #include "session/interruption.h"
 
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/identify.h>
+#include <CGAL/Volume_filling_curves/knot_diagram.h>
+
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -44,29 +49,55 @@ std::string diagram_code(const std::string& kind, const curves::Planar_diagram& 
   return kind == "gauss" ? curves::gauss_code(diagram) : curves::dt_code(diagram);
 }
 
-// Curve whose components are all closed and do not branch
-Curve read_closed_curve(Session& session, const Identify_options& options)
+// \throws Input_error unless all components are closed
+void check_closed(const Curve& curve, const std::string& file)
 {
-  Curve curve = read_curve(session, options.file, options.reading);
   Defects defects;
   for(std::size_t c = 0; c < curve.number_of_components(); ++c)
     if(!curve.is_closed(c))
-      defects.emplace_back("open component", options.file, std::vector<std::size_t>{}, c + 1,
+      defects.emplace_back("open component", file, std::vector<std::size_t>{}, c + 1,
                            "component " + std::to_string(c + 1) + " is not a closed curve");
   if(!defects.empty()) throw Input_error(std::move(defects), "a knot or link");
-  return curve;
 }
 
-curves::Planar_diagram diagram_of_input(Session& session, const Identify_options& options)
+// \throws Input_error if a link is to have a code that only knots have
+void check_codes(const Curve& curve, const Identify_options& options)
 {
-  const Curve curve = read_closed_curve(session, options);
+  const auto& codes = options.codes;
+  const bool needs_knot = std::find(codes.begin(), codes.end(), "dt") != codes.end();
+  if(!needs_knot || curve.number_of_components() == 1) return;
+  constexpr std::size_t second = 2; // component
+  const Defect defect("several components", options.file, {}, second,
+                      "only a knot has a Dowker-Thistlethwaite code");
+  throw Input_error({defect}, "a knot");
+}
+
+curves::Link_identity identify_input(Session& session, const Identify_options& options)
+{
+  const Curve curve = read_curve(session, options.file, options.reading);
+  check_closed(curve, options.file);
+  check_codes(curve, options);
   session.report()["components"] = curve.number_of_components();
   poll_interruptions();
   try {
-    return diagram_of(curve, Patience());
+    const Patience patience;
+    session.report()["linking_matrix"] =
+        curves::linking_matrix(curve, curves::parameters::progress(patience));
+    return curves::identify(curve, curves::parameters::progress(patience));
   } catch(const curves::Run_interrupted&) {
-    throw No_result(INTERRUPTED, options.file + ": interrupted, while its diagram was made");
+    throw No_result(INTERRUPTED, options.file + ": interrupted, while it was identified");
   }
+}
+
+void print_details(const Session& session, const Report& report)
+{
+  for(const std::string key :
+      {"components", "knottedness", "crossings", "writhe", "determinant", "signature",
+       "alexander_polynomial", "homfly_polynomial", "jones_polynomial"})
+    session.print_result(row(key, report[key]));
+  if(report["components"] > 1)
+    session.print_result(row("linking_matrix", report["linking_matrix"]));
+  for(const auto& [kind, code] : report["codes"].items()) session.print_result(row(kind, code));
 }
 
 int run(Session& session, const Identify_options& options)
@@ -74,18 +105,15 @@ int run(Session& session, const Identify_options& options)
   Report& report = session.report();
   report["input"] = options.file;
   session.add_input(options.file);
-  const auto diagram = diagram_of_input(session, options);
-  session.end_stage("projecting");
-  report_diagram(report, diagram);
-  if(!options.codes.empty()) report["codes"] = Report::Json::object();
-  for(const std::string& kind : options.codes) report["codes"][kind] = diagram_code(kind, diagram);
+  const curves::Link_identity identity = identify_input(session, options);
+  session.end_stage("identifying");
+  report_identity(report, identity);
+  for(const std::string& kind : options.codes)
+    report["codes"][kind] = diagram_code(kind, identity.diagram);
   session.end_stage("measuring");
   report["status"] = "done";
-  for(const std::string key : {"components", "knottedness", "crossings", "writhe", "determinant",
-                               "signature", "alexander_polynomial"})
-    session.print_result(row(key, report[key]));
-  for(const std::string& kind : options.codes)
-    session.print_result(row(kind, report["codes"][kind]));
+  session.print_result(options.file + ": " + identity_text(identity) + '\n');
+  print_details(session, report);
   return GOAL_REACHED;
 }
 
@@ -106,14 +134,15 @@ void add_identify_command(Command_line& command_line)
       ->type_name("NAMES");
   add_reading_flags(command, options->reading);
   command.footer(
-      "Prints the keys of the report, - for what is not known. All of them are exact: they are\n"
-      "those of a diagram of CURVE that was projected with exact predicates and simplified by\n"
-      "Reidemeister moves.\n"
+      "Prints the name of the knot, (proved) or consistent with its polynomials; then keys of the\n"
+      "report, - for what is not known. All of them are exact: they are those of a diagram that\n"
+      "was projected with exact predicates and simplified by Reidemeister moves.\n"
+      "  name                  in Rolfsen's table, up to 10 crossings; * for the mirror image\n"
       "  knottedness           what is proved, and by which invariant\n"
       "  crossings             of the diagram; the knot has no more\n"
       "  signature             -2 for the right-handed trefoil\n"
       "  alexander_polynomial  coefficients from the lowest power on, of at most 300 crossings\n"
-      "  dt                    leaves the mirror image open, and is for knots only");
+      "  dt                    leaves the mirror image open; of a link it is an error, status 4");
 }
 
 } // namespace vfc

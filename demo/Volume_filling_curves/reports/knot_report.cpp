@@ -6,6 +6,9 @@
 
 #include "reports/knot_report.h"
 
+#include "options/numbers.h"
+
+#include <CGAL/Volume_filling_curves/knot_diagram.h>
 #include <CGAL/Volume_filling_curves/simplify_curves.h>
 
 #include <cstddef>
@@ -16,6 +19,8 @@
 namespace vfc {
 
 namespace curves = CGAL::Volume_filling_curves;
+using curves::Knottedness;
+using curves::Link_identity;
 using curves::Planar_diagram;
 
 namespace {
@@ -39,18 +44,25 @@ bool is_knot_or_link(const Curve& curve)
   return true;
 }
 
-} // namespace
-
 Planar_diagram diagram_of(Curve curve, const Progress_function& progress)
 {
   curves::simplify_curves(curve, curves::parameters::progress(progress));
   return curves::knot_diagram(curve, curves::parameters::progress(progress));
 }
 
-void report_diagram(Report& report, const Planar_diagram& diagram)
+bool is_nontrivial(Knottedness knottedness)
 {
-  constexpr std::size_t max_crossings = 300; // of the polynomial; takes a second
-  report["knottedness"] = report_name(to_string(curves::knottedness(diagram)));
+  return knottedness != Knottedness::UNKNOWN && knottedness != Knottedness::UNKNOTTED;
+}
+
+Report::Json text_or_null(const std::string& text)
+{
+  return text.empty() ? Report::Json() : Report::Json(text);
+}
+
+void report_invariants(Report& report, const Planar_diagram& diagram)
+{
+  constexpr std::size_t max_crossings = 300; // of the Alexander polynomial; takes a second
   report["crossings"] = diagram.crossings.size();
   report["writhe"] = curves::writhe(diagram);
   report["determinant"] = exact_number(curves::determinant(diagram));
@@ -62,14 +74,55 @@ void report_diagram(Report& report, const Planar_diagram& diagram)
   if(polynomial.empty()) polynomial.push_back(0);
 }
 
+// The name, and whether the knot or its mirror image is meant
+std::string name_text(const Link_identity& identity)
+{
+  const std::string& name = identity.name;
+  if(identity.knottedness == Knottedness::UNKNOTTED)
+    return identity.number_of_components == 1 ? name + ", unknotted" : name;
+  if(name == "3_1") return name + ", right-handed";
+  if(name == "3_1*") return name + ", left-handed";
+  if(identity.chirality == curves::Knot_chirality::UNKNOWN) return name + ", of unknown chirality";
+  return name + ", " + to_string(identity.chirality);
+}
+
+} // namespace
+
+void report_identity(Report& report, const Link_identity& identity)
+{
+  report["name"] = text_or_null(identity.name);
+  report["is_proved"] = identity.is_proved;
+  if(!identity.name.empty()) report["chirality"] = to_string(identity.chirality);
+  report_knottedness(report, identity.knottedness);
+  report_invariants(report, identity.diagram);
+  report["homfly_polynomial"] = text_or_null(identity.homfly_polynomial);
+  report["jones_polynomial"] = text_or_null(identity.jones_polynomial);
+}
+
+std::string identity_text(const Link_identity& identity)
+{
+  const bool is_knotted = is_nontrivial(identity.knottedness);
+  if(identity.is_proved) return name_text(identity) + " (proved)";
+  if(!identity.name.empty())
+    return "consistent with " + name_text(identity) + (is_knotted ? "; knotted (proved)" : "");
+  const std::size_t n = identity.number_of_components;
+  return (n == 1 ? "unnamed knot" : "link of " + counted(n, "component")) +
+         (is_knotted ? ", nontrivial (proved)" : ", not known to be trivial or not");
+}
+
+void report_knottedness(Report& report, Knottedness knottedness)
+{
+  report["knotted"] = is_nontrivial(knottedness) ? "knotted" : to_string(knottedness);
+  report["knottedness"] = report_name(to_string(knottedness));
+}
+
 void report_knottedness(Report& report, const Curve& curve, const Progress_function& progress)
 {
   if(!is_knot_or_link(curve)) return;
   try {
-    const auto knottedness = curves::knottedness(diagram_of(curve, progress));
-    report["knottedness"] = report_name(to_string(knottedness));
+    report_knottedness(report, curves::knottedness(diagram_of(curve, progress)));
   } catch(const curves::Run_interrupted&) {
-    report["knottedness"] = report_name(to_string(curves::Knottedness::UNKNOWN));
+    report_knottedness(report, Knottedness::UNKNOWN);
   }
 }
 

@@ -10,23 +10,24 @@
 #include "files/curve_files.h"
 #include "reports/Report.h"
 
-#include <CGAL/Volume_filling_curves/knot_diagram.h>
+#include <CGAL/Volume_filling_curves/identify.h>
 
 #include <functional>
+#include <string>
 
 namespace vfc {
 
 using Progress_function = std::function<bool(const CGAL::Volume_filling_curves::Run_progress&)>;
 
-// Diagram of closed curves, first simplified as polygons.
-CGAL::Volume_filling_curves::Planar_diagram diagram_of(Curve curve,
-                                                       const Progress_function& progress);
+// Name, proofs, polynomials and invariants of the diagram; not the codes.
+void report_identity(Report& report, const CGAL::Volume_filling_curves::Link_identity& identity);
 
-// Crossings, invariants, and what they prove.
-void report_diagram(Report& report, const CGAL::Volume_filling_curves::Planar_diagram& diagram);
+// Name and proof in plain English, for example "3_1, right-handed (proved)".
+std::string identity_text(const CGAL::Volume_filling_curves::Link_identity& identity);
 
-// Key "knottedness" of the result of a run, if the curves are closed.
+// Keys "knotted" and "knottedness" of the result of a run, if the curves are closed.
 void report_knottedness(Report& report, const Curve& curve, const Progress_function& progress);
+void report_knottedness(Report& report, CGAL::Volume_filling_curves::Knottedness knottedness);
 
 } // namespace vfc
 

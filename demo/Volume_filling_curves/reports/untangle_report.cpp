@@ -117,7 +117,7 @@ void report_run(Report& report,
   report["link"] = name_or_null(result.link, curves::Link_status::NOT_A_LINK);
   constexpr double patience = 1; // seconds; 100,000 nodes take one
   if(result.status == Untangling_status::UNKNOTTED)
-    report["knottedness"] = report_name(to_string(curves::Knottedness::UNKNOTTED));
+    report_knottedness(report, curves::Knottedness::UNKNOTTED);
   else
     report_knottedness(report, curve, Patience(patience));
   report["gradient_norm"] = result.gradient_norm;
