@@ -177,7 +177,7 @@ Points regular_polygon(std::size_t n)
 
 TEST(Arc_spline, of_a_regular_polygon_is_its_inscribed_circle)
 {
-  for(const std::size_t n : {3, 4, 7, 100}) {
+  for(const std::size_t n : {3u, 4u, 7u, 100u}) {
     const Curve polygon = curve_of({regular_polygon(n)});
     const Spline spline = arc_spline(polygon);
     const double radius = std::cos(CGAL_PI / static_cast<double>(n));

@@ -98,7 +98,7 @@ TEST(Wall_distance, is_that_of_the_inside_of_an_edge)
 TEST(Wall_distance, is_no_larger_than_that_of_any_point_and_is_attained)
 {
   const Mesh_domain domain(meshes::to_mesh(meshes::sphere(1, 2)));
-  for(const std::size_t seed : {1, 2, 3, 4, 5}) {
+  for(const std::size_t seed : {1u, 2u, 3u, 4u, 5u}) {
     const Network curve = random_segments(domain, 200, seed);
     const auto nearest = min_wall_distance(curve, domain);
     const auto [least, step] = sampled(curve, domain);
@@ -115,7 +115,7 @@ TEST(Wall_distance, is_no_larger_than_that_of_any_point_and_is_attained)
 TEST(Wall_distance, is_nearly_the_same_if_a_domain_knows_points_only)
 {
   const Mesh_domain domain(meshes::to_mesh(meshes::sphere(1, 2)));
-  for(const std::size_t seed : {1, 2, 3}) {
+  for(const std::size_t seed : {1u, 2u, 3u}) {
     const Network curve = random_segments(domain, 200, seed);
     const double exact = min_wall_distance(curve, domain).distance;
     const double found = min_wall_distance(curve, Points_only{domain}).distance;

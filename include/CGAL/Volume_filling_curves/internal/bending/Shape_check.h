@@ -62,7 +62,7 @@ struct Shape_check
       bend.note(bend_radius(in, out), limits.bend_radius[v], row(x, v));
     }
     for(const auto& [e, f] : pairs.pairs()) {
-      const auto end = [&](std::size_t k, int i) { return row(x, pairs.ends(k)[i]); };
+      const auto end = [&](std::size_t k, std::size_t i) { return row(x, pairs.ends(k)[i]); };
       const double squared_distance =
           squared_segment_distance(end(e, 0), end(e, 1), end(f, 0), end(f, 1));
       strands.note(std::sqrt(squared_distance), pairs.distance(e, f), end(e, 0));

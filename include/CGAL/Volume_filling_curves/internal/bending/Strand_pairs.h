@@ -44,7 +44,7 @@ public:
     std::vector<double> margins = m_distances;
     for(double& margin : margins) margin *= 1 + slack;
     const auto can_touch = [&](std::size_t e, std::size_t f) {
-      const auto end = [&](std::size_t k, int i) { return row(x, m_ends[k][i]); };
+      const auto end = [&](std::size_t k, std::size_t i) { return row(x, m_ends[k][i]); };
       return !are_middles_apart((1 + slack) * distance(e, f), end(e, 0), end(e, 1), end(f, 0),
                                 end(f, 1)) &&
              !neighbors.are_neighbors(e, f);
