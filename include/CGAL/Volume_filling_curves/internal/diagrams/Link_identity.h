@@ -75,7 +75,7 @@ struct Link_identity
   /// Whether the knot or link is proved to be trivial or not, whatever its name.
   Knottedness knottedness = Knottedness::UNKNOWN;
 
-  /// The chirality of a knot with a name. Without a proof of the name it is never amphichiral, since
+  /// The chirality of a knot with a name. Without a proof of the name it is never amphichiral:
   /// polynomials only prove that a knot is chiral.
   Knot_chirality chirality = Knot_chirality::UNKNOWN;
 
