@@ -45,7 +45,7 @@ void add_shape_options(CLI::App& command, Fill_options& options)
              "least radius of bends, instead of 0.85 r; implies --finish, and r grows to R / 0.85")
       .type_name("R");
   add_number(command, "--strand-distance", options.parameters.strand_distance,
-             "least distance of strands, instead of 1.6 r; implies --finish, and r grows to D / 2")
+             "least distance of strands, instead of 1.6 r; implies --finish")
       .type_name("D");
 }
 

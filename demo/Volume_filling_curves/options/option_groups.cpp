@@ -19,7 +19,8 @@ struct Option_group
 };
 
 const Option_group groups[] = {
-    {"Input", {"--network", "--closed", "--open", "--free-ends", "--curve", "--start"}},
+    {"Input",
+     {"--network", "--closed", "--open", "--free-ends", "--curve", "--start", "--obstacle"}},
     {"Shape of the result",
      {"--thickness-field", "--direction-field", "--direction-weight", "--wall", "--wall-distance",
       "--keep-length", "--bend-radius", "--strand-distance"}},

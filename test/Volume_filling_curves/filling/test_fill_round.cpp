@@ -98,16 +98,6 @@ TEST(Fill_round, takes_a_larger_thickness_for_wide_bends)
 
 using Plate = VFC::Polygon_domain_3<Traits>;
 
-TEST(Fill_round, takes_a_larger_thickness_for_distant_strands)
-{
-  Curve curve;
-  const Result result = VFC::fill(curve, box, np::thickness(0.1).strand_distance(2));
-  EXPECT_NEAR(result.thickness, 1, 1e-9);
-  EXPECT_LT(curve.number_of_nodes(), 1000u);
-  if(result.status == Filling_status::CONVERGED) expect_shape(curve, 0.85, 2);
-  expect_inside(curve, box);
-}
-
 TEST(Fill_round, does_not_call_a_domain_thin_that_has_room_for_the_larger_thickness)
 {
   const Plate plate(polygons::plate());

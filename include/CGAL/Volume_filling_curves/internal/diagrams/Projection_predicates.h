@@ -129,7 +129,8 @@ private:
   {
     const std::size_t k = m_direction[2] != 0 ? 2 : m_direction[1] != 0 ? 1 : 0;
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const auto coordinate = [&](std::size_t axis) {
+    // The type matters: an expression of GMP would refer to temporaries.
+    const auto coordinate = [&](std::size_t axis) -> Exact_rational {
       return exact_difference(p, q, int(axis)) * Exact_rational(m_direction[k]) -
              exact_difference(p, q, int(k)) * Exact_rational(m_direction[axis]);
     };

@@ -16,7 +16,6 @@
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
-#include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -32,15 +31,13 @@ namespace internal {
 // r bends jam before that, and 70 instead of 82 % of the volume are within r.
 constexpr double bend_radius_of_thickness = 0.85, strand_distance_of_thickness = 1.6;
 
-// The thickness at which a curve with the bend radius and the distance of strands that are given
-// fills a domain. With less, bends would tangle, or contract the curve: in a cube of side 10 r one
-// with a bend radius of 2 r vanished. Strands 2 r apart have medial spheres of radius r between
-// them; with a distance of many r, nearly all pairs of edges would be too close.
+// The thickness at which a curve with the bend radius that is given fills a domain. With less,
+// bends would tangle, or contract the curve: in a cube of side 10 r one with a bend radius of 2 r
+// vanished.
 template <typename Point_3>
 double least_thickness_for(const Filling_parameters<Point_3>& parameters)
 {
-  return (std::max)(parameters.bend_radius / bend_radius_of_thickness,
-                    parameters.strand_distance / 2);
+  return parameters.bend_radius / bend_radius_of_thickness;
 }
 
 // Returns no limits unless bends are to be rounded, or one of the limits is given.

@@ -91,6 +91,7 @@ private:
 
     double entry(const Part& a, const Part& b) const
     {
+      check_sometimes(m_watch, m_entries);
       const Curve_interval first = span(a), second = span(b);
       if(first.is_comparable(second) && m_spans.reach(first, second) < m_neighborhood)
         return std::numeric_limits<double>::infinity();
@@ -99,7 +100,6 @@ private:
 
     void visit(const Part& a, const Part& b)
     {
-      check_sometimes(m_watch, m_visits);
       m_tree.for_each_pair(a, b, [&](std::size_t e, std::size_t f) {
         if(!(squared_distance_of_boxes(m_tree.box(e), m_tree.box(f)) < bound())) return;
         if(const double d = m_distance(e, f); d < m_nearest.distance) m_nearest = {d, {e, f}};
@@ -118,7 +118,7 @@ private:
     const Distance& m_distance;
     Pair m_nearest;
     Run_watch* m_watch;
-    unsigned m_visits = 0;
+    mutable unsigned m_entries = 0;
   };
 
   template <typename Network>

@@ -112,8 +112,7 @@ struct Filling_parameters : Curve_run_parameters
 
   /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
   /// curve between them, pi times `bend_radius`, or pi/2 times the distance. 0 (default) stands for
-  /// none, unless `round_bends` is set or there is a `bend_radius`; then it is 1.6 r. A constant
-  /// thickness grows to half of it.
+  /// none, unless `round_bends` is set or there is a `bend_radius`; then it is 1.6 r.
   double strand_distance = 0;
 
   /// Whether bends are rounded to a radius of 0.85 r, and strands pushed 1.6 r apart, unless
