@@ -95,7 +95,8 @@ public:
   // Grants work after a stop that many seconds more; progress is not reported again.
   void grant(double seconds)
   {
-    m_limit = (std::max)(m_limit, this->seconds() + seconds);
+    const double end = this->seconds() + seconds;
+    m_limit = m_is_interrupted ? end : (std::max)(m_limit, end);
     m_stop = m_limit;
     m_is_stopped = false;
   }
