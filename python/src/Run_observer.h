@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_PYTHON_RUN_OBSERVER_H
+#define VFC_PYTHON_RUN_OBSERVER_H
+
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+
+namespace vfc_python {
+
+namespace py = pybind11;
+namespace VFC = CGAL::Volume_filling_curves;
+
+// The progress of a run that was started from Python: a function receives it as a dictionary and
+// can end the run by returning False, and Ctrl-C ends the run by KeyboardInterrupt. The run itself
+// goes on without the interpreter's lock, which is taken twenty times a second at most.
+class Run_observer
+{
+public:
+  // Takes None, or a function of a dictionary.
+  explicit Run_observer(py::object function) : m_function(std::move(function)) {}
+
+  bool operator()(const VFC::Run_progress& progress)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const bool is_new_stage = progress.stage != m_stage;
+    if(now < m_next && !is_new_stage) return true;
+    m_stage = progress.stage;
+    m_next = now + std::chrono::milliseconds(50);
+    const py::gil_scoped_acquire lock;
+    if(PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if(m_function.is_none()) return true;
+    const py::object answer = m_function(dictionary(progress));
+    return answer.is_none() || answer.cast<bool>();
+  }
+
+private:
+  static py::dict dictionary(const VFC::Run_progress& p)
+  {
+    py::dict d;
+    d["stage"] = VFC::to_string(p.stage);
+    d["fraction"] = p.fraction;
+    d["iterations"] = p.iterations;
+    d["nodes"] = p.nodes;
+    d["length"] = p.length;
+    d["gradient_norm"] = p.gradient_norm;
+    d["seconds"] = p.seconds;
+    d["thickness"] = p.thickness;
+    d["expected_length"] = p.expected_length;
+    d["expected_nodes"] = p.expected_nodes;
+    d["expected_seconds"] = p.expected_seconds;
+    return d;
+  }
+
+  py::object m_function;
+  VFC::Run_stage m_stage = VFC::Run_stage::VERIFYING;
+  std::chrono::steady_clock::time_point m_next;
+};
+
+} // namespace vfc_python
+
+#endif // VFC_PYTHON_RUN_OBSERVER_H

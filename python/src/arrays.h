@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_PYTHON_ARRAYS_H
+#define VFC_PYTHON_ARRAYS_H
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// NumPy arrays in, curves and meshes out, and back. Points are rows of a float64 array of shape
+// (n, 3); edges and faces are rows of an integer array.
+
+namespace vfc_python {
+
+namespace py = pybind11;
+namespace VFC = CGAL::Volume_filling_curves;
+
+using Curve = VFC::Curve_network_3<>;
+using Point = Curve::Point_3;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+// A curve from the points of all components, one after another. Component `c` has the points from
+// `offsets[c]` to `offsets[c + 1]`, and joins the last to the first if `is_closed[c]`.
+Curve curve_of_components(const Doubles& points,
+                          const std::vector<std::size_t>& offsets,
+                          const std::vector<bool>& is_closed);
+
+// A curve from points and edges, with junctions where more than two edges meet.
+Curve curve_of_edges(const Doubles& points, const Integers& edges);
+
+// Pins the points with these indices in the input.
+void pin(Curve& curve, const std::vector<std::size_t>& points);
+
+// A closed triangle mesh; std::invalid_argument if the faces are no oriented manifold.
+Mesh mesh_of(const Doubles& vertices, const Integers& faces);
+
+py::tuple arrays_of(const Mesh& mesh); // vertices and faces
+
+Doubles array_of(const std::vector<Point>& points);
+Doubles points_of(const Curve& curve);
+Integers edges_of(const Curve& curve);
+Integers offsets_of(const Curve& curve); // of the components, and the number of nodes at the end
+py::list closedness_of(const Curve& curve);
+
+Point point_of(const Doubles& coordinates); // std::invalid_argument unless there are three
+
+} // namespace vfc_python
+
+#endif // VFC_PYTHON_ARRAYS_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_PYTHON_OPTIONS_H
+#define VFC_PYTHON_OPTIONS_H
+
+#include "Run_observer.h"
+#include "arrays.h"
+#include "enumerations.h" // generated
+
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
+
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+// Keyword arguments fill the structs of parameters by the tables that named parameters are read
+// with, so that each parameter of the library is one here, with the same name. A keyword that no
+// table knows is a TypeError, a value out of its range a ValueError.
+
+namespace vfc_python {
+
+namespace internal = VFC::internal;
+
+// A parameter that no value from Python can set: it is an argument of its own, or has none.
+template <typename Value>
+constexpr bool is_set_elsewhere = std::is_pointer_v<Value>;
+template <>
+inline constexpr bool is_set_elsewhere<std::function<bool(const VFC::Run_progress&)>> = true;
+template <>
+inline constexpr bool is_set_elsewhere<std::function<void(const VFC::Run_checkpoint&)>> = true;
+
+// A function of Python that is called from any thread, and let go with the interpreter's lock.
+class Shared_function
+{
+public:
+  explicit Shared_function(const py::object& function)
+      : m_function(new py::object(function), [](py::object* f) {
+          const py::gil_scoped_acquire lock;
+          delete f;
+        })
+  {}
+
+  template <typename Result>
+  Result call(const Point& p) const
+  {
+    const py::gil_scoped_acquire lock;
+    const py::object point = py::module_::import("numpy").attr("array")(
+        py::make_tuple(p.x(), p.y(), p.z()));
+    return (*m_function)(point).template cast<Result>();
+  }
+
+private:
+  std::shared_ptr<py::object> m_function;
+};
+
+template <typename Value>
+struct From_python
+{
+  static Value value(const py::handle& given)
+  {
+    if constexpr(std::is_enum_v<Value>)
+      return enumerator<Value>(given.cast<std::string>());
+    else
+      return given.cast<Value>();
+  }
+};
+
+template <>
+struct From_python<std::function<double(const Point&)>>
+{
+  static std::function<double(const Point&)> value(const py::handle& given)
+  {
+    if(!PyCallable_Check(given.ptr())) throw py::cast_error();
+    return [f = Shared_function(py::reinterpret_borrow<py::object>(given))](const Point& p) {
+      return f.call<double>(p);
+    };
+  }
+};
+
+template <>
+struct From_python<std::function<internal::Field_vector(const Point&)>>
+{
+  static std::function<internal::Field_vector(const Point&)> value(const py::handle& given)
+  {
+    if(!PyCallable_Check(given.ptr())) throw py::cast_error();
+    return [f = Shared_function(py::reinterpret_borrow<py::object>(given))](const Point& p) {
+      return internal::Field_vector(f.call<std::array<double, 3>>(p));
+    };
+  }
+};
+
+// Each port is x, y, z, or these and the three coordinates of a direction.
+template <>
+struct From_python<std::vector<VFC::Port<Point>>>
+{
+  static std::vector<VFC::Port<Point>> value(const py::handle& given)
+  {
+    std::vector<VFC::Port<Point>> ports;
+    for(const auto& x : given.cast<std::vector<std::vector<double>>>()) {
+      if(x.size() != 3 && x.size() != 6)
+        throw std::invalid_argument("ports: a port has " + std::to_string(x.size()) +
+                                    " coordinates, but must have 3 or 6");
+      VFC::Port<Point> port{Point(x[0], x[1], x[2])};
+      if(x.size() == 6) port.direction = {x[3], x[4], x[5]};
+      ports.push_back(port);
+    }
+    return ports;
+  }
+};
+
+// Returns whether the value could be converted.
+template <typename Parameters, typename Row>
+bool set_by_row(Parameters& parameters, const Row& row, const py::handle& given)
+{
+  using Value = typename Row::Value;
+  if constexpr(is_set_elsewhere<Value>)
+    return false;
+  else {
+    if constexpr(std::is_unsigned_v<Value> && !std::is_same_v<Value, bool>)
+      if(PyLong_Check(given.ptr()) && py::int_(py::reinterpret_borrow<py::object>(given)) < py::int_(0))
+        internal::refuse_value(typename Row::Tag(), given.cast<long long>(), "must not be negative");
+    try {
+      parameters.*row.member = From_python<Value>::value(given);
+    } catch(const py::cast_error&) {
+      return false;
+    }
+    return true;
+  }
+}
+
+template <typename Parameters>
+void set_option(Parameters& parameters, const std::string& name, const py::handle& given)
+{
+  bool is_known = false, is_set = false;
+  const auto try_row = [&](const auto& row) {
+    using Row = std::decay_t<decltype(row)>;
+    if(is_set || is_set_elsewhere<typename Row::Value> ||
+       name != VFC::internal_np::name_of(typename Row::Tag()))
+      return;
+    is_known = true;
+    is_set = set_by_row(parameters, row, given);
+  };
+  std::apply([&](const auto&... row) { (try_row(row), ...); },
+             internal::parameter_table<Parameters>());
+  if(!is_known) throw py::type_error("unexpected keyword argument '" + name + "'");
+  if(!is_set)
+    throw py::type_error(name + " has a value of the type " +
+                         py::str(py::type::of(given).attr("__name__")).cast<std::string>() +
+                         ", which it cannot have");
+}
+
+// The parameters that are given; one that is None has its default.
+template <typename Parameters>
+Parameters parameters_of(const py::dict& options)
+{
+  Parameters parameters;
+  for(const auto& [name, value] : options)
+    if(!value.is_none()) set_option(parameters, name.template cast<std::string>(), value);
+  internal::check_parameters(parameters);
+  return parameters;
+}
+
+} // namespace vfc_python
+
+#endif // VFC_PYTHON_OPTIONS_H

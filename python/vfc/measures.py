@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+"""Measures of curves, and of how they fill a domain."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import _results, _vfc
+from .curves import Closed, Curves, to_core
+from .runs import Domain, Progress
+
+
+def length(curves: Curves, *, closed: Closed = True) -> float:
+    """The length of all curves together, in the input's unit."""
+    return _vfc.length(to_core(curves, closed))
+
+
+def measure(curves: Curves, *, closed: Closed = True, thickness: float = 0,
+            progress: Progress = None) -> _results.CurveMeasures:
+    """Lengths, curvature, thickness, crossings and linking numbers.
+
+    Args:
+        curves: the curves
+        closed: whether they are closed
+        thickness: edges that are closer than pi times this along a curve are neighbors, which do not
+            count for `min_clearance`; with 0, those with a common point
+        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+    """
+    return _results.CurveMeasures(**_vfc.measure(to_core(curves, closed), thickness, progress))
+
+
+def identify(curves: Curves, *, progress: Progress = None) -> _results.LinkIdentity:
+    """The name, the polynomials and a diagram of closed curves; proved with up to 10 crossings.
+
+    Args:
+        curves: the curves
+        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+    """
+    result = _vfc.identify(to_core(curves), progress)
+    return _results.LinkIdentity(**_results.with_classes("LinkIdentity", result))
+
+
+def coverage(curves: Curves, domain: Domain, thickness: float, *, closed: Closed = True,
+             samples: int = 20000, random_seed: int = 0) -> _results.Coverage:
+    """Statistics of the distances of uniform samples of the domain to the curves, in thicknesses."""
+    core = to_core(curves, closed)
+    return _results.Coverage(**_vfc.coverage(core, domain._core, thickness, samples, random_seed))
+
+
+def outside(curves: Curves, domain: Domain, *, closed: Closed = True) -> tuple[list, list]:
+    """The points, and the edges, that are not strictly inside the domain; decided exactly."""
+    return _vfc.outside(to_core(curves, closed), domain._core)
+
+
+def tube(curves: Curves, radius: float, *, closed: Closed = True,
+         sides: int = 12) -> tuple[np.ndarray, np.ndarray]:
+    """The surface of the tube around curves: vertices (n, 3) and faces (m, 3), oriented outwards."""
+    return _vfc.tube(to_core(curves, closed), radius, sides)

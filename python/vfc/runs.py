@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+"""The runs: untangle, fill, simplify, and the verification of their records."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Callable, Optional
+
+import numpy as np
+
+from . import _options, _results, _vfc
+from .curves import Closed, Curves, from_core, origins, to_core
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+Progress = Optional[Callable[[dict], Any]]
+
+
+@dataclass
+class Untangled(_results.UntanglingResult):
+    __doc__ = _results.UntanglingResult.__doc__ + """
+        curves: the result, in the form of the input
+        origin: for each point of the result the index of the input point that it was, or -1
+        certificate: the record of the run, if it was asked for
+    """
+
+    curves: Curves = field(repr=False)
+    origin: Any = field(repr=False)
+    certificate: Optional[bytes] = field(repr=False)
+
+
+@dataclass
+class Filled(_results.FillingResult):
+    __doc__ = _results.FillingResult.__doc__ + """
+        curves: a list of curves, or the result in the form of the curves that were given
+        closed: whether each of them is closed
+        certificate: the record of the run, if it was asked for
+    """
+
+    curves: Curves = field(repr=False)
+    closed: list = field(repr=False)
+    certificate: Optional[bytes] = field(repr=False)
+
+
+@dataclass
+class Simplified:
+    """The result of `simplify()`.
+
+    Attributes:
+        removed_nodes: how many points were removed
+        curves: the result, in the form of the input
+        origin: for each point of the result the index of the input point that it was
+        certificate: the record of the run, if it was asked for
+    """
+
+    removed_nodes: int
+    curves: Curves = field(repr=False)
+    origin: Any = field(repr=False)
+    certificate: Optional[bytes] = field(repr=False)
+
+
+class Domain:
+    """The inside of a closed triangle mesh, to be filled more than once.
+
+    Args:
+        vertices: array of shape (n, 3)
+        faces: integer array of shape (m, 3), of indices of vertices
+
+    Raises:
+        ValueError: if the mesh is not closed or intersects itself
+    """
+
+    def __init__(self, vertices: Any, faces: Any):
+        self._core = _vfc.Domain(np.asarray(vertices, float), np.asarray(faces))
+
+
+def _record(is_wanted: bool) -> Optional[_vfc.Certificate]:
+    return _vfc.Certificate() if is_wanted else None
+
+
+def _bytes(record: Optional[_vfc.Certificate]) -> Optional[bytes]:
+    return record.bytes() if record else None
+
+
+def untangle(curves: Curves, *, closed: Closed = True, pin: Any = None, certificate: bool = False,
+             progress: Progress = None, **options: Unpack[_options.UntangleOptions]) -> Untangled:
+    core = to_core(curves, closed, pin)
+    record = _record(certificate)
+    result = _vfc.untangle(core, options, record, progress)
+    return Untangled(**_results.with_classes("UntanglingResult", result),
+                     curves=from_core(core, curves), origin=origins(core, curves),
+                     certificate=_bytes(record))
+
+
+def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, closed: Closed = True,
+         pin: Any = None, certificate: bool = False, progress: Progress = None,
+         **options: Unpack[_options.FillOptions]) -> Filled:
+    if faces is not None:
+        domain = Domain(domain, faces)
+    if not isinstance(domain, Domain):
+        raise TypeError("fill() takes vertices and faces, or a Domain")
+    given = [] if curves is None else curves
+    core = to_core(given, closed, pin)
+    record = _record(certificate)
+    result = _vfc.fill(core, domain._core, options, record, progress)
+    return Filled(**_results.with_classes("FillingResult", result),
+                  curves=from_core(core, given), closed=core.closedness(),
+                  certificate=_bytes(record))
+
+
+def simplify(curves: Curves, *, closed: Closed = True, pin: Any = None, certificate: bool = False,
+             progress: Progress = None, **options: Unpack[_options.SimplifyOptions]) -> Simplified:
+    core = to_core(curves, closed, pin)
+    record = _record(certificate)
+    removed = _vfc.simplify(core, options, record, progress)
+    return Simplified(removed, from_core(core, curves), origins(core, curves), _bytes(record))
+
+
+def verify(certificate: bytes, start: Curves, end: Curves, *, closed: Closed = True,
+           progress: Progress = None) -> _results.Verdict:
+    """Replays the record of a run, with code that shares nothing with the run and rational numbers.
+
+    Args:
+        certificate: the record, from `untangle()`, `fill()` or `simplify()`
+        start: the input of the run; of a filling without curves, `Filled.start`
+        end: the result of the run
+        closed: whether the curves are closed, or a list with a value for each
+        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+
+    Returns:
+        a `Verdict`, which is true if the record proves that the curves are ambient isotopic
+    """
+    core = _vfc.Certificate(bytes(certificate))
+    result = _vfc.verify(core, to_core(start, closed), to_core(end, closed), progress)
+    return _results.Verdict(**result)
+
+
+_COMMON = """
+    closed : bool or list of bool, default True
+        Whether the curves are closed. The last point of a closed curve may repeat the first.
+    pin : 'ends' or indices of points, default None
+        The points that stay where they are.
+    certificate : bool, default False
+        Whether to record the run, for `verify()`.
+    progress : function of a dict, default None
+        Is called some twenty times a second. If it returns False, the run ends, and the result is
+        the curve as it is by then. Keys: stage, fraction, iterations, nodes, length, gradient_norm,
+        seconds, thickness, expected_length, expected_nodes, expected_seconds.
+"""
+
+_RAISES = """
+    Raises
+    ------
+    ValueError
+        if the input is not embedded or a value is out of its range; the message names the culprit
+    TypeError
+        if a keyword is unknown or a value has a wrong type
+    KeyboardInterrupt
+        on Ctrl-C
+"""
+
+
+def _describe(function: Callable, text: str) -> None:
+    function.__doc__ = text + _COMMON + _options.OPTIONS[function.__name__] + _RAISES
+
+
+_describe(untangle, """Moves curves to a short and simple shape, without ever passing through themselves.
+
+    Every change is certified with exact predicates: the result is ambient isotopic to the input.
+
+    Parameters
+    ----------
+    curves : array of shape (n, 3), list of such arrays, or Network
+        The curves, in any unit of length.""")
+_describe(fill, """Fills the inside of a closed mesh evenly with curves, which never touch it or one another.
+
+    Parameters
+    ----------
+    domain, faces : array of shape (n, 3), integer array of shape (m, 3)
+        Vertices and faces of a closed triangle mesh; or a `Domain` alone. The options `thickness`
+        and `direction_field` also take an array with a row per vertex, or a function of a point.
+    curves : curves inside the domain, default None
+        The start. By default each connected part of the inside gets a curve.""")
+_describe(simplify, """Removes every point that can be removed without changing the knot type.
+
+    Parameters
+    ----------
+    curves : array of shape (n, 3), list of such arrays, or Network
+        The curves, in any unit of length.""")
