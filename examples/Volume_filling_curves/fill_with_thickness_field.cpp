@@ -22,12 +22,12 @@ using Curve = VFC::Curve_network_3<Traits>;
 using Point_3 = Curve::Point_3;
 using Domain = VFC::Box_domain_3<Traits>;
 
-constexpr double width = 2;
+constexpr double length = 2;
 
 //! [field]
 double thickness(const Point_3& p)
 {
-  return 0.09 * (1 + p.x() / width);
+  return 0.09 * (1 + p.x() / length);
 }
 //! [field]
 
@@ -42,7 +42,7 @@ struct Half
 int main()
 {
   //! [fill]
-  const Domain box(Point_3(0, 0, 0), Point_3(width, 1, 1));
+  const Domain box(Point_3(0, 0, 0), Point_3(length, 1, 1));
   Curve curve;
   const auto result = VFC::fill(curve, box, VFC::parameters::thickness(thickness));
   //! [fill]
@@ -52,13 +52,13 @@ int main()
   const auto distances = VFC::sample_distances(curve, samples);
   for(std::size_t k = 0; k < distances.size(); ++k) {
     const Point_3& p = samples.points()[k];
-    Half& half = halves[p.x() < width / 2 ? 0 : 1];
+    Half& half = halves[p.x() < length / 2 ? 0 : 1];
     half.mean_distance += distances[k] / thickness(p);
     ++half.samples;
   }
   for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
     const Point_3 &p = curve.point(curve.source(e)), &q = curve.point(curve.target(e));
-    halves[p.x() < width / 2 ? 0 : 1].length += std::sqrt(CGAL::squared_distance(p, q));
+    halves[p.x() < length / 2 ? 0 : 1].length += std::sqrt(CGAL::squared_distance(p, q));
   }
   for(Half& half : halves) {
     half.mean_distance /= static_cast<double>(half.samples);

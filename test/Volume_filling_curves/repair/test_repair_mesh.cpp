@@ -144,7 +144,7 @@ TEST_F(Repair, keeps_cavities_that_touch_or_cross_the_wall)
   const vfc::Mending mending = mend(block + at(hole, Point(.01, .02, -.5)));
   EXPECT_NEAR(volume(), 26.5, 1e-12);
   ASSERT_FALSE(is_wrapped(mending));
-  EXPECT_NE(mending.steps[0].find("taken away as a cavity"), std::string::npos);
+  EXPECT_NE(mending.steps[0].find("subtracted as a cavity"), std::string::npos);
   mend(at(meshes::cube(9), Point(-3, -3, -3)) + block.inverted() + hole.inverted());
   EXPECT_NEAR(volume(), 729 - 27 + 1, 1e-9);
 }
