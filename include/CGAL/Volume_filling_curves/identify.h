@@ -33,9 +33,9 @@ namespace Volume_filling_curves {
  *
  * \brief names the knot, or computes the invariants of the link, that a diagram shows.
  *
- * The diagram is simplified by Reidemeister moves, and HOMFLY-PT and the colored Jones polynomial
- * of dimension 3 are looked up in a table of the prime knots of up to 10 crossings and their
- * connected sums of up to three factors. Two chiral knots, 9_42 and 10_71, have both polynomials in
+ * The diagram is simplified by Reidemeister moves and cut into the pieces whose connected sum it
+ * is. HOMFLY-PT and the colored Jones polynomial of dimension 3 of each piece are looked up in a
+ * table of the prime knots of up to 10 crossings and their sums of up to three factors. Two chiral knots, 9_42 and 10_71, have both polynomials in
  * common with their mirror images; the one of dimension 4 tells these apart.
  *
  * A knot of 10 crossings takes milliseconds. A polynomial that would take more than about a second

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Connected diagrams without nugatory crossings, whose connected sum or split union the link is.
+// Connected diagrams that are prime, whose connected sum or split union the link is: none has a
+// nugatory crossing, or two arcs between the same two faces.
 struct Diagram_pieces
 {
   std::vector<Planar_diagram> diagrams;
@@ -31,8 +33,9 @@ struct Diagram_pieces
 };
 
 // Takes a diagram apart. A crossing is nugatory if two of its opposite corners belong to the same
-// face; if it is smoothed, the diagram falls into two whose connected sum is the link. Linear for
-// each nugatory crossing.
+// face; if it is smoothed, the diagram falls into two whose connected sum is the link. So it does
+// if two arcs between the same two faces are cut, and the loose ends joined on either side of the
+// circle through both. Near-linear for each crossing and cut.
 class Diagram_divider
 {
 public:
@@ -44,7 +47,7 @@ public:
     const Diagram_faces faces(m_diagram);
     const std::size_t parts = faces.number_of_parts() + m_diagram.number_of_free_loops;
     pieces.number_of_splits = parts == 0 ? 0 : parts - 1;
-    while(smooth_nugatory_crossing()) {
+    while(smooth_nugatory_crossing() || cut_connected_sum()) {
     }
     add_parts(pieces.diagrams);
     return pieces;
@@ -93,6 +96,27 @@ private:
     join(smoothed.arcs[0], smoothed.out(), crossings);
     join(smoothed.in(), smoothed.arcs[2], crossings);
     m_diagram = numbered_anew(std::move(crossings), m_diagram.crossings.size() * 2);
+  }
+
+  // returns false if no two arcs lie between the same faces
+  // \pre there is no nugatory crossing
+  bool cut_connected_sum()
+  {
+    const Diagram_faces faces(m_diagram);
+    const Diagram_strands strands(m_diagram);
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> arcs;
+    for(std::size_t arc = 0; arc < 2 * m_diagram.crossings.size(); ++arc) {
+      const auto [crossing, k] = strands.source(arc);
+      const std::size_t left = faces.face(crossing, k), right = faces.face(crossing, k + 3);
+      const auto [other, is_new] = arcs.emplace(std::minmax(left, right), arc);
+      if(is_new) continue;
+      const auto source = strands.source(other->second);
+      auto crossings = this->crossings();
+      std::swap(crossings[crossing].arcs[k], crossings[source.crossing].arcs[source.k]);
+      m_diagram = numbered_anew(std::move(crossings), 2 * m_diagram.crossings.size());
+      return true;
+    }
+    return false;
   }
 
   static void join(std::uint32_t arc, std::uint32_t next, std::vector<Signed_crossing>& crossings)

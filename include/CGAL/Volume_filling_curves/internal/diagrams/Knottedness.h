@@ -30,6 +30,7 @@ enum class Knottedness
 {
   UNKNOWN,                         ///< no proof
   UNKNOTTED,                       ///< a trivial link: all crossings can be removed
+  LINKED_BY_LINKING_NUMBER,        ///< two components have a linking number other than 0
   KNOTTED_BY_DETERMINANT,          ///< the determinant is not that of the trivial link
   KNOTTED_BY_ALEXANDER_POLYNOMIAL, ///< the Alexander polynomial is not that of the trivial link
   KNOTTED_BY_HOMFLY_POLYNOMIAL     ///< the HOMFLY-PT polynomial is not that of the trivial link
@@ -45,6 +46,8 @@ inline const char* to_string(Knottedness knottedness)
     return "unknown";
   case Knottedness::UNKNOTTED:
     return "unknotted";
+  case Knottedness::LINKED_BY_LINKING_NUMBER:
+    return "linked by linking number";
   case Knottedness::KNOTTED_BY_DETERMINANT:
     return "knotted by determinant";
   case Knottedness::KNOTTED_BY_ALEXANDER_POLYNOMIAL:
@@ -73,6 +76,9 @@ inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch =
 {
   if(diagram.crossings.empty()) return Knottedness::UNKNOTTED;
   const std::size_t components = number_of_components(diagram);
+  for(const auto& row : linking_matrix(diagram))
+    for(const int number : row)
+      if(number != 0) return Knottedness::LINKED_BY_LINKING_NUMBER;
   const Alexander_matrix matrix(diagram, watch);
   const Prime_field field;
   const Prime_field::Number trivial = components == 1 ? 1 : 0, minus_one = field.negative(1);

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/diagrams/Diagram_pieces.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Knot_key.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Knottedness.h>
@@ -30,33 +31,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The linking numbers of the components with crossings, in the order of their arcs, and then of
-// those without.
-inline std::vector<std::vector<int>> linking_matrix(const Planar_diagram& diagram)
-{
-  const Diagram_strands strands(diagram);
-  const std::size_t n = number_of_components(diagram);
-  std::vector<std::vector<int>> matrix(n, std::vector<int>(n, 0));
-  const auto component = [&](std::size_t arc) {
-    std::size_t c = 0;
-    while(strands.first_arc(c + 1) <= arc) ++c;
-    return c;
-  };
-  for(std::size_t c = 0; c < diagram.crossings.size(); ++c) {
-    const auto& x = diagram.crossings[c];
-    const std::size_t lower = component(x[0]), upper = component(x[1]);
-    if(lower == upper) continue;
-    matrix[lower][upper] += strands.sign(c);
-    matrix[upper][lower] += strands.sign(c);
-  }
-  for(auto& row : matrix)
-    for(int& number : row) number /= 2;
-  return matrix;
-}
-
 // The link of a diagram, by its polynomials. A diagram of at most 10 crossings is one of a knot of
 // the classical tables, which Tait, Little and Perko made and Burton (2020) computed again, or of
-// a connected sum of some; since their keys differ, equal keys are a proof.
+// a connected sum of some; since their keys differ, equal keys are a proof. So the name of a
+// connected sum is proved if each piece of its diagram has at most 10 crossings.
 class Link_identification
 {
 public:
@@ -86,7 +64,7 @@ public:
   bool can_be_proved_by_fewer_crossings() const { return m_can_be_proved; }
 
 private:
-  static constexpr std::size_t max_crossings_of_proof = 10; // of the diagram
+  static constexpr std::size_t max_crossings_of_proof = 10; // of a piece
 
   void find_polynomials()
   {
@@ -108,44 +86,71 @@ private:
     m_identity.chirality = Knot_chirality::AMPHICHIRAL;
   }
 
+  // The knot is the sum of its diagram's pieces, each of which may have a name.
   void name_knot()
   {
-    const std::size_t crossings = m_identity.diagram.crossings.size();
-    const auto jones = colored_jones_polynomial(m_identity.diagram, 2);
-    m_can_be_proved = !m_homfly || !jones;
-    if(m_can_be_proved) return;
-    const Knot_key key = Knot_key::of(*m_homfly, *jones);
-    auto factors = Prime_factors::of(key, crossings);
-    if(!factors) return;
-    const Knot_chirality chirality = this->chirality(*factors);
-    m_identity.name = knot_name(*factors);
-    m_identity.is_proved =
-        crossings <= max_crossings_of_proof && chirality != Knot_chirality::UNKNOWN;
+    std::vector<Prime_knot> factors;
+    bool are_named = true, are_oriented = true, are_proved = true;
+    for(const Planar_diagram& piece : diagram_pieces(m_identity.diagram).diagrams) {
+      const Piece_name name = piece_name(piece);
+      are_named = are_named && name.is_known;
+      are_oriented = are_oriented && name.is_oriented;
+      are_proved = are_proved && name.is_proved;
+      factors.insert(factors.end(), name.factors.begin(), name.factors.end());
+    }
+    if(!are_named) return;
+    std::sort(factors.begin(), factors.end());
+    m_identity.name = knot_name(factors);
+    m_identity.is_proved = are_proved;
     // Polynomials prove that a knot is chiral, never that it is amphichiral.
-    if(m_identity.is_proved || chirality == Knot_chirality::CHIRAL)
-      m_identity.chirality = chirality;
-    if(m_identity.is_proved && factors->empty()) m_identity.knottedness = Knottedness::UNKNOTTED;
-    std::size_t least_crossings = 0;
-    for(const Prime_knot& knot : *factors) least_crossings += knot.crossings();
-    m_can_be_proved = !m_identity.is_proved && least_crossings <= max_crossings_of_proof;
+    const bool is_chiral = mirrored(factors) != factors;
+    if(is_chiral && are_oriented)
+      m_identity.chirality = Knot_chirality::CHIRAL;
+    else if(!is_chiral && are_proved)
+      m_identity.chirality = Knot_chirality::AMPHICHIRAL;
+    if(are_proved && factors.empty()) m_identity.knottedness = Knottedness::UNKNOTTED;
   }
 
-  // Also finds out, for a prime knot with a third key, which of the mirror images it is.
-  Knot_chirality chirality(std::vector<Prime_knot>& factors) const
+  struct Piece_name
+  {
+    std::vector<Prime_knot> factors;
+    bool is_known = false;
+    bool is_oriented = false; // no factor may as well be its mirror image
+    bool is_proved = false;
+  };
+
+  Piece_name piece_name(const Planar_diagram& piece)
+  {
+    const auto homfly = homfly_polynomial(piece);
+    const auto jones = colored_jones_polynomial(piece, 2);
+    const std::size_t crossings = piece.crossings.size();
+    if(!homfly || !jones) {
+      m_can_be_proved = true;
+      return {};
+    }
+    auto factors = Prime_factors::of(Knot_key::of(*homfly, *jones), crossings);
+    if(!factors) return {};
+    const bool is_oriented = find_mirror_image(*factors, piece);
+    const bool is_proved = is_oriented && crossings <= max_crossings_of_proof;
+    std::size_t least_crossings = 0;
+    for(const Prime_knot& knot : *factors) least_crossings += knot.crossings();
+    if(!is_proved && least_crossings <= max_crossings_of_proof) m_can_be_proved = true;
+    return {std::move(*factors), true, is_oriented, is_proved};
+  }
+
+  // Finds out, for a prime knot with a third key, which of the mirror images it is; returns whether
+  // that is known of all factors.
+  static bool find_mirror_image(std::vector<Prime_knot>& factors, const Planar_diagram& piece)
   {
     for(Prime_knot& knot : factors) {
       const Third_knot_key* third = knot.third_key();
       if(!third) continue;
-      const auto jones = colored_jones_polynomial(m_identity.diagram, 3);
-      if(!jones || factors.size() > 1) return Knot_chirality::UNKNOWN;
+      const auto jones = colored_jones_polynomial(piece, 3);
+      if(!jones || factors.size() > 1) return false;
       knot.is_mirror = Knot_key::of(*jones) == Knot_key(third->keys[1]);
-      if(Knot_key::of(*jones) != Knot_key(third->keys[knot.is_mirror ? 1 : 0]))
-        return Knot_chirality::UNKNOWN;
+      if(Knot_key::of(*jones) != Knot_key(third->keys[knot.is_mirror ? 1 : 0])) return false;
     }
-    std::vector<Prime_knot> mirrored;
-    for(const Prime_knot& knot : factors) mirrored.push_back(knot.mirrored());
-    std::sort(mirrored.begin(), mirrored.end());
-    return mirrored == factors ? Knot_chirality::AMPHICHIRAL : Knot_chirality::CHIRAL;
+    return true;
   }
 
   Run_watch* m_watch; // none if null

@@ -62,14 +62,14 @@ inline std::ostream& operator<<(std::ostream& out, Knot_chirality chirality)
 struct Link_identity
 {
   /// The knot in Rolfsen's table, such as "7_5"; with an asterisk its mirror image, such as "7_5*";
-  /// a connected sum of up to three such knots, such as "3_1#3_1*"; "0_1" for the unknot, and
+  /// a connected sum of such knots, such as "3_1#3_1*"; "0_1" for the unknot, and
   /// "unlink of 2 components". The knot without asterisk is the closure of its braid word in
   /// KnotInfo, read such that letter 1 is a positive crossing: "3_1" is the right-handed trefoil.
   /// Empty if no such knot has the same polynomials, or they exceed the limits, and for links.
   std::string name;
 
-  /// Whether the name is a theorem: the diagram has at most 10 crossings. Otherwise the knot has
-  /// the polynomials of the one with that name.
+  /// Whether the name is a theorem: no piece of the diagram has more than 10 crossings. Otherwise
+  /// the knot has the polynomials of the one with that name.
   bool is_proved = false;
 
   /// Whether the knot or link is proved to be trivial or not, whatever its name.

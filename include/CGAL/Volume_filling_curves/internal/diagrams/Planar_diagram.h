@@ -150,6 +150,28 @@ inline int writhe(const Planar_diagram& diagram)
   return sum;
 }
 
+// The linking numbers of the components with crossings, in the order of their arcs, and then of
+// those without.
+inline std::vector<std::vector<int>> linking_matrix(const Planar_diagram& diagram)
+{
+  const Diagram_strands strands(diagram);
+  const std::size_t n = number_of_components(diagram);
+  std::vector<std::vector<int>> matrix(n, std::vector<int>(n, 0));
+  std::vector<std::size_t> component; // of each arc
+  for(std::size_t c = 0; c < strands.number_of_components(); ++c)
+    component.resize(strands.first_arc(c + 1), c);
+  for(std::size_t c = 0; c < diagram.crossings.size(); ++c) {
+    const auto& x = diagram.crossings[c];
+    const std::size_t lower = component[x[0]], upper = component[x[1]];
+    if(lower == upper) continue;
+    matrix[lower][upper] += strands.sign(c);
+    matrix[upper][lower] += strands.sign(c);
+  }
+  for(auto& row : matrix)
+    for(int& number : row) number /= 2;
+  return matrix;
+}
+
 // The diagram of the mirror image: upper and lower strands change places.
 inline Planar_diagram mirror(const Planar_diagram& diagram)
 {

@@ -75,6 +75,13 @@ struct Prime_knot
   Prime_knot mirrored() const { return {index, !is_amphichiral() && !is_mirror}; }
 };
 
+inline std::vector<Prime_knot> mirrored(std::vector<Prime_knot> factors)
+{
+  for(Prime_knot& knot : factors) knot = knot.mirrored();
+  std::sort(factors.begin(), factors.end());
+  return factors;
+}
+
 // "0_1" for no factor, else "3_1#3_1*" for a connected sum.
 inline std::string knot_name(const std::vector<Prime_knot>& factors)
 {
