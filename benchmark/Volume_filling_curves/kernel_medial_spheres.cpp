@@ -44,7 +44,7 @@ void touching_nodes(benchmark::State& state)
   for(auto _ : state) {
     const vfc::internal::Touching_nodes touching(CGAL::Sequential_tag(), sample.spheres,
                                                  sample.curve.number_of_nodes());
-    benchmark::DoNotOptimize(touching.most_nodes(0));
+    benchmark::DoNotOptimize(touching.max_nodes(0));
   }
   count_nodes(state, sample);
 }

@@ -14,7 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Widest_ball.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -67,7 +67,7 @@ Filling run_flow_alone(Curve& curve, const Domain& domain, const Filling_options
   const vfc::Domain_samples_3<Traits, Domain> samples(domain, 20000,
                                                       options.parameters.random_seed);
   const vfc::internal::Boundary_distances<Domain> distances(domain, samples.points());
-  const vfc::internal::Widest_place<Domain, Traits> widest(
+  const vfc::internal::Widest_ball<Domain, Traits> widest(
       domain, samples.points(), distances.up_to_limit(), distances.limit(), traits);
   curve = Curve(widest.circle(widest.radius()));
   vfc::Isotopy_guard_3 guard(curve, domain);

@@ -49,7 +49,7 @@ struct Search_observer : VFC::Default_curve_flow_visitor
   std::size_t edges = 0;
 };
 
-bool untangle(const char* name, VFC::Untangling_strategy strategy, std::size_t most_nodes)
+bool untangle(const char* name, VFC::Untangling_strategy strategy, std::size_t max_nodes)
 {
   Curve curve = figure_eight();
   Search_observer observer;
@@ -61,8 +61,7 @@ bool untangle(const char* name, VFC::Untangling_strategy strategy, std::size_t m
   std::cout << name << ": " << curve.number_of_nodes() << " nodes, " << result.statistics.iterations
             << " iterations, " << result.sweeps << " sweeps, " << observer.edges
             << " edges found, crossing number " << VFC::average_crossing_number(curve) << '\n';
-  return result.status == VFC::Untangling_status::CONVERGED &&
-         curve.number_of_nodes() <= most_nodes;
+  return result.status == VFC::Untangling_status::CONVERGED && curve.number_of_nodes() <= max_nodes;
 }
 
 int main()

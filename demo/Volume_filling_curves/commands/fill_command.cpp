@@ -126,7 +126,7 @@ void note_thickness(const Session& session,
 {
   const curves::Filling_parameters<>& asked_for = options.parameters;
   if(!options.thickness_field.empty() || asked_for.length > 0) return;
-  const double least = curves::internal::least_thickness_for(asked_for);
+  const double least = curves::internal::min_thickness_for(asked_for);
   const auto note = [&](const std::string& reason) {
     session.console().note("thickness " + to_text(result.thickness) + ", " + reason);
   };

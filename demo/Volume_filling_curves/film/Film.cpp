@@ -109,11 +109,11 @@ std::string Film::to_json(double tube) const
 // Strands of a filling are sqrt(volume / length) apart. A knot does not fill its box.
 double Film::usual_tube() const
 {
-  constexpr double radius_per_distance = 0.25, filled_share = 0.1, largest_share = 0.015;
+  constexpr double radius_per_distance = 0.25, filled_share = 0.1, max_share = 0.015;
   const double diagonal = m_box.diagonal().norm();
   const double volume = m_volume > 0 ? m_volume : filled_share * std::pow(diagonal, 3);
   const double distance = m_longest > 0 ? std::sqrt(volume / m_longest) : diagonal;
-  return (std::min)(radius_per_distance * distance, largest_share * diagonal);
+  return (std::min)(radius_per_distance * distance, max_share * diagonal);
 }
 
 } // namespace vfc

@@ -27,7 +27,7 @@ double diagonal(const CGAL::Bbox_3& box)
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
-constexpr double most_nodes = 2e7; // some 20 GB
+constexpr double max_nodes = 2e7; // some 20 GB
 
 } // namespace
 
@@ -39,10 +39,10 @@ void check_thickness(double thickness, double spacing, const Curve& curve)
     throw Usage_error("--thickness " + to_text(thickness) +
                       " is larger than the curve, whose box " + "has a diagonal of " +
                       to_text(size));
-  if(thickness > 0 && length / most_nodes > spacing * thickness)
+  if(thickness > 0 && length / max_nodes > spacing * thickness)
     throw Usage_error("--thickness " + to_text(thickness) + " and --spacing " + to_text(spacing) +
                       " are too small for a curve of length " + to_text(length) +
-                      ": there would be more than " + to_text(most_nodes) + " nodes");
+                      ": there would be more than " + to_text(max_nodes) + " nodes");
 }
 
 void check_filling(double thickness, double length, double spacing, const Mesh& mesh)
@@ -54,10 +54,10 @@ void check_filling(double thickness, double length, double spacing, const Mesh& 
     throw Usage_error("--thickness " + to_text(thickness) + " is larger than the mesh, whose box " +
                       "has a diagonal of " + to_text(size));
   const double r = length > 0 ? curves::thickness_of_filling(volume, length) : thickness;
-  if(r > 0 && curves::length_of_filling(volume, r) / (r * spacing) > most_nodes)
+  if(r > 0 && curves::length_of_filling(volume, r) / (r * spacing) > max_nodes)
     throw Usage_error((length > 0 ? "--length " + to_text(length) : "--thickness " + to_text(r)) +
                       " and --spacing " + to_text(spacing) + ": there would be more than " +
-                      to_text(most_nodes) + " nodes in a volume of " + to_text(volume));
+                      to_text(max_nodes) + " nodes in a volume of " + to_text(volume));
 }
 
 } // namespace vfc

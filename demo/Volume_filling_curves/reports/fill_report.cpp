@@ -46,7 +46,7 @@ std::string beyond_2r(const Filling_result& result)
          (share < whole ? " (apart from the boundary " + percent(share) + ")" : "");
 }
 
-std::string least_distances(const Filling_result& result)
+std::string min_distances(const Filling_result& result)
 {
   return "bend radius " + length_text(result.min_bend_radius) + ", strands " +
          length_text(result.min_strand_distance) + " apart, wall " +
@@ -157,7 +157,7 @@ std::string summary(const Session& session, const Curve& curve, const Filling_re
          percent(result.coverage.fraction_within_r) + ", " + beyond_2r(result) +
          ", empty regions " +
          (result.are_empty_regions_known ? std::to_string(result.empty_regions.size()) : "-") +
-         '\n' + least_distances(result) + text_of_necks(result) +
+         '\n' + min_distances(result) + text_of_necks(result) +
          (result.reason.empty() ? "" : to_string(result.status) + (": " + result.reason) + '\n');
 }
 

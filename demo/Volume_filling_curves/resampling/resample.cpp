@@ -28,7 +28,7 @@ using Guard = curves::Isotopy_guard_3<>;
 using Strand = curves::internal::Curve_strand;
 
 constexpr double max_number_of_nodes = 2e7; // as for fillings
-constexpr double least_gap = 1e-9; // of the step: a node that near to a new one takes its place
+constexpr double min_gap = 1e-9; // of the step: a node that near to a new one takes its place
 
 // A node of a strand, former or new.
 struct Station
@@ -66,7 +66,7 @@ struct Part
 Stations insert_in_part(Guard& guard, const Part& part, double step)
 {
   const auto& curve = guard.curve();
-  const double gap = least_gap * step;
+  const double gap = min_gap * step;
   std::vector<double> places;
   for(double k = std::floor((part.from + gap) / step) + 1; k * step < part.to - gap; ++k)
     places.push_back((k * step - part.from) / (part.to - part.from));
@@ -94,7 +94,7 @@ Stations insert_in_strand(Guard& guard, const Strand& strand, double spacing)
     part = {strand.edges[i], part.end, position(guard, v), part.to, part.to};
     part.to += (part.end - part.begin).norm();
     for(const Station& station : insert_in_part(guard, part, step)) stations.push_back(station);
-    const bool is_due = std::abs(part.to - step * std::round(part.to / step)) <= least_gap * step;
+    const bool is_due = std::abs(part.to - step * std::round(part.to / step)) <= min_gap * step;
     stations.push_back({v, part.end, is_due || i + 1 == strand.edges.size()});
   }
   return stations;

@@ -181,30 +181,30 @@ public:
   /*!
    * moves all nodes towards their targets, as far as this is certified.
    *
-   * Tries the fractions 1, 1/2, 1/4, ... of the displacements down to `least_fraction`.
+   * Tries the fractions 1, 1/2, 1/4, ... of the displacements down to `min_fraction`.
    *
    * \tparam ConcurrencyTag enables a parallel run (`Parallel_tag`); the result is the same
    *
    * \param targets one row per node with its x, y and z
-   * \param least_fraction the least fraction to try
+   * \param min_fraction the least fraction to try
    *
    * \returns the fraction of their displacements that the nodes moved, 0 if none was certified
    *
    * \pre the network has no garbage
    * \pre `targets` has one row per node
-   * \pre `least_fraction` is positive
+   * \pre `min_fraction` is positive
    */
   template <typename ConcurrencyTag = Sequential_tag>
   double move_nodes(const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& targets,
-                    double least_fraction = 1)
+                    double min_fraction = 1)
   {
-    CGAL_precondition_msg(least_fraction > 0, "`least_fraction` is positive");
+    CGAL_precondition_msg(min_fraction > 0, "`min_fraction` is positive");
     if(!are_in_range(targets)) return 0;
     const size_type n = m_curve.number_of_nodes();
     const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary,
                                m_bends);
     const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
-    for(double fraction = 1; fraction >= least_fraction; fraction /= 2) {
+    for(double fraction = 1; fraction >= min_fraction; fraction /= 2) {
       if(motion.keeps_clearance(fraction)) {
         const auto rounds = motion.certify(fraction);
         if(!rounds.positions.empty()) {

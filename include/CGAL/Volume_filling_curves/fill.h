@@ -322,7 +322,7 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
                              watch);
   tree.follow(parameters.direction_field, parameters.direction_weight);
   tree.grow();
-  return {tree.number_of_places(), tree.number_of_fingers()};
+  return {tree.number_of_targets(), tree.number_of_fingers()};
 }
 
 } // namespace Volume_filling_curves

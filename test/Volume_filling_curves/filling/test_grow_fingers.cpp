@@ -75,7 +75,7 @@ TEST(Grow_fingers, reaches_around_a_wall_of_a_mesh)
   EXPECT_EQ(surface.count_outside(curve), (std::array<std::size_t, 2>{0, 0}));
 }
 
-// The neck is as wide as the thickness. Straight fingers reach 7 of 13 places.
+// The neck is as wide as the thickness. Straight fingers reach 7 of 13 targets.
 TEST(Grow_fingers, gets_through_a_neck_by_isotopy)
 {
   const auto mesh = meshes::to_mesh(exact_surface::two_chambers());

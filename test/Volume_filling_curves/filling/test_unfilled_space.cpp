@@ -58,12 +58,12 @@ TEST(Unfilled_space, is_pushed_into_where_it_is_far_though_no_region)
   const auto unfilled = stick.unfilled(Wall::COVER);
   const std::vector<double> distances = unfilled.distances(stick.circle);
   EXPECT_TRUE(unfilled.regions(stick.circle, distances, thickness).empty());
-  const std::vector<Point> places = unfilled.places(stick.circle, thickness);
-  ASSERT_FALSE(places.empty());
-  EXPECT_GT(places.front().x(), 2.9); // the farthest first
+  const std::vector<Point> points = unfilled.unreached_points(stick.circle, thickness);
+  ASSERT_FALSE(points.empty());
+  EXPECT_GT(points.front().x(), 2.9); // the farthest first
   for(std::size_t k = 0; k < distances.size(); ++k) {
-    double nearest = distances[k]; // of the places and the curve
-    for(const Point& p : places)
+    double nearest = distances[k]; // of the points and the curve
+    for(const Point& p : points)
       nearest =
           (std::min)(nearest, std::sqrt(CGAL::squared_distance(p, stick.samples.points()[k])));
     EXPECT_LE(nearest, 3 * r);
@@ -73,7 +73,7 @@ TEST(Unfilled_space, is_pushed_into_where_it_is_far_though_no_region)
 TEST(Unfilled_space, is_none_near_a_boundary_that_is_to_be_kept_clear_of)
 {
   const Thin_stick stick;
-  EXPECT_TRUE(stick.unfilled(Wall::KEEP_CLEAR).places(stick.circle, thickness).empty());
+  EXPECT_TRUE(stick.unfilled(Wall::KEEP_CLEAR).unreached_points(stick.circle, thickness).empty());
   const std::vector<double> distances = sample_distances(stick.circle, stick.samples);
   EXPECT_EQ(stick.unfilled(Wall::KEEP_CLEAR).fraction(distances, thickness), 0);
   EXPECT_GT(stick.unfilled(Wall::COVER).fraction(distances, thickness), 0.5);

@@ -93,7 +93,7 @@ TEST(Wall_distance, is_refused_if_it_leaves_no_room_or_the_curve_is_nearer)
 {
   const std::string no_room = complaint(Curve(), 0.6);
   EXPECT_EQ(no_room.substr(0, 77),
-            "wall_distance is 0.6, but no place is found that is farther from the boundary");
+            "wall_distance is 0.6, but no point was found that is farther from the boundary");
   const Curve start = polyline({Point(0.5, 0.5, 0.5), Point(1.5, 0.5, 0.5), Point(1.5, 0.8, 0.5)});
   EXPECT_EQ(complaint(start, 0.3),
             "wall_distance is 0.3, but the curve to start from comes as near "

@@ -57,7 +57,7 @@ TEST(Direction_preference, is_nowhere_more_curved_than_its_stiffness)
 {
   constexpr double step = 1e-4;
   Random random(2);
-  double largest_share = 0;
+  double max_share = 0;
   for(int trial = 0; trial < 1000; ++trial) {
     const Vector edge = random_point(random).normalized(), way = random_point(random).normalized();
     const auto p = preference(random_point(random).normalized(), 1);
@@ -65,9 +65,9 @@ TEST(Direction_preference, is_nowhere_more_curved_than_its_stiffness)
         (energy(p, edge + step * way) + energy(p, edge - step * way) - 2 * energy(p, edge)) /
         (step * step);
     EXPECT_LT(curvature, p.stiffness(0, edge) + 1e-5);
-    largest_share = std::max(largest_share, curvature / p.stiffness(0, edge));
+    max_share = std::max(max_share, curvature / p.stiffness(0, edge));
   }
-  EXPECT_GT(largest_share, 0.9) << "it is no more than needed";
+  EXPECT_GT(max_share, 0.9) << "it is no more than needed";
 }
 
 TEST(Direction_preference, asks_for_nothing_without_a_direction_or_along_it)

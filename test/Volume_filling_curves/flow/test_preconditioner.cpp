@@ -141,7 +141,7 @@ Pairs pairs_of(const Touching_nodes& touching, std::size_t number_of_nodes)
       pairs.emplace(std::minmax(v, w), radius);
     });
     EXPECT_EQ(std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>()), nodes.end());
-    EXPECT_LE(nodes.size(), touching.most_nodes(v));
+    EXPECT_LE(nodes.size(), touching.max_nodes(v));
   }
   EXPECT_EQ(low_first, high_first);
   return low_first;

@@ -56,7 +56,7 @@ Curve path(const std::vector<Point>& points)
 }
 
 // The least bend radius at any node, by its definition.
-double least_radius(const Curve& curve)
+double min_radius(const Curve& curve)
 {
   double least = infinity;
   for(const std::size_t v : curve.nodes()) {
@@ -88,7 +88,7 @@ std::vector<std::vector<std::size_t>> loops(const Curve& curve)
 }
 
 // The least distance of edges of different strands, by its definition.
-double least_distance(const Curve& curve, const Limits& limits)
+double min_distance(const Curve& curve, const Limits& limits)
 {
   using Segment = CGAL::Segment_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
   struct Edge
@@ -184,7 +184,7 @@ TEST(Bend_limits, let_a_curve_that_violates_them_get_better_but_not_worse)
   guard.set_bend_limits(limits());
   EXPECT_FALSE(guard.move_node(1, Point(0, 0.95, 0)));
   EXPECT_TRUE(guard.move_node(1, Point(0, 0.85, 0)));
-  EXPECT_LT(least_radius(curve), R);
+  EXPECT_LT(min_radius(curve), R);
   EXPECT_FALSE(guard.move_node(1, Point(0, 0.9, 0)));
 }
 
@@ -212,12 +212,12 @@ TEST(Bend_limits, refuse_a_split_and_a_collapse_that_bend_tighter)
         {Point(-4, 1, 0), Point(-1, 0, 0), Point(0, -0.1, 0), Point(1, 0, 0), Point(1.2, 2, 0)});
     Guard guard(curve);
     Limits bend;
-    const double before = least_radius(curve);
+    const double before = min_radius(curve);
     if(are_set) bend.bend_radius = 3;
     guard.set_bend_limits(bend);
     const bool is_removed = guard.remove_node(2);
     if(are_set) {
-      EXPECT_GE(least_radius(curve), (std::min)(3., before) * (1 - rounding));
+      EXPECT_GE(min_radius(curve), (std::min)(3., before) * (1 - rounding));
     }
     if(!are_set) {
       EXPECT_TRUE(is_removed);
@@ -285,8 +285,8 @@ TEST(Bend_limits, hold_in_motions_of_all_nodes)
       else
         guard.move_nodes(targets, 1e-4);
       if(positions(curve) != before) ++moved;
-      ASSERT_GE(least_radius(curve), R * (1 - rounding)) << k;
-      ASSERT_GE(least_distance(curve, limits()), d * (1 - rounding)) << k;
+      ASSERT_GE(min_radius(curve), R * (1 - rounding)) << k;
+      ASSERT_GE(min_distance(curve, limits()), d * (1 - rounding)) << k;
     }
     EXPECT_GT(moved, 20u);
   }
@@ -317,8 +317,8 @@ TEST(Bend_limits, hold_if_nodes_are_moved_inserted_and_removed_at_random)
     if(kind == 2) is_made = guard.remove_node(v);
     made[static_cast<std::size_t>(kind)] += is_made;
     guard.collect_garbage();
-    ASSERT_GE(least_radius(curve), some.bend_radius * (1 - rounding)) << k;
-    ASSERT_GE(least_distance(curve, some), d * (1 - rounding)) << k;
+    ASSERT_GE(min_radius(curve), some.bend_radius * (1 - rounding)) << k;
+    ASSERT_GE(min_distance(curve, some), d * (1 - rounding)) << k;
   }
   for(const std::size_t number : made) EXPECT_GT(number, 5u);
 }

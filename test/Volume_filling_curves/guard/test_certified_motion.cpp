@@ -92,16 +92,16 @@ std::vector<Lattice_point> random_way(const Curve& curve, bool is_planar, Random
 template <typename ConcurrencyTag = Sequential_tag>
 std::pair<double, std::vector<double>> moved(Network network,
                                              const Targets& targets,
-                                             double least_fraction)
+                                             double min_fraction)
 {
   Guard guard(network);
-  const double fraction = guard.move_nodes<ConcurrencyTag>(targets, least_fraction);
+  const double fraction = guard.move_nodes<ConcurrencyTag>(targets, min_fraction);
   return {fraction, contents(network)};
 }
 
 // returns the part of the motion that is certified if all pairs are tested, as the guard searches
 // it
-double fraction_by_all_pairs(const Network& network, const Targets& targets, double least_fraction)
+double fraction_by_all_pairs(const Network& network, const Targets& targets, double min_fraction)
 {
   using namespace CGAL::Volume_filling_curves::internal;
   using Unbounded = Guard::Boundary;
@@ -109,7 +109,7 @@ double fraction_by_all_pairs(const Network& network, const Targets& targets, dou
   using Limits = Motion_limits<Network, Unbounded, All_pairs>;
   const Limits limits(Sequential_tag(), network, targets, Clearance_rule(), walls);
   const Certified_motion<Limits, Sequential_tag> motion(limits);
-  for(double fraction = 1; fraction >= least_fraction; fraction /= 2)
+  for(double fraction = 1; fraction >= min_fraction; fraction /= 2)
     if(!motion.certify(fraction).positions.empty()) return fraction;
   return 0;
 }
@@ -135,12 +135,12 @@ std::map<std::pair<int, bool>, int> compare_with_brute_force(int number_of_motio
     std::pair<int, bool> expected = way_to(start, way, divisor);
     while(expected.first == 0 && divisor < min_divisor) expected = way_to(start, way, divisor *= 2);
     ++count[expected];
-    const double least_fraction = 1 / static_cast<double>(min_divisor);
+    const double min_fraction = 1 / static_cast<double>(min_divisor);
     const double fraction = expected.first > 0 ? 1 / static_cast<double>(divisor) : 0;
-    EXPECT_EQ(fraction_by_all_pairs(network, targets, least_fraction), fraction);
+    EXPECT_EQ(fraction_by_all_pairs(network, targets, min_fraction), fraction);
     Network after = network;
     Guard guard(after);
-    EXPECT_EQ(guard.move_nodes(targets, least_fraction), fraction);
+    EXPECT_EQ(guard.move_nodes(targets, min_fraction), fraction);
     for(std::size_t v = 0; v < way.size(); ++v)
       EXPECT_EQ(to_curve(after, scale).points[v],
                 start.points[v] + static_cast<Integer>(scale * fraction) * way[v]);

@@ -107,7 +107,7 @@ TEST(Rope, becomes_a_ring_if_it_is_free)
       internal::pull(rope, 0.25, workspace);
       internal::straighten(rope);
     }
-    EXPECT_NEAR(rope.length(), internal::least_length_of_ring, 0.1) << radius;
+    EXPECT_NEAR(rope.length(), internal::min_length_of_ring, 0.1) << radius;
   }
 }
 
@@ -200,7 +200,7 @@ TEST(Rollback, leads_to_the_start_if_nothing_was_better)
     EXPECT_TRUE(way.halve_edges());
   }
   EXPECT_EQ(curve.number_of_nodes(), 8 * 60u);
-  EXPECT_TRUE(way.return_to_least_ropelength());
+  EXPECT_TRUE(way.return_to_min_ropelength());
   EXPECT_EQ(internal::coordinates(curve), before);
   EXPECT_EQ(contents(curve), start);
 }
@@ -220,7 +220,7 @@ TEST(Rollback, leads_to_the_least_ropelength)
     EXPECT_EQ(way.move(next), 1);
     way.note();
   }
-  EXPECT_TRUE(way.return_to_least_ropelength());
+  EXPECT_TRUE(way.return_to_min_ropelength());
   EXPECT_EQ(internal::coordinates(curve), rounder);
 }
 
@@ -233,7 +233,7 @@ TEST(Rollback, does_not_mistake_a_refused_halving_for_a_motion)
   Guard guard(curve);
   internal::Rollback<Guard, CGAL::Sequential_tag> way(guard);
   EXPECT_FALSE(way.halve_edges());
-  EXPECT_TRUE(way.return_to_least_ropelength());
+  EXPECT_TRUE(way.return_to_min_ropelength());
   EXPECT_EQ(contents(curve), start);
 }
 

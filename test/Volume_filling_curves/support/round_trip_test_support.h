@@ -58,7 +58,7 @@ inline std::vector<Point_3> random_points(std::size_t count, std::uint64_t seed)
       const std::uint64_t bits = random();
       double x = 0;
       std::memcpy(&x, &bits, sizeof(x));
-      if(std::abs(x) <= internal::largest_coordinate) return x;
+      if(std::abs(x) <= internal::max_coordinate) return x;
     }
   };
   while(points.size() < count) {

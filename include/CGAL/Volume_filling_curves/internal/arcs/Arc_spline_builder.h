@@ -52,8 +52,8 @@ public:
 private:
   // Arcs on both sides of an edge that would leave less of it than this share end in one point;
   // otherwise rounding of two nearly equal points could make a segment that runs backwards.
-  static constexpr double least_share = 1e-12;
-  static constexpr double least_tangent = 1e-6; // of half of a turn that is more than rounding
+  static constexpr double min_share = 1e-12;
+  static constexpr double min_tangent = 1e-6; // of half of a turn that is more than rounding
   static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(); // of coordinates
 
   struct Corner
@@ -106,7 +106,7 @@ private:
   static bool is_straight(double t, double tangent, const Vector& p)
   {
     return !std::isfinite(t / tangent) ||
-           (tangent < least_tangent && t * tangent <= rounding * p.cwiseAbs().maxCoeff());
+           (tangent < min_tangent && t * tangent <= rounding * p.cwiseAbs().maxCoeff());
   }
 
   // positions where the arcs at the nodes v and w of an edge begin
@@ -114,7 +114,7 @@ private:
   {
     const double length = (w - v).norm();
     const double least =
-        least_share * length + rounding * (v.cwiseAbs().maxCoeff() + w.cwiseAbs().maxCoeff());
+        min_share * length + rounding * (v.cwiseAbs().maxCoeff() + w.cwiseAbs().maxCoeff());
     if(tv > 0 && tw > 0 && length - tv - tw <= least) return {(v + w) / 2, (v + w) / 2};
     return {v + tv / length * (w - v), w - tw / length * (w - v)};
   }

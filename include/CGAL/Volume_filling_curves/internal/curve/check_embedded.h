@@ -29,7 +29,7 @@ void check_size(const Network& curve)
 {
   if(curve.number_of_nodes() == 0) return;
   const Vector_field x = coordinates(curve);
-  if(!(sides(x).maxCoeff() >= least_size))
+  if(!(sides(x).maxCoeff() >= min_extent))
     throw std::invalid_argument("the size of the curve is below 1e-150");
 }
 

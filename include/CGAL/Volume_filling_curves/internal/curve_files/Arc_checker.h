@@ -67,7 +67,7 @@ private:
 
   // Of the length of an arc: the legs of a right angle are an arc (0.71), two sides of an
   // equilateral triangle (0.5) may be a ring.
-  static constexpr double largest_share = 2. / 3;
+  static constexpr double max_share = 2. / 3;
 
   static constexpr double closeness = 1.5;    // in mean edge lengths
   static constexpr std::size_t min_edges = 8; // an arc of fewer is close to itself anyway
@@ -99,7 +99,7 @@ private:
 
   bool may_be_ring(const Arc& arc) const
   {
-    return gap(arc) < max_gap * arc.longest_edge && gap(arc) < largest_share * arc.length;
+    return gap(arc) < max_gap * arc.longest_edge && gap(arc) < max_share * arc.length;
   }
 
   bool has_ends_like_neighbors(const Arc& arc) const

@@ -73,7 +73,7 @@ private:
   void check_size()
   {
     const double size = longest_side();
-    if(size < least_size)
+    if(size < min_extent)
       return add_defect(Curve_defect_kind::SIZE_TOO_SMALL, "the size of the curve is below 1e-150",
                         m_file.point_lines[m_file.edges.front()[0]], {});
     for(const Edge& edge : m_file.edges)

@@ -78,7 +78,7 @@ struct Curve_draft
   void add_point(const Point& point, std::size_t line)
   {
     for(const double x : point) {
-      if(std::abs(x) <= largest_coordinate) continue;
+      if(std::abs(x) <= max_coordinate) continue;
       const bool is_finite = std::isfinite(x);
       return add_unreadable_point(
           {is_finite ? Curve_defect_kind::COORDINATE_TOO_LARGE

@@ -132,9 +132,9 @@ private:
     if(!factors) return {};
     const bool is_oriented = find_mirror_image(*factors, piece);
     const bool is_proved = is_oriented && crossings <= max_crossings_of_proof;
-    std::size_t least_crossings = 0;
-    for(const Prime_knot& knot : *factors) least_crossings += knot.crossings();
-    if(!is_proved && least_crossings <= max_crossings_of_proof) m_can_be_proved = true;
+    std::size_t min_crossings = 0;
+    for(const Prime_knot& knot : *factors) min_crossings += knot.crossings();
+    if(!is_proved && min_crossings <= max_crossings_of_proof) m_can_be_proved = true;
     return {std::move(*factors), true, is_oriented, is_proved};
   }
 

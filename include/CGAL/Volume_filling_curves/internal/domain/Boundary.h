@@ -139,14 +139,14 @@ public:
     while(high - low > tolerance * high) {
       const double middle = (low + high) / 2;
       (is_inside(middle) ? low : high) = middle;
-      if(high < least_radius * limit) break;
+      if(high < min_radius * limit) break;
     }
     return high;
   }
 
 private:
-  static constexpr double tolerance = 1e-4;    // of a radius, relative
-  static constexpr double least_radius = 1e-6; // in units of the limit
+  static constexpr double tolerance = 1e-4;  // of a radius, relative
+  static constexpr double min_radius = 1e-6; // in units of the limit
   static constexpr double cells_along_diagonal = Space_of<Domain>::is_plane ? 512 : 64;
   static constexpr double slack = 1e-9; // for the rounding of distances
   static constexpr double unknown = -1;

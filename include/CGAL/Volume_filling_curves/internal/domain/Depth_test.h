@@ -54,16 +54,16 @@ public:
 private:
   static constexpr double finest = 1. / 64; // of the size, where halving ends
 
-  bool is_deeper(const Vector& p, const Vector& q, const Vector& r, double least_reach) const
+  bool is_deeper(const Vector& p, const Vector& q, const Vector& r, double min_reach) const
   {
     const double pq = (q - p).squaredNorm(), qr = (r - q).squaredNorm();
     const double rp = (p - r).squaredNorm();
-    if(pq >= qr && pq >= rp) return is_deeper_along(p, q, r, least_reach);
-    return qr >= rp ? is_deeper_along(q, r, p, least_reach) : is_deeper_along(r, p, q, least_reach);
+    if(pq >= qr && pq >= rp) return is_deeper_along(p, q, r, min_reach);
+    return qr >= rp ? is_deeper_along(q, r, p, min_reach) : is_deeper_along(r, p, q, min_reach);
   }
 
   // \pre pq is the longest side
-  bool is_deeper_along(const Vector& p, const Vector& q, const Vector& r, double least_reach) const
+  bool is_deeper_along(const Vector& p, const Vector& q, const Vector& r, double min_reach) const
   {
     const Vector middle = (p + q) / 2;
     const double reach = (std::max)((q - p).norm() / 2, (r - middle).norm());
@@ -72,8 +72,8 @@ private:
     const double depth =
         depth_up_to(m_domain, Point_3(middle.x(), middle.y(), middle.z()), beyond * needed);
     if(depth > needed) return true;
-    if(!(depth > m_c) || reach <= least_reach) return false;
-    return is_deeper(p, middle, r, least_reach) && is_deeper(middle, q, r, least_reach);
+    if(!(depth > m_c) || reach <= min_reach) return false;
+    return is_deeper(p, middle, r, min_reach) && is_deeper(middle, q, r, min_reach);
   }
 
   const Domain& m_domain;

@@ -124,7 +124,7 @@ public:
       const internal::Vector x = start + way * u;
       const double step = distance(Point_3(x.x(), x.y(), x.z()));
       way += step;
-      if(!(step > least_step * limit)) break;
+      if(!(step > min_step * limit)) break;
     }
     return (std::min)(way, limit);
   }
@@ -132,8 +132,8 @@ public:
 private:
   static constexpr bool is_plane = internal::Space_of<Domain>::is_plane;
   static constexpr int max_steps = 32;
-  static constexpr double least_step = 1e-2; // of the limit: medial spheres need no more
-  static constexpr double slack = 1e-12;     // of distances, in units of the box, for rounding
+  static constexpr double min_step = 1e-2; // of the limit: medial spheres need no more
+  static constexpr double slack = 1e-12;   // of distances, in units of the box, for rounding
 
   void check()
   {

@@ -41,9 +41,9 @@ public:
                 double limit)
       : m_domain(domain), m_points(points)
   {
-    const auto most = std::max_element(distances.begin(), distances.end());
-    m_number = static_cast<std::size_t>(most - distances.begin());
-    m_distance = *most;
+    const auto max = std::max_element(distances.begin(), distances.end());
+    m_number = static_cast<std::size_t>(max - distances.begin());
+    m_distance = *max;
     if(m_distance < limit) return;
     m_distance = domain.distance(points[m_number]);
     search(along_curve(distances, limit));
@@ -61,14 +61,14 @@ private:
   std::vector<std::size_t> along_curve(const std::vector<double>& distances, double limit) const
   {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    std::vector<Kernel::Point_3> places;
+    std::vector<Kernel::Point_3> positions;
     std::vector<std::size_t> order;
     for(std::size_t k = 0; k < m_points.size(); ++k) {
       const Vector x = to_vector(m_points[k]);
-      places.emplace_back(x.x(), x.y(), x.z());
+      positions.emplace_back(x.x(), x.y(), x.z());
       if(distances[k] >= limit) order.push_back(k);
     }
-    const auto point_map = CGAL::make_property_map(places);
+    const auto point_map = CGAL::make_property_map(positions);
     CGAL::hilbert_sort(order.begin(), order.end(),
                        CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(point_map)>(point_map));
     return order;
@@ -76,7 +76,7 @@ private:
 
   void search(const std::vector<std::size_t>& order)
   {
-    std::size_t last = m_number; // whose distance is known
+    std::size_t last = m_number; // the last point whose distance is known
     double distance = m_distance;
     for(const std::size_t k : order) {
       const double step = (to_vector(m_points[k]) - to_vector(m_points[last])).norm();

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Widest_ball.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
@@ -46,10 +46,10 @@ class Domain_parts
   using Space = Space_of<Domain>;
 
 public:
-  using Widest = Widest_place<Domain, Traits>;
+  using Widest = Widest_ball<Domain, Traits>;
 
-  // Takes the distances of the samples to the boundary. Once the run is to stop no further parts
-  // are looked for.
+  // Takes the distances of the samples to the boundary. A run that is to stop looks for no further
+  // parts.
   Domain_parts(const Samples& samples,
                const Boundary_distances<Domain>& distances,
                Run_watch& watch)
@@ -66,17 +66,17 @@ public:
     }
   }
 
-  // the widest places, one for each part, in the order of the parts' first samples
-  const std::vector<Widest>& widest_places() const { return m_widest; }
+  // the widest ball of each part, in the order of the parts' first samples
+  const std::vector<Widest>& widest_balls() const { return m_widest; }
 
-  double largest_radius() const
+  double max_radius() const
   {
     double largest = 0;
     for(const Widest& widest : m_widest) largest = (std::max)(largest, widest.radius());
     return largest;
   }
 
-  // returns the part of a point inside, `widest_places().size()` if it cannot be told
+  // returns the part of a point inside, `widest_balls().size()` if it is unknown
   std::size_t part(const Point_3& p) const
   {
     if constexpr(Has_surface<Domain>::value) {
@@ -110,7 +110,7 @@ private:
     m_parts[number].distances.push_back(distance);
   }
 
-  // Among points of its box a part of which no sample is known shows up unless it is very thin.
+  // Random points in its box find a part without samples, unless it is very thin.
   void look_for_small_parts()
   {
     const auto& boxes = m_samples.domain().part_boxes();
@@ -144,8 +144,8 @@ private:
                             m_samples.traits());
   }
 
-  // A ball inside is connected. The ball of the set with most samples is not looked into: others
-  // find their way to it.
+  // Unites the sets of samples in the same ball inside, which is connected. The ball of the largest
+  // set is left out: balls of other sets reach that one.
   void unite_within_balls()
   {
     Disjoint_sets sets(m_parts.size());
@@ -170,7 +170,7 @@ private:
     }
   }
 
-  // Of united parts the widest ball counts.
+  // United parts keep the widest ball.
   void regroup(Disjoint_sets& sets)
   {
     std::map<std::size_t, std::size_t> widest; // of the parts with the same root
@@ -178,22 +178,22 @@ private:
       std::size_t& best = widest.insert({sets.find(k), k}).first->second;
       if(m_widest[k].radius() > m_widest[best].radius()) best = k;
     }
-    std::vector<Widest> places;
+    std::vector<Widest> balls;
     std::map<std::size_t, std::size_t> numbers;
     for(const auto& [root, best] : widest) {
-      numbers[root] = places.size();
-      places.push_back(m_widest[best]);
+      numbers[root] = balls.size();
+      balls.push_back(m_widest[best]);
     }
-    std::vector<Part_samples> parts(places.size());
+    std::vector<Part_samples> parts(balls.size());
     for(std::size_t k = 0; k < m_parts.size(); ++k) {
       auto& points = parts[numbers[sets.find(k)]].points;
       points.insert(points.end(), m_parts[k].points.begin(), m_parts[k].points.end());
     }
     m_parts = std::move(parts);
-    m_widest = std::move(places);
+    m_widest = std::move(balls);
   }
 
-  // Of the samples nearest to a point, one that is seen from there.
+  // The part of the nearest sample that is visible from p.
   std::size_t part_of_visible_sample(const Point_3& p) const
   {
     struct Neighbor
@@ -221,7 +221,7 @@ private:
 
   const Samples& m_samples;
   Run_watch& m_watch;
-  std::map<std::size_t, std::size_t> m_numbers; // of the parts, by what the domain calls them
+  std::map<std::size_t, std::size_t> m_numbers; // of the parts, by their labels in the domain
   std::vector<Part_samples> m_parts;
   std::vector<Widest> m_widest;
 };

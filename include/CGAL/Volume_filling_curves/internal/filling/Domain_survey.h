@@ -63,20 +63,20 @@ public:
         m_thickness(parameters.length > 0 ? thickness_of_length() : thickness),
         m_distances(domain, m_samples.points(), sufficient_distance(), &watch, ConcurrencyTag()),
         m_parts(m_samples, m_distances, watch),
-        m_widest_radius(m_parts.largest_radius()),
+        m_widest_radius(m_parts.max_radius()),
         m_size(m_samples.volume(), m_distances.up_to_limit(), parameters.spacing, Space::dimension)
   {
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
     if(!m_thickness.varies())
-      m_thickness.set_number((std::max)(m_thickness.number(), least_thickness_for(parameters)));
+      m_thickness.set_number((std::max)(m_thickness.number(), min_thickness_for(parameters)));
     if(!watch.must_stop())
       m_size.check(thickness_with_as_many_nodes(),
-                   is_asked_for ? Filling_size::most_nodes
-                                : Filling_size::most_nodes_of_thin_by_default,
+                   is_asked_for ? Filling_size::max_nodes
+                                : Filling_size::max_nodes_of_thin_by_default,
                    unit);
-    for(const auto& place : m_parts.widest_places())
-      m_is_wide.push_back(is_wide(place.center(), place.radius()));
+    for(const auto& ball : m_parts.widest_balls())
+      m_is_wide.push_back(is_wide(ball.center(), ball.radius()));
   }
 
   const Parameters& parameters() const { return m_parameters; }
@@ -92,10 +92,10 @@ public:
   // the thickness to start from, with the mean in the domain as its number if it varies
   const Thickness<Point_3>& thickness() const { return m_thickness; }
 
-  // the default thickness, if a larger one is taken, since there would be too many nodes; else 0
+  // the default thickness, if it is replaced by a larger one to limit the number of nodes; else 0
   double refused_thickness() const { return m_refused_thickness; }
 
-  // how large the filling becomes
+  // the estimated size of the filling
   const Filling_size& size() const { return m_size; }
 
   // A circle in each part that is wide enough for a curve, as closed polylines.
@@ -103,7 +103,7 @@ public:
   {
     std::vector<std::vector<Point_3>> circles;
     for(std::size_t k = 0; k < m_is_wide.size(); ++k)
-      if(m_is_wide[k]) circles.push_back(circle(m_parts.widest_places()[k]));
+      if(m_is_wide[k]) circles.push_back(circle(m_parts.widest_balls()[k]));
     return circles;
   }
 
@@ -121,7 +121,7 @@ public:
     return number;
   }
 
-  // returns those points that lie in a part with a component of the curve, or might
+  // returns the points in parts with a component of the curve, and points of unknown part
   std::vector<Point_3> points_in_parts_of(const Curve_network_3<Traits>& curve,
                                           const std::vector<Point_3>& points) const
   {
@@ -145,8 +145,8 @@ public:
     return fit;
   }
 
-  // returns the thickness that leaves strands room to keep it from one another, the one that is
-  // asked for if it does
+  // returns the largest thickness with which strands can keep their distance from one another, at
+  // most the required one
   double uncrowded_thickness() const
   {
     const Thin_walls walls(m_samples, m_distances.up_to_limit(), m_thickness, m_watch,
@@ -165,8 +165,8 @@ private:
                                               : thickness_of_filling(content, length));
   }
 
-  // returns the constant thickness with as many nodes, which are as many as 1 / r^3 is large, or
-  // 1 / r^2 in the plane
+  // returns the constant thickness that leads to as many nodes; their number is proportional to
+  // 1 / r^3, or to 1 / r^2 in the plane
   double thickness_with_as_many_nodes() const
   {
     if(!m_thickness.varies()) return m_thickness.number();
@@ -178,20 +178,19 @@ private:
     return least / (Space::is_plane ? std::sqrt(mean) : std::cbrt(mean));
   }
 
-  // Grown for fewer nodes, but at most to the width of the domain: a curve that is thicker does not
-  // fit.
+  // A share of the widest ball; more if there would be too many nodes, but no more than fits.
   Thickness<Point_3> default_thickness()
   {
     constexpr double default_share = 0.25; // of the widest ball
     const double usual = default_share * m_widest_radius;
-    const double large = m_size.thickness_with(Filling_size::most_nodes_by_default);
+    const double large = m_size.thickness_with(Filling_size::max_nodes_by_default);
     const double grown = (std::max)(usual, (std::min)(large, m_widest_radius));
     if(grown > usual) m_refused_thickness = usual;
     return Thickness<Point_3>(grown);
   }
 
-  // Part by part; at the end true, for points of which it cannot be told. Once the run is to stop
-  // all hold one, since a component takes milliseconds in a domain that does not know its parts.
+  // Whether each part holds a component; the last entry, true, stands for points of unknown part. If
+  // the run is to stop, all are true: without a surface a component takes milliseconds.
   std::vector<bool> parts_that_hold(const Curve_network_3<Traits>& curve) const
   {
     std::vector<bool> result(m_is_wide.size(), false);
@@ -203,32 +202,32 @@ private:
     return result;
   }
 
-  // returns up to where the distances of samples to the boundary have to be known: a sample with
-  // that much room does not lie in thin walls
+  // returns the distance to the boundary that is enough for a sample not to lie in thin walls; larger
+  // distances need not be known
   double sufficient_distance() const
   {
     const bool is_thickness_known = is_thickness_asked_for() && !m_thickness.varies();
     if(!Has_surface<Domain>::value || !is_thickness_known || m_parameters.wall != Wall::COVER)
       return Boundary_distances<Domain>::no_limit;
-    return needed_width * (std::max)(m_thickness.number(), least_thickness_for(m_parameters));
+    return needed_width * (std::max)(m_thickness.number(), min_thickness_for(m_parameters));
   }
 
-  // A ball that a curve is worth being started in, in units of the thickness, or of the widest ball
-  // if that is smaller; smaller parts are dust.
-  static constexpr double least_radius = 0.125;
+  // Radius of the smallest ball in which a curve starts, in units of the thickness, or of the widest
+  // ball if that is smaller. Smaller parts are ignored.
+  static constexpr double min_radius = 0.125;
 
-  // The root of a tree is as wide as the tips of its fingers, which grow out of edges as long as
-  // half of that: those of a hexagon.
-  std::vector<Point_3> circle(const typename Parts::Widest& place) const
+  // The root of a tree is a hexagon as wide as the tips of fingers; fingers grow from its edges, half
+  // as long.
+  std::vector<Point_3> circle(const typename Parts::Widest& ball) const
   {
-    constexpr double share_of_room = 0.9; // of what the distance to the wall leaves
+    constexpr double share_of_clearance = 0.9; // of what the distance to the wall leaves
     const double wall = m_parameters.wall_distance;
-    const double room = wall > 0 ? share_of_room * (place.radius() - wall) : place.radius();
-    if(m_parameters.start == Filling_start::CIRCLE) return place.circle(room);
+    const double radius = wall > 0 ? share_of_clearance * (ball.radius() - wall) : ball.radius();
+    if(m_parameters.start == Filling_start::CIRCLE) return ball.circle(radius);
     constexpr double radius_of_root = 0.7; // in units of the thickness
     constexpr std::size_t nodes_of_root = 6;
-    const double r = m_thickness(to_point(place.center(), m_samples.traits()));
-    return place.circle((std::min)(radius_of_root * r, room), nodes_of_root);
+    const double r = m_thickness(to_point(ball.center(), m_samples.traits()));
+    return ball.circle((std::min)(radius_of_root * r, radius), nodes_of_root);
   }
 
   bool is_wide(const Vector& center, double radius) const
@@ -236,7 +235,7 @@ private:
     const double thickness = m_thickness(to_point(center, m_samples.traits()));
     const double wall = m_parameters.wall_distance;
     return radius > wall &&
-           radius - wall >= least_radius * (std::min)(thickness, m_widest_radius - wall);
+           radius - wall >= min_radius * (std::min)(thickness, m_widest_radius - wall);
   }
 
   const Parameters& m_parameters;
@@ -248,7 +247,7 @@ private:
   double m_widest_radius;
   Filling_size m_size;
   double m_refused_thickness = 0;
-  std::vector<bool> m_is_wide; // part by part
+  std::vector<bool> m_is_wide; // of each part
 };
 
 } // namespace internal

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
@@ -30,10 +30,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Grows fingers from a curve through the whole domain, and returns whether any grew. They end by
-// themselves.
+// Grows fingers from a curve through the whole domain, and returns whether any grew. No watch
+// interrupts them: growing stops by itself in time.
 template <typename Guard, typename Survey>
-bool reach_out(Guard& guard, const Survey& survey)
+bool grow_tree(Guard& guard, const Survey& survey)
 {
   const Watched_scope scope(nullptr);
   survey.watch().begin(Run_stage::BRANCHING);
@@ -45,12 +45,12 @@ bool reach_out(Guard& guard, const Survey& survey)
   return tree.number_of_fingers() > 0;
 }
 
-// Lets a curve fill a domain. If fingers have reached out all over it, the curve opens in a few
-// iterations; otherwise it grows, coarse to fine: with a multiple of the thickness first, which
-// takes few nodes and long steps, then with halves of it, and fingers reach where it did not get
-// to. While it opens or grows, a large cap of the medial radii pulls it into empty space, and
-// lambda is large, which makes the preconditioner close to the Hessian; at last it settles with
-// what was asked for.
+// Growth of a curve until it fills a domain. If fingers reach through the whole domain, the curve
+// opens in a few iterations. Otherwise it grows, coarse to fine: first with a multiple of the
+// thickness, which takes few nodes and long steps, then with halves of it; fingers reach the rest.
+// While the curve opens or grows, a large cap of the medial radii pulls it into empty space, and a
+// large lambda brings the preconditioner close to the Hessian; then it settles with the required
+// parameters.
 template <typename Flow, typename Survey, typename Visitor>
 class Filler
 {
@@ -61,11 +61,11 @@ class Filler
   using Result = Filling_result<Point_3>;
 
 public:
-  // Takes the thickness at the start, and the stages that the curve is to go through.
+  // Takes the thickness at the start, and the runner of the stages.
   Filler(Guard& guard,
          const Survey& survey,
          const Thickness& thickness,
-         Filling_stages<Flow, Visitor>& stages)
+         Filling_stage_runner<Flow, Visitor>& runner)
       : m_guard(guard),
         m_survey(survey),
         m_parameters(survey.parameters()),
@@ -76,9 +76,9 @@ public:
                    m_parameters.wall,
                    m_parameters.wall_distance),
         m_thickness(thickness),
-        m_stages(stages)
+        m_runner(runner)
   {
-    m_thickness.set_number(m_stages.decide([this] { return m_thickness.number(); }));
+    m_thickness.set_number(m_runner.decide([this] { return m_thickness.number(); }));
   }
 
   Result operator()()
@@ -90,17 +90,18 @@ public:
 
 private:
   static constexpr double coarsest_share = 0.25; // of the widest ball: the curve needs room to grow
-  // of a length asked for, to end the search for it
+  // relative, of a required length, to end the search for it
   static constexpr double length_tolerance = 5e-3;
   static constexpr double promised_tolerance = 2e-2; // likewise, to call it reached
-  // Opened anew a curve gets another length: to find 40 in a cube of side 4 takes 130 iterations,
-  // and 176 if it opens each time (2026-11-23).
+  // A curve that opens again changes its length: a length of 40 in a cube of side 4 takes 130
+  // iterations, and 176 if the curve opens each time (2026-11-23).
   static constexpr double excess_to_open_for = 0.05;
   static constexpr int max_corrections_of_thickness = 8;
   static constexpr double kept_thinness = 0.5;
-  // Regions are pushed into before they count as empty: with 0.9 a spike of the anapsidea (seed 2)
-  // stays 4.1 r from the curve, with 0.8 it is 2.8 r; with 0.7, which ordinary gaps get near to,
-  // the bunny (seed 3) is thinned in many places, and the curve an eighth longer (2026-11-23).
+  // In units of the thickness with which the curve is pushed into regions. With 0.9 a spike of the
+  // anapsidea (seed 2) stays 4.1 r from the curve, with 0.8 it is 2.8 r; with 0.7, near the size of
+  // ordinary gaps, the bunny (seed 3) is thinned at many points, and the curve is an eighth longer
+  // (2026-11-23).
   static constexpr double pushed_share = 0.8;
 
   void grow()
@@ -109,9 +110,9 @@ private:
       run(Filling_stage::opening());
     } else {
       grow_coarse_to_fine();
-      if(reaches_out_further()) run(Filling_stage::opening());
+      if(grows_more_fingers()) run(Filling_stage::opening());
     }
-    if(is_thinned_where_it_drew_back()) run(Filling_stage::opening());
+    if(is_thinned_in_narrow_regions()) run(Filling_stage::opening());
   }
 
   void grow_coarse_to_fine()
@@ -123,42 +124,42 @@ private:
     run(Filling_stage::growth());
   }
 
-  // Returns whether there are fingers to where the curve has not got to.
-  bool reaches_out_further()
+  // Returns whether fingers have grown into regions that the curve had not reached.
+  bool grows_more_fingers()
   {
-    if(m_stages.end()) return false;
-    return m_stages.decide([this] {
-      return m_unfilled.is_much(curve(), m_thickness) && reach_out(m_guard, m_survey);
+    if(m_runner.end()) return false;
+    return m_runner.decide([this] {
+      return m_unfilled.is_much(curve(), m_thickness) && grow_tree(m_guard, m_survey);
     }) != 0;
   }
 
   void settle()
   {
-    find_places(true);
+    settle_strands(true);
     if(!(m_parameters.length > 0)) return;
-    for(int k = 0; k < max_corrections_of_thickness && !m_stages.end(); ++k) {
-      const double excess = m_stages.decide([&] { return flow().length() / m_parameters.length; });
+    for(int k = 0; k < max_corrections_of_thickness && !m_runner.end(); ++k) {
+      const double excess = m_runner.decide([&] { return flow().length() / m_parameters.length; });
       if(std::abs(excess - 1) < length_tolerance) return;
-      if(!suit_thickness(excess)) return;
-      // the shrinking steps alone do not follow the thickness far
+      if(!correct_thickness(excess)) return;
+      // steps that shrink follow a large change of the thickness too slowly
       if(std::abs(excess - 1) > excess_to_open_for) run(Filling_stage::opening());
-      find_places(false);
+      settle_strands(false);
     }
   }
 
-  // The strands' cross sections fill the volume. Returns whether the thickness changes: it gets no
-  // less than the shape that is required has room for.
-  bool suit_thickness(double excess)
+  // Adapts the thickness to the length: the cross sections of the strands fill the volume. Returns
+  // whether it changes; it stays above the minimum for the required shape.
+  bool correct_thickness(double excess)
   {
     const double former = m_thickness.number();
-    const double least = least_thickness_for(m_parameters);
+    const double min = min_thickness_for(m_parameters);
     m_thickness = std::sqrt(excess) * m_thickness;
-    if(m_thickness.number() < least) m_thickness.set_number(least);
+    if(m_thickness.number() < min) m_thickness.set_number(min);
     return m_thickness.number() != former;
   }
 
-  // Strands find their places: round ones, or any.
-  void find_places(bool can_draw_back)
+  // Lets the strands settle, with round bends if a shape is required.
+  void settle_strands(bool can_thin)
   {
     if(m_shape.is_given()) {
       run(Filling_stage::bending());
@@ -166,22 +167,22 @@ private:
       return;
     }
     run(Filling_stage::settling());
-    if(can_draw_back && is_thinned_where_it_drew_back()) run(Filling_stage::settling());
+    if(can_thin && is_thinned_in_narrow_regions()) run(Filling_stage::settling());
     run(Filling_stage::refining());
   }
 
-  // Where the curve has drawn back, since the place is too thin for the thickness asked for, it
-  // stays thinner. Returns whether there is such a place.
-  bool is_thinned_where_it_drew_back()
+  // Thins the curve along paths to points that it does not reach, since the domain is too thin there
+  // for the required thickness. Returns whether there are such points.
+  bool is_thinned_in_narrow_regions()
   {
-    if(m_stages.end()) return false;
-    const Thickness driven = pushed_share * m_thickness;
-    const auto ways = [&] {
-      return m_unfilled.ways_to(m_unfilled.places(curve(), driven), curve(), m_thickness.number(),
-                                m_watch);
+    if(m_runner.end()) return false;
+    const Thickness pushed = pushed_share * m_thickness;
+    const auto points = [&] {
+      return m_unfilled.paths_to(m_unfilled.unreached_points(curve(), pushed), curve(),
+                                 m_thickness.number(), m_watch);
     };
     const auto paths = std::make_shared<const Thinned_paths>(
-        m_unfilled.cell_of_paths * m_thickness.number(), m_stages.decide_points(ways));
+        m_unfilled.cell_of_paths * m_thickness.number(), m_runner.decide_points(points));
     if(paths->are_empty()) return false;
     m_thinning = [paths, last = m_thinning](const Point_3& p) {
       return (std::min)(paths->thinning(p, kept_thinness), last ? last(p) : 1);
@@ -191,10 +192,10 @@ private:
 
   void run(const Filling_stage& stage, double factor = 1)
   {
-    m_stages.run(stage, (factor * m_thickness).thinned(m_thinning));
+    m_runner.run(stage, (factor * m_thickness).thinned(m_thinning));
   }
 
-  const Flow& flow() const { return m_stages.flow(); }
+  const Flow& flow() const { return m_runner.flow(); }
   const Network& curve() const { return flow().curve(); }
 
   bool misses_length() const
@@ -217,7 +218,7 @@ private:
     if(m_shape.is_given())
       result.shape_excesses = shape_excesses<Point_3>(
           flow().check_shape(m_shape, m_thickness.at_each(curve().points())), curve().traits());
-    result.status = m_stages.end().value_or(status_of_settled(result));
+    result.status = m_runner.end().value_or(status_of_settled(result));
     result.thickness = m_thickness.varies() ? flow().thickness() : m_thickness.number();
     result.medial_radius =
         flow().mean_medial_radius(Filling_stage::settling().max_radius * flow().thickness());
@@ -229,13 +230,13 @@ private:
   Guard& m_guard;
   const Survey& m_survey;
   const Filling_parameters<Point_3>& m_parameters;
-  const Shape_goal m_shape; // none unless it is asked for
+  const Shape_goal m_shape; // may be empty
   Run_watch& m_watch;
   const Unfilled_space<Network, typename Survey::Samples, typename Flow::Concurrency_tag>
       m_unfilled;
-  Thickness m_thickness; // the one that is asked for, or that is to lead to the length asked for
-  Filling_stages<Flow, Visitor>& m_stages;
-  typename Thickness::Field m_thinning; // for good, where the domain is too thin
+  Thickness m_thickness; // required, or adapted to the required length
+  Filling_stage_runner<Flow, Visitor>& m_runner;
+  typename Thickness::Field m_thinning; // where the domain is too thin
 };
 
 } // namespace internal

@@ -56,8 +56,8 @@ public:
         m_watch(parameters.time_limit, progress_in_unit())
   {}
 
-  // Takes a function that returns the domain, or a reference to it. If there is no time for that
-  // the curves stay as they are.
+  // Takes a function that returns the domain, or a reference to it. If the time is over before the
+  // domain is made, the curves remain unchanged.
   template <typename MakeDomain>
   Result operator()(const MakeDomain& make_domain)
   {

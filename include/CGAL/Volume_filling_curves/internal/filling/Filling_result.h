@@ -77,7 +77,7 @@ inline std::ostream& operator<<(std::ostream& out, Filling_status status)
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/fill.h
 ///
-/// The place where a filling exceeds a limit of its shape most.
+/// The point where a filling exceeds a limit of its shape most.
 ///
 /// \tparam Point_3 the type of points
 template <typename Point_3>

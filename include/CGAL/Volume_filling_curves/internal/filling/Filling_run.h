@@ -18,7 +18,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_stages.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
@@ -63,7 +63,7 @@ class Filling_run
   using Result = Filling_result<Point_3>;
 
 public:
-  // Takes the unit of the domain and of all lengths, in the caller's unit, which the result has.
+  // Takes the unit of the domain and of all lengths, in the caller's unit, the unit of the result.
   Filling_run(Network& curves,
               const Domain& domain,
               const Parameters& parameters,
@@ -110,7 +110,7 @@ private:
     m_watch.report();
   }
 
-  // Returns whether there was time for that.
+  // Checks the curves at the start, and returns whether there was time for it.
   bool is_start_checked()
   {
     try {
@@ -129,7 +129,7 @@ private:
                                   "distance 0 from the boundary");
     m_circles = m_survey.circles();
     if(m_circles.empty())
-      refuse_wall_distance("no place is found that is farther from the boundary than ",
+      refuse_wall_distance("no point was found that is farther from the boundary than ",
                            m_survey.widest_radius());
     m_curves = Network(m_circles, CGAL::parameters::default_values(), m_curves.traits());
   }
@@ -158,7 +158,7 @@ private:
     refuse_value(internal_np::wall_distance_t(), m_unit * m_parameters.wall_distance, text.str());
   }
 
-  // A circle in a ball inside is inside.
+  // A circle is not checked against the wall distance: it lies in a ball that keeps it.
   void check_start() const
   {
     check_embedded(m_curves);
@@ -181,7 +181,7 @@ private:
       refuse_wall_distance("the curve to start from comes as near to the boundary as ", distance);
   }
 
-  // Fields are known by their values at the samples.
+  // Fields enter by their values at the samples.
   std::string fingerprint() const
   {
     State_archive curve, fields;
@@ -195,8 +195,8 @@ private:
            domain_line(m_domain, m_curves.traits()) + hash_line("field", fields);
   }
 
-  // The layer along the boundary that the flow takes for outside, to settle where it would without
-  // a limit: strands pressed against one are crowded. A box of 20 x 10 x 10 r ends uncrowded for
+  // The layer along the boundary that counts as outside for the flow. Thereby strands settle as they
+  // would without a wall distance; strands pressed against it are crowded. A box of 20 x 10 x 10 r ends uncrowded for
   // distances of 1, 1.5 and 3 r; without a layer 2 to 22 % of the length are crowded, with one as
   // large as the distance 29 to 64 %.
   double layer() const
@@ -215,23 +215,23 @@ private:
     if(m_parameters.certificate) guard.start_recording();
     const auto kept_guard = m_saver.keep_guard(guard);
     if(m_parameters.start == Filling_start::TREE && !m_saver.is_resuming())
-      reach_out(guard, m_survey);
-    const Result result = let_flow(guard);
+      grow_tree(guard, m_survey);
+    const Result result = run_stages(guard);
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
     return result;
   }
 
-  // Steps are interrupted unless states are saved, which are taken between steps.
-  Result let_flow(Isotopy_guard_3<Traits, Domain>& guard)
+  // Interrupts steps, unless states are saved: they are copied between steps.
+  Result run_stages(Isotopy_guard_3<Traits, Domain>& guard)
   {
     try {
       const Watched_scope scope(m_saver.is_saving() ? nullptr : &m_watch);
       m_watch.begin(Run_stage::FLOWING);
       const auto thickness = m_survey.thickness().averaged_at(m_curves.points());
-      Filling_stages<Flow, Visitor> stages(guard, m_parameters,
-                                           typename Flow::Thickness(thickness.number()), m_watch,
-                                           m_visitor, m_saver, m_record);
-      return Filler<Flow, Survey, Visitor>(guard, m_survey, thickness, stages)();
+      Filling_stage_runner<Flow, Visitor> runner(guard, m_parameters,
+                                                 typename Flow::Thickness(thickness.number()),
+                                                 m_watch, m_visitor, m_saver, m_record);
+      return Filler<Flow, Survey, Visitor>(guard, m_survey, thickness, runner)();
     } catch(const Run_stopped&) {
       if(m_curves.has_garbage()) guard.collect_garbage();
       return stopped();
@@ -298,7 +298,7 @@ private:
   const Thickness_fit m_fit;
   Run_saver m_saver;
   Filling_record m_record;
-  std::vector<std::vector<Point_3>> m_circles, m_arcs; // if the run starts from them
+  std::vector<std::vector<Point_3>> m_circles, m_arcs; // if the run starts with them
   std::vector<Port_neck<Point_3>> m_necks;             // of the arcs
 };
 

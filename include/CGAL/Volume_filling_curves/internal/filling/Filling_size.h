@@ -30,12 +30,12 @@ namespace internal {
 class Filling_size
 {
 public:
-  // More than that takes some 30 GB.
-  static constexpr double most_nodes = 2e7;
+  // The largest size that is tried; it takes some 30 GB.
+  static constexpr double max_nodes = 2e7;
 
-  // By default; that takes half a minute, and more in domains so thin that a curve with a larger
-  // thickness would not fit.
-  static constexpr double most_nodes_by_default = 2e5, most_nodes_of_thin_by_default = 2e6;
+  // With the default thickness: half a minute, and more in domains so thin that no thicker curve
+  // fits.
+  static constexpr double max_nodes_by_default = 2e5, max_nodes_of_thin_by_default = 2e6;
 
   // Takes the volume, or the area of a planar domain, the distances of uniform samples to the
   // boundary, and the length of edges in units of the thickness.
@@ -64,7 +64,7 @@ public:
   // with one thread, see run_filling
   double seconds(double thickness) const { return seconds_per_node * number_of_nodes(thickness); }
 
-  // returns the thickness with which there are that many nodes
+  // returns the thickness that leads to this number of nodes
   double thickness_with(double nodes) const
   {
     if(m_is_planar)
@@ -74,8 +74,8 @@ public:
                       std::sqrt(m_area / (4 * m_edge * nodes)));
   }
 
-  // Throws std::invalid_argument if there would be more nodes than that. The message has the
-  // caller's lengths.
+  // Throws std::invalid_argument if there would be more nodes than allowed. The message gives lengths
+  // in the caller's unit.
   void check(double thickness, double most, double unit) const
   {
     const double nodes = number_of_nodes(thickness);
@@ -86,7 +86,7 @@ public:
     demand << "the curve would have some " << nodes << " nodes, and take "
            << nodes * gigabytes_per_node << " GB; with " << unit * thickness_with(most)
            << " it has " << most << ", the most that are allowed"
-           << (most < most_nodes ? " by default" : "");
+           << (most < max_nodes ? " by default" : "");
     refuse_value(internal_np::thickness_t(), unit * thickness, demand.str());
   }
 

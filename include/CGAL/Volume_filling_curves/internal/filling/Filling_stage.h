@@ -25,25 +25,25 @@ struct Filling_stage
   static constexpr double any_change = std::numeric_limits<double>::infinity();
   static constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
 
-  double screening = 1;           // in units of the one asked for
-  double max_radius = 2;          // in units of the thickness; the most
+  double screening = 1;           // in units of the parameter
+  double max_radius = 2;          // at most, in units of the thickness
   double max_displacement = 0.1;  // likewise
-  double direction_weight = 1;    // in units of the one asked for
-  double cooling = 1;             // by which the largest displacement is multiplied in each step
-  double spacing = 0;             // the least length of an edge, likewise, if more than asked for
-  double separation = 0;          // strands go that far apart, likewise
-  std::size_t directions = any;   // of the medial spheres; the most
+  double direction_weight = 1;    // in units of the parameter
+  double cooling = 1;             // factor of the largest displacement in each step
+  double spacing = 0;             // at least, in units of the thickness
+  double separation = 0;          // distance to which strands are moved apart, likewise
+  std::size_t directions = any;   // of the medial spheres, at most
   std::size_t window = 10;        // the stage ends if over that many iterations
   double change_of_length = 1e-2; // the length changed by less than this fraction of it
-  double thickness = 1;           // of the flow, in units of the one asked for
-  double coupling = 1;            // likewise
+  double thickness = 1;           // of the flow, in units of the required one
+  double coupling = 1;            // in units of the parameter
   Shape_phase phase = Shape_phase::NONE;
 
-  // Half as many nodes as with the spacing asked for, and longer steps: from a circle the bunny is
+  // Half as many nodes as with the default spacing, and longer steps: from a circle the bunny is
   // filled in 3.3 instead of 7.5 s, with 0.4 it ends too thin.
   static constexpr double coarse_spacing = 0.3;
 
-  // Until the strands have found their places. With 16 until then domains are filled to 1 % less in
+  // Until the strands have settled. With 16 until then domains are filled to 1 % less in
   // a tenth more time; with 4, or 6, strands come closer together than r, or stay farther apart.
   static constexpr std::size_t few_directions = 8;
 
@@ -53,7 +53,7 @@ struct Filling_stage
   {
     Filling_stage stage;
     stage.screening = 30;
-    stage.direction_weight = 4; // the strands find their places now: costs less coverage than later
+    stage.direction_weight = 4; // now, while strands move far, it costs less coverage than later
     stage.max_radius = 6;
     stage.max_displacement = 0.5;
     stage.spacing = coarse_spacing;
@@ -69,8 +69,7 @@ struct Filling_stage
     return stage;
   }
 
-  // What fingers have reached is filled after six iterations; more of them make the strands no more
-  // even.
+  // Six iterations fill what fingers have reached; more of them do not space the strands more evenly.
   static Filling_stage opening()
   {
     Filling_stage stage = growth();
@@ -82,10 +81,9 @@ struct Filling_stage
     return stage;
   }
 
-  // Steps get smaller by a fifth each, until nodes move no farther than 0.06 r: without that the
-  // length of the torus goes on trembling by 0.4 % for good, and after that nothing is gained. To
-  // go on until the length changes by less than 0.1 % over 20 iterations takes 20 more of them, and
-  // leads to the same coverage.
+  // Each step is a fifth smaller than the one before, until nodes move no farther than 0.06 r.
+  // Without that the length of the torus keeps oscillating by 0.4 %. Continuing until the length
+  // changes by less than 0.1 % over 20 iterations takes 20 more of them, for the same coverage.
   //
   // Strands that fingers brought close together, about one in a thousand nodes, part in two
   // iterations.
@@ -103,7 +101,7 @@ struct Filling_stage
     return stage;
   }
 
-  // The edges get as short as is asked for, and the strands a last bit more even.
+  // With edges of the required length, the strands become slightly more even.
   static Filling_stage refining()
   {
     Filling_stage stage = settling();
@@ -114,10 +112,9 @@ struct Filling_stage
     return stage;
   }
 
-  // The curve bends within its limits, from where the fingers have opened: what settling does is
-  // undone here. With the thickness asked for its length would contract it as bends open; with 0.4
-  // of that the medial spheres, of up to 1.6 r, press it outwards until the distance of strands
-  // holds them. Without coupling the matrix has three diagonals; projections couple the strands.
+  // Bends the curve within its limits, from the opened fingers; settling first would be undone here.
+  // With the required thickness the curve would contract as its bends open; with 0.4 of it the
+  // medial spheres, of up to 1.6 r, push strands apart until their required distance holds them. Without coupling the matrix has three diagonals; projections couple the strands.
   // Shorter edges and four times as many steps fill a cube to 85 instead of 81 %, in 4 times the
   // time (2026-11-24).
   static Filling_stage bending()

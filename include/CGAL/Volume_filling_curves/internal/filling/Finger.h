@@ -32,7 +32,7 @@ public:
 
   Finger(Guard& guard, std::size_t edge) : m_guard(guard), m_edge(edge) {}
 
-  // How well an edge is placed for a finger to a point: what can be seen of it from there.
+  // The length of an edge as seen from a point: the longer, the better a finger grows from it.
   static double span(const Network& curve, std::size_t e, const Vector& p)
   {
     const Vector a = to_vector(curve.point(curve.source(e)));
@@ -40,22 +40,22 @@ public:
     return across(b - a, p - (a + b) / 2).norm();
   }
 
-  // Halves the edge, and returns the second half, or none if that is refused. \pre it is whole
+  // Halves the edge and returns the second half, or none if the guard refuses. \pre it is whole
   std::size_t halve()
   {
     if(halve_edge(m_guard, m_edge)) m_half = edge_after(m_edge);
     return m_half;
   }
 
-  // Pulls the finger to a tip of that half width around p, where both ends must have room; returns
-  // whether it has grown.
-  template <typename HasRoom>
-  bool grow(const Vector& p, double half_width, const HasRoom& has_room)
+  // Pulls the finger to a tip of the given half width around p, whose ends must both have enough
+  // clearance; returns whether it has grown.
+  template <typename HasClearance>
+  bool grow(const Vector& p, double half_width, const HasClearance& has_clearance)
   {
     const Vector a = position(curve().source(m_edge));
     const Vector b = position(curve().target(m_half == none ? m_edge : m_half));
     const Vector side = half_width * across(b - a, p - (a + b) / 2).normalized();
-    if(!has_room(p - side) || !has_room(p + side)) return false;
+    if(!has_clearance(p - side) || !has_clearance(p + side)) return false;
     if(m_half == none && halve() == none) return false;
     if(!insert(m_half, p - side)) return false;
     const std::size_t first = curve().target(m_half), rest = edge_after(m_half);
@@ -67,7 +67,7 @@ public:
     return true;
   }
 
-  // Makes the edge whole again that was halved in vain. \pre the finger has not grown
+  // Undoes the halving of the edge. \pre the finger has not grown
   void withdraw()
   {
     if(m_half != none && m_guard.remove_node(curve().target(m_edge))) m_half = none;

@@ -54,14 +54,14 @@ public:
       : m_stations(stations), m_random(random), m_traits(traits)
   {}
 
-  // Lets length across a field count more, by that factor.
+  // Takes a field, and by how much more length across it counts.
   void follow(const Direction_field& field, double detour)
   {
     m_direction_field = field;
     m_detour = detour;
   }
 
-  // Adds those from a station that is reached.
+  // Adds the connections from a reached station.
   void add_from(std::size_t s)
   {
     const auto& station = m_stations[s];
@@ -76,8 +76,7 @@ public:
     }
   }
 
-  // Takes out the lightest one of a component to a station that is not reached; none if there is
-  // none.
+  // Removes and returns the lightest connection of a component to an unreached station, if any.
   std::optional<Connection> take(std::size_t component)
   {
     if(component >= m_connections.size()) return std::nullopt;
@@ -91,7 +90,7 @@ public:
   }
 
 private:
-  static constexpr double randomness = 0.6; // that is added to lengths, in units of the spacing
+  static constexpr double randomness = 0.6; // added to lengths, in units of the spacing
 
   Vector direction_at(const Vector& p) const
   {
@@ -110,7 +109,7 @@ private:
   Stations& m_stations;
   Random_source& m_random;
   const Traits m_traits;
-  Direction_field m_direction_field; // none if the tree is to follow no directions
+  Direction_field m_direction_field; // null without a field
   double m_detour = 0;               // by how much more length across the field counts
   std::vector<std::priority_queue<Connection>> m_connections; // of each component, lightest first
 };

@@ -34,18 +34,18 @@ class Finger_reach
 public:
   Finger_reach(Guard& guard, const Domain& domain) : m_guard(guard), m_domain(domain) {}
 
-  // Returns whether there is a finger, of which the other station knows then.
+  // Returns whether a finger has grown; its edges are added to the other station.
   bool operator()(const Finger_station& from, Finger_station& to)
   {
     return grow_out_of_best(from.edges, wide, to);
   }
 
-  // Likewise, where there is no way for a wide one: a thin one, out of a piece of an edge. The
-  // first station knows of the pieces then.
+  // Likewise with a thin finger, out of a piece of an edge, where no wide one fits. The pieces are
+  // added to the first station.
   bool squeeze(Finger_station& from, Finger_station& to)
   {
     for(std::size_t k = 0; k < from.edges.size(); ++k)
-      while(from.edges.size() < most_pieces && is_long(from.edges[k], from.thickness)) {
+      while(from.edges.size() < max_pieces && is_long(from.edges[k], from.thickness)) {
         const std::size_t half = Finger<Guard>(m_guard, from.edges[k]).halve();
         if(half == Finger<Guard>::none) break;
         from.edges.push_back(half);
@@ -54,17 +54,17 @@ public:
   }
 
 private:
-  // Half widths of tips, the first that has room, in units of the thickness.
+  // Half widths of tips, in units of the thickness; the first one that fits is taken.
   using Half_widths = std::vector<double>;
   inline static const Half_widths wide{0.7, 0.21, 0.1}, thin{0.1, 0.03};
-  // Likewise
-  static constexpr double room_of_tip = 0.2;
-  static constexpr double root_of_thin = 0.2; // the longest edge that a thin finger grows out of
-  static constexpr std::size_t most_pieces = 64;
+  static constexpr double tip_clearance = 0.2; // from the boundary, likewise
+  static constexpr double max_thin_root =
+      0.2; // longest edge that a thin finger grows from, likewise
+  static constexpr std::size_t max_pieces = 64;
 
   bool is_long(std::size_t e, double thickness) const
   {
-    return edge_vector(m_guard.curve(), e).norm() > root_of_thin * thickness;
+    return edge_vector(m_guard.curve(), e).norm() > max_thin_root * thickness;
   }
 
   bool grow_out_of_best(const std::vector<std::size_t>& edges,
@@ -82,13 +82,14 @@ private:
 
   bool grow_out_of(std::size_t e, const Half_widths& half_widths, Finger_station& to)
   {
-    const double free = room(to.position);
-    const auto has_room = [&](const Vector& x) {
-      return room(x) >= (std::min)(room_of_tip * to.thickness, free / 4);
+    const double clearance = depth_at(to.position);
+    const auto has_clearance = [&](const Vector& x) {
+      return depth_at(x) >= (std::min)(tip_clearance * to.thickness, clearance / 4);
     };
     Finger<Guard> finger(m_guard, e);
     for(const double half_width : half_widths)
-      if(finger.grow(to.position, (std::min)(half_width * to.thickness, free / 2), has_room)) {
+      if(finger.grow(to.position, (std::min)(half_width * to.thickness, clearance / 2),
+                     has_clearance)) {
         to.edges.push_back(finger.tip());
         // In the plane the tip has one side, and branches grow out of the finger's sides as well:
         // without those one in six stations is reached by detours or not at all.
@@ -101,7 +102,7 @@ private:
   }
 
   // the distance to the boundary, 0 outside
-  double room(const Vector& x) const
+  double depth_at(const Vector& x) const
   {
     return depth(m_domain, to_point(x, m_guard.curve().traits()));
   }

@@ -27,22 +27,22 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Station: a point that a curve passes through, or should reach.
+// Point that a curve passes through or is to reach.
 struct Finger_station
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   Vector position;
   double thickness;
-  std::vector<std::size_t> edges; // of the curve, that fingers can grow out of
+  std::vector<std::size_t> edges; // of the curve, from which fingers can grow
   std::size_t component = none;
 
   bool is_reached() const { return component != none; }
 };
 
-// The stations of a tree of fingers: stretches of the curves, which are its roots, well-spaced
-// points in the domain, and places on the way to those that are hard to get to. Near linear in
-// their number.
+// Stations of a tree of fingers: its roots, which are stretches of the curves; its targets, which
+// are well-spaced points in the domain; and waypoints of the paths to targets that are hard to
+// reach. Near-linear in their number.
 template <typename Guard, typename Domain>
 class Finger_stations
 {
@@ -50,7 +50,7 @@ class Finger_stations
   using Point_3 = typename Guard::Point_3;
 
 public:
-  // Takes how far stations are apart, in units of the thickness.
+  // Takes the distance between neighboring stations, in units of the thickness.
   Finger_stations(Guard& guard,
                   const Domain& domain,
                   const Thickness<Point_3>& thickness,
@@ -60,25 +60,25 @@ public:
     add_stretches_of_curves();
   }
 
-  // Adds points of the domain. Once the run is to stop no more are found.
-  void add_places(std::size_t seed, Run_watch& watch)
+  // Adds points of the domain, no more once the run is to stop.
+  void add_targets(std::size_t seed, Run_watch& watch)
   {
-    std::vector<Vector> there;
-    for(const Finger_station& station : m_stations) there.push_back(station.position);
+    std::vector<Vector> roots;
+    for(const Finger_station& station : m_stations) roots.push_back(station.position);
     const auto distance = [this](const Point_3& p) { return m_spacing * m_thickness(p); };
     Well_spaced_points<Domain, typename Network::Traits, decltype(distance)> points(
-        m_domain, distance, room_of_place / m_spacing, curve().traits(), watch,
+        m_domain, distance, target_clearance / m_spacing, curve().traits(), watch,
         m_guard.boundary().layer());
     try {
       const Watched_scope scope(&watch);
-      for(const Vector& p : points(there, seed)) m_stations.push_back({p, thickness(p), {}});
+      for(const Vector& p : points(roots, seed)) m_stations.push_back({p, thickness(p), {}});
     } catch(const Run_stopped&) {
     }
-    m_number_of_places = m_stations.size() - m_number_of_roots;
+    m_number_of_targets = m_stations.size() - m_number_of_roots;
     m_neighborhoods = std::make_unique<Node_neighborhoods>(positions());
   }
 
-  // Adds a place on the way, which within() does not find.
+  // Adds a waypoint, which within() does not find.
   std::size_t add_waypoint(const Vector& p)
   {
     m_stations.push_back({p, thickness(p), {}});
@@ -88,19 +88,19 @@ public:
   Finger_station& operator[](std::size_t s) { return m_stations[s]; }
   const Finger_station& operator[](std::size_t s) const { return m_stations[s]; }
 
-  // the indices of roots come first, those of places are next
+  // Roots have the first indices, targets the next ones.
   std::size_t number_of_roots() const { return m_number_of_roots; }
-  std::size_t number_of_places() const { return m_number_of_places; }
+  std::size_t number_of_targets() const { return m_number_of_targets; }
 
-  bool is_place(std::size_t s) const
+  bool is_target(std::size_t s) const
   {
-    return s >= m_number_of_roots && s - m_number_of_roots < m_number_of_places;
+    return s >= m_number_of_roots && s - m_number_of_roots < m_number_of_targets;
   }
 
-  // how far a station is from the next ones
+  // the distance from a station to its neighbors
   double spacing(std::size_t s) const { return m_spacing * m_stations[s].thickness; }
 
-  // in the order of their indices
+  // the roots and targets within a distance of p, in the order of their indices
   std::vector<std::size_t> within(double distance, const Vector& p)
   {
     m_neighborhoods->find(p, distance, m_near);
@@ -112,14 +112,15 @@ public:
   }
 
 private:
-  static constexpr double room_of_place = 0.5; // halved twice where it is narrow
+  static constexpr double target_clearance =
+      0.5; // in units of the thickness; halved twice where it is narrow
 
   const Network& curve() const { return m_guard.curve(); }
 
   double thickness(const Vector& p) const { return m_thickness(to_point(p, curve().traits())); }
 
-  // The edges of each component, in stretches as long as stations are apart. What is pinned stays
-  // straight, unless there is nothing else.
+  // Divides the edges of each component into stretches as long as the spacing of stations. Pinned
+  // edges are left out, unless a component has no others.
   void add_stretches_of_curves()
   {
     halve_long_edges();
@@ -178,8 +179,8 @@ private:
   const Thickness<Point_3>& m_thickness;
   const double m_spacing; // in units of the thickness
   std::vector<Finger_station> m_stations;
-  std::size_t m_number_of_roots = 0, m_number_of_places = 0;
-  std::unique_ptr<Node_neighborhoods> m_neighborhoods; // of roots and places
+  std::size_t m_number_of_roots = 0, m_number_of_targets = 0;
+  std::unique_ptr<Node_neighborhoods> m_neighborhoods; // of roots and targets
   Node_list m_near;
 };
 

@@ -32,11 +32,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Tree of fingers, which grow from curves through a whole domain before the flow: they follow a
-// random spanning tree of well-spaced points, which starts from all points of the curves (Prim's
-// algorithm). A small circle becomes the outline of a tree, isotopic to it, in time proportional to
+// Tree of fingers that grow from curves through a whole domain before the flow. They follow a random
+// spanning tree of well-spaced points that starts from all points of the curves (Prim's algorithm). A small circle becomes the outline of a tree, isotopic to it, in time proportional to
 // the number of points. The component with the smallest share of the volume grows next. Points that
-// no straight finger reaches, for example beyond a neck, are reached by thin fingers along paths
+// no straight finger reaches, for example end a neck, are reached by thin fingers along paths
 // from a search.
 template <typename Guard, typename Domain>
 class Finger_tree
@@ -45,10 +44,10 @@ class Finger_tree
   using Traits = typename Network::Traits;
   using Stations = Finger_stations<Guard, Domain>;
   using Connections = Finger_connections<Stations, Traits>;
-  using Ways = Path_search<Domain, Traits>;
+  using Paths = Path_search<Domain, Traits>;
 
 public:
-  // Once the run is to stop nothing grows any more.
+  // A run that is to stop grows no more fingers.
   Finger_tree(Guard& guard,
               const Domain& domain,
               const Thickness<typename Guard::Point_3>& thickness,
@@ -62,7 +61,7 @@ public:
         m_reach_out(guard, domain)
   {}
 
-  // Lets the tree prefer connections along a field, if there is one and the weight is not 0.
+  // Makes the tree prefer connections along a field, if there is one and the weight is not 0.
   void follow(const typename Connections::Direction_field& field, double weight)
   {
     if(!field || !(weight > 0)) return;
@@ -71,8 +70,8 @@ public:
     m_spacing = spacing_along_field;
   }
 
-  // Grows all fingers, and numbers the curves again. The clearance of the guard does not hold for
-  // fingers: the flow makes room between their strands.
+  // Grows all fingers, and renumbers the nodes. Fingers need not keep the clearance of the guard:
+  // the flow moves their strands apart.
   void grow()
   {
     const Clearance_scope<Guard> scope(m_guard, 0);
@@ -80,17 +79,16 @@ public:
     m_connections.emplace(stations, m_random, m_guard.curve().traits());
     m_connections->follow(m_direction_field, m_detour);
     m_volumes.resize(m_guard.curve().number_of_components(), 0);
-    stations.add_places(m_random.bits(), m_watch);
+    stations.add_targets(m_random.bits(), m_watch);
     for(std::size_t s = 0; s < stations.number_of_roots(); ++s) reach(s, stations[s].component);
-    for(std::size_t c = 0; c < m_volumes.size(); ++c) m_hungry.push({m_volumes[c], c});
-    feed_all();
-    lead_to_rest();
+    for(std::size_t c = 0; c < m_volumes.size(); ++c) m_smallest_first.push({m_volumes[c], c});
+    grow_all();
+    reach_rest();
     m_guard.collect_garbage();
   }
 
-  // \pre grow() has been called
-  // of the places in the domain, those that the curves have been through from the start left out
-  std::size_t number_of_places() const { return m_stations->number_of_places(); }
+  // the number of points that the curves do not pass at the start. \pre grow() has been called
+  std::size_t number_of_targets() const { return m_stations->number_of_targets(); }
   std::size_t number_of_fingers() const { return m_number_of_fingers; }
 
 private:
@@ -100,79 +98,80 @@ private:
   static constexpr double spacing = Space_of<Domain>::is_plane ? 4 : 2.9; // of the stations
   // Strands side by side leave longer gaps: with 2.9 the bunny ends with p99 1.43 (2026-11-22).
   static constexpr double spacing_along_field = Space_of<Domain>::is_plane ? 3.65 : 2.65;
-  static constexpr double cells_of_ways[] = {0.5, 0.25, 0.125};
+  static constexpr double cell_sizes[] = {0.5, 0.25, 0.125};
   static constexpr double detour_over_weight = 20; // see m_detour; twice that changes little
-  // Of ways, in all: less time than the flow takes.
-  static constexpr std::size_t fewest_cells = 100000, cells_per_place = 200;
-  static constexpr std::size_t ways_to_try = 4; // from one flood
-  static constexpr std::size_t looked_at = 4;   // stations near a cell
+  // The cells visited by all searches together take less time than the flow.
+  static constexpr std::size_t min_cells = 100000, cells_per_target = 200;
+  static constexpr std::size_t max_tries = 4;  // from one search
+  static constexpr std::size_t max_nearby = 4; // stations near a cell
 
-  // Takes note that a component has got to a station.
+  // Records that a component has reached a station.
   void reach(std::size_t s, std::size_t component)
   {
     (*m_stations)[s].component = component;
-    if(m_stations->is_place(s)) ++m_number_of_fingers;
+    if(m_stations->is_target(s)) ++m_number_of_fingers;
     const double distance = m_stations->spacing(s);
     m_volumes[component] += Space_of<Domain>::content(distance);
     m_connections->add_from(s);
   }
 
-  void feed_all()
+  void grow_all()
   {
-    while(!m_hungry.empty() && !m_watch.must_stop()) feed_hungriest();
+    while(!m_smallest_first.empty() && !m_watch.must_stop()) grow_smallest();
   }
 
   double fraction_done() const
   {
     return static_cast<double>(m_number_of_fingers) /
-           static_cast<double>(m_stations->number_of_places());
+           static_cast<double>(m_stations->number_of_targets());
   }
 
-  // Lets the component that has the least volume grow by a finger.
-  void feed_hungriest()
+  // Grows a finger from the component with the smallest volume.
+  void grow_smallest()
   {
-    const std::size_t component = m_hungry.top().second;
-    m_hungry.pop();
+    const std::size_t component = m_smallest_first.top().second;
+    m_smallest_first.pop();
     while(const auto connection = m_connections->take(component)) {
       if(m_watch.must_stop(fraction_done())) return;
       Finger_station& to = (*m_stations)[connection->to];
       if(!m_reach_out((*m_stations)[connection->from], to)) continue;
       reach(connection->to, component);
-      return m_hungry.push({m_volumes[component], component});
+      return m_smallest_first.push({m_volumes[component], component});
     }
   }
 
-  // From the widest ways to the narrowest.
-  void lead_to_rest()
+  // Leads fingers along paths to the remaining targets, wide paths first.
+  void reach_rest()
   {
-    const std::size_t beyond = m_stations->number_of_roots() + m_stations->number_of_places();
-    Ways ways(m_domain, m_guard.curve().traits(),
-              fewest_cells + cells_per_place * m_stations->number_of_places());
-    for(const double cell : cells_of_ways)
-      for(std::size_t s = m_stations->number_of_roots(); s < beyond; ++s)
+    const std::size_t end = m_stations->number_of_roots() + m_stations->number_of_targets();
+    Paths paths(m_domain, m_guard.curve().traits(),
+                min_cells + cells_per_target * m_stations->number_of_targets());
+    for(const double cell : cell_sizes)
+      for(std::size_t s = m_stations->number_of_roots(); s < end; ++s)
         if(m_watch.must_stop())
           return;
-        else if(!(*m_stations)[s].is_reached() && lead_to(s, cell, ways))
-          feed_all();
+        else if(!(*m_stations)[s].is_reached() && reach_along_path(s, cell, paths))
+          grow_all();
   }
 
-  // Returns whether there is a finger to the station now.
-  bool lead_to(std::size_t s, double cell, Ways& ways)
+  // Returns whether a finger reaches the station.
+  bool reach_along_path(std::size_t s, double cell, Paths& paths)
   {
     std::size_t tries = 0;
-    ways.flood((*m_stations)[s].position, cell * (*m_stations)[s].thickness, [&](const Vector& p) {
-      for(const std::size_t t : reached_near(p)) {
-        if(!ways.sees((*m_stations)[t].position, p)) continue;
-        const double longest = Connections::reach * m_stations->spacing(t);
-        const auto way = ways.way_from((*m_stations)[t].position, longest);
-        if(go_along(way, t, s) || ++tries == ways_to_try) return true;
-      }
-      return m_watch.must_stop();
-    });
+    paths.search((*m_stations)[s].position, cell * (*m_stations)[s].thickness,
+                 [&](const Vector& p) {
+                   for(const std::size_t t : reached_near(p)) {
+                     if(!paths.sees((*m_stations)[t].position, p)) continue;
+                     const double max_step = Connections::reach * m_stations->spacing(t);
+                     const auto path = paths.path_from((*m_stations)[t].position, max_step);
+                     if(grow_along(path, t, s) || ++tries == max_tries) return true;
+                   }
+                   return m_watch.must_stop();
+                 });
     return (*m_stations)[s].is_reached();
   }
 
-  // the nearest ones
+  // the reached stations nearest to p
   std::vector<std::size_t> reached_near(const Vector& p)
   {
     const double distance = Connections::reach * m_spacing * thickness_at(p);
@@ -181,7 +180,7 @@ private:
       if((*m_stations)[t].is_reached())
         nearest.push_back({((*m_stations)[t].position - p).squaredNorm(), t});
     std::sort(nearest.begin(), nearest.end());
-    nearest.resize((std::min)(nearest.size(), looked_at));
+    nearest.resize((std::min)(nearest.size(), max_nearby));
     std::vector<std::size_t> stations;
     for(const auto& [d, t] : nearest) stations.push_back(t);
     return stations;
@@ -192,18 +191,18 @@ private:
     return m_thickness(to_point(p, m_guard.curve().traits()));
   }
 
-  // Takes the places on the way, of which the station is the last.
-  bool go_along(const std::vector<Vector>& way, std::size_t from, std::size_t to)
+  // Grows a finger along a path, whose last point is the station `to`.
+  bool grow_along(const std::vector<Vector>& path, std::size_t from, std::size_t to)
   {
     const std::size_t component = (*m_stations)[from].component;
-    for(std::size_t k = 0; k < way.size(); ++k) {
-      const std::size_t next = k + 1 == way.size() ? to : m_stations->add_waypoint(way[k]);
+    for(std::size_t k = 0; k < path.size(); ++k) {
+      const std::size_t next = k + 1 == path.size() ? to : m_stations->add_waypoint(path[k]);
       Finger_station &here = (*m_stations)[from], &there = (*m_stations)[next];
       if(!m_reach_out(here, there) && !m_reach_out.squeeze(here, there)) return false;
       reach(next, component);
       from = next;
     }
-    m_hungry.push({m_volumes[component], component});
+    m_smallest_first.push({m_volumes[component], component});
     return true;
   }
 
@@ -213,19 +212,18 @@ private:
   Run_watch& m_watch;
   Random_source m_random;
   Finger_reach<Guard, Domain> m_reach_out;
-  typename Connections::Direction_field
-      m_direction_field; // none if the tree is to follow no directions
-  double m_detour = 0;   // by how much more length across the field counts
+  typename Connections::Direction_field m_direction_field; // null without a field
+  double m_detour = 0; // by how much more length across the field counts
   double m_spacing = spacing;
   std::size_t m_number_of_fingers = 0;
 
   // of grow()
   std::optional<Stations> m_stations;
   std::optional<Connections> m_connections;
-  std::vector<double> m_volumes; // that each component has got
+  std::vector<double> m_volumes; // of the components so far
 
-  using Hunger = std::pair<double, std::size_t>; // a component's volume, and the component
-  std::priority_queue<Hunger, std::vector<Hunger>, std::greater<Hunger>> m_hungry;
+  using Volume = std::pair<double, std::size_t>; // of a component, and its index
+  std::priority_queue<Volume, std::vector<Volume>, std::greater<Volume>> m_smallest_first;
 };
 
 } // namespace internal

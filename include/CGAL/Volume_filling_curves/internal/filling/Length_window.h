@@ -23,16 +23,16 @@ class Length_window
 public:
   void add(double length) { m_lengths.push_back(length); }
 
-  // returns whether the length changed by less than a fraction of it over that many iterations
+  // returns whether the length changed by less than this fraction over the last iterations
   bool has_settled(std::size_t iterations, double fraction) const
   {
     if(m_lengths.size() <= iterations) return false;
     const auto begin = m_lengths.end() - static_cast<std::ptrdiff_t>(iterations) - 1;
-    const auto [least, most] = std::minmax_element(begin, m_lengths.end());
-    return *most - *least < fraction * *most;
+    const auto [min, max] = std::minmax_element(begin, m_lengths.end());
+    return *max - *min < fraction * *max;
   }
 
-  // everything that it consists of
+  // the state of the window
   std::vector<double>& lengths() { return m_lengths; }
 
 private:

@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Place and direction of the straight part of a curve at a port, along the inward normal or a given
-// direction. Domains have no normals, but distances: the normal leads from the port to the place
-// nearby that is farthest from the boundary.
+// Position and direction of the straight part of a curve at a port, along the inward normal or a
+// given direction. Domains have no normals, but distances: the normal leads from the port to the
+// nearby point that is farthest from the boundary.
 template <typename Domain, typename Traits>
 class Neck_placement
 {
@@ -53,11 +53,11 @@ private:
   static constexpr double length = 1;        // of a neck, where the domain is wide enough
   static constexpr double end_gap = 1. / 64; // from the boundary to the end of the curve
   static constexpr double first_step = 1. / 16, last_step = 1; // from a port, to find the inside
-  // A neck takes at most that part of the line across the domain.
-  static constexpr double most_of_line = 0.5;
+  // A neck takes at most this share of the line across the domain.
+  static constexpr double max_share_of_line = 0.5;
   static constexpr double first_turn = 0.5, last_turn = 1e-6; // of the search for the normal
 
-  // A place inside, and the direction that leads there from the port.
+  // A point inside, and the direction that leads there from the port.
   struct Start
   {
     Vector position, direction;
@@ -103,8 +103,8 @@ private:
     return best;
   }
 
-  // how far it is to the boundary, or the limit
-  double way_to_boundary(const Vector& from, const Vector& u, double limit) const
+  // the distance to the boundary along u, or the limit
+  double distance_to_boundary(const Vector& from, const Vector& u, double limit) const
   {
     using Vector_3 = typename Domain::Vector_3;
     return m_domain.distance_along(to_point(from, m_traits), Vector_3(u.x(), u.y(), u.z()), limit);
@@ -114,14 +114,15 @@ private:
   {
     const Vector& u = start.direction;
     const double limit = start.step + m_thickness;
-    const double back = way_to_boundary(start.position, -u, limit);
+    const double back = distance_to_boundary(start.position, -u, limit);
     if(!(back < limit))
       throw std::invalid_argument(name + " is not at the boundary, but farther than the thickness "
                                          "inside");
     const Vector wall = start.position - back * u, end = wall + end_gap * m_thickness * u;
-    const double free =
-        depth_at(end) > 0 ? way_to_boundary(end, u, length * m_thickness / most_of_line) : 0;
-    const double neck_length = (std::min)(length * m_thickness, most_of_line * free);
+    const double free = depth_at(end) > 0
+                            ? distance_to_boundary(end, u, length * m_thickness / max_share_of_line)
+                            : 0;
+    const double neck_length = (std::min)(length * m_thickness, max_share_of_line * free);
     if(!(neck_length > 2 * end_gap * m_thickness))
       throw std::invalid_argument(name + " has no room for a neck: the domain is too thin there");
     Neck neck;

@@ -38,19 +38,19 @@ public:
         m_must_stop(std::move(must_stop))
   {}
 
-  // returns whether every passage from the place to the curve is proved to be narrower than r.
-  // \pre the ball of radius r / 2 around the place lies inside
-  bool is_behind_neck(const Vector& place, double r)
+  // returns whether every passage from a point to the curve is proved to be narrower than r.
+  // \pre the ball of radius r / 2 around the point lies inside
+  bool is_behind_neck(const Vector& point, double r)
   {
     const auto is_end = [&](const Vector& p) {
       return m_cells_left-- <= 1 || m_curve.distance(p) < r || m_must_stop();
     };
-    return m_cells_left > 0 && !m_paths.flood(place, max_cell * r, is_end);
+    return m_cells_left > 0 && !m_paths.search(point, max_cell * r, is_end);
   }
 
 private:
-  // In units of r. A ball of radius r / 2 whose center is in a cell of size s leaves a room of
-  // r / 2 - 0.87 s at the center of the cell; the flood asks for 0.55 s.
+  // In units of r. If the center of a ball of radius r / 2 lies in a cell of size s, the center of
+  // the cell is at least r / 2 - 0.87 s from the boundary; the search requires 0.55 s.
   static constexpr double max_cell = 0.35;
   static constexpr std::size_t max_cells = 300000;
 

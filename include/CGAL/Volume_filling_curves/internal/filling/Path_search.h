@@ -30,83 +30,83 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Search for paths inside a domain, around corners and through necks: breadth first over the cells
-// of a grid whose centers have enough clearance; the path back is pulled taut. The size of the
-// cells is a power of two, hence searches from different points share them and skip regions without
-// a result. Linear in the number of visited cells, which is limited.
+// of a grid whose centers are far enough from the boundary; the path back is pulled taut. The size
+// of the cells is a power of two, hence searches from different points share them and skip regions
+// without a result. Linear in the number of visited cells, which is limited.
 template <typename Domain, typename Traits>
 class Path_search
 {
   using Point_3 = typename Traits::Point_3;
 
 public:
-  // Takes how many cells may be visited in all.
-  Path_search(const Domain& domain, const Traits& traits, std::size_t most_cells)
-      : m_domain(domain), m_traits(traits), m_cells_left(most_cells)
+  // Takes the limit of the number of visited cells, for all searches together.
+  Path_search(const Domain& domain, const Traits& traits, std::size_t max_cells)
+      : m_domain(domain), m_traits(traits), m_cells_left(max_cells)
   {
     const auto box = domain.bbox();
     m_origin = Vector(box.xmin(), box.ymin(), box.zmin());
   }
 
-  // Floods the domain from a place on, in cells of at most that size, and shows their centers, the
-  // place first, to `is_end` until it returns true. Returns whether it did.
+  // Visits the cells, of at most the given size, that are connected with the start: passes their
+  // centers, first the start itself, to `is_end` until it returns true. Returns whether it did.
   template <typename IsEnd>
-  bool flood(const Vector& start, double largest_cell, const IsEnd& is_end)
+  bool search(const Vector& start, double max_cell_size, const IsEnd& is_end)
   {
     m_start = start;
-    m_level = std::ilogb(largest_cell);
+    m_level = std::ilogb(max_cell_size);
     m_size = std::ldexp(1, m_level);
-    m_former = {}; // clear() would keep, and fill, millions of buckets for a few cells
+    m_predecessors = {}; // clear() would keep, and fill, millions of buckets for a few cells
     std::deque<Cell> queue(1, cell_at(start));
-    if(m_fruitless.count(queue.front()) > 0 || !has_room(queue.front())) return false;
-    m_former[queue.front()] = queue.front();
+    if(m_without_result.count(queue.front()) > 0 || !has_clearance(queue.front())) return false;
+    m_predecessors[queue.front()] = queue.front();
     while(!queue.empty() && m_cells_left > 0) {
       m_last = queue.front();
       queue.pop_front();
       --m_cells_left;
       if(is_end(position(m_last))) return true;
       for(const Cell& next : neighbors(m_last))
-        if(m_former.count(next) == 0 && has_room(next)) {
-          m_former[next] = m_last;
+        if(m_predecessors.count(next) == 0 && has_clearance(next)) {
+          m_predecessors[next] = m_last;
           queue.push_back(next);
         }
     }
-    for(const auto& [cell, former] : m_former) m_fruitless.insert(cell);
+    for(const auto& [cell, former] : m_predecessors) m_without_result.insert(cell);
     return false;
   }
 
-  // the centers of the cells on the way, the last one shown first
-  std::vector<Vector> cells() const
+  // the centers of the cells on the path found, from its end to the start
+  std::vector<Vector> path() const
   {
-    std::vector<Vector> cells(1, position(m_last));
-    for(Cell c = m_last; m_former.at(c) != c; c = m_former.at(c))
-      cells.push_back(position(m_former.at(c)));
-    return cells;
+    std::vector<Vector> path(1, position(m_last));
+    for(Cell c = m_last; m_predecessors.at(c) != c; c = m_predecessors.at(c))
+      path.push_back(position(m_predecessors.at(c)));
+    return path;
   }
 
-  // The places on the way from a place that sees the last cell shown to the start of the flood, no
-  // two of which are farther apart than `longest`, without the former.
-  std::vector<Vector> way_from(const Vector& p, double longest) const
+  // The points of the path, pulled taut, from a point that sees its end to the start, without the
+  // point itself. Steps are no longer than `max_step`, as far as the cells allow.
+  std::vector<Vector> path_from(const Vector& p, double max_step) const
   {
-    const std::vector<Vector> places = cells();
-    std::vector<Vector> way;
+    const std::vector<Vector> centers = path();
+    std::vector<Vector> taut;
     Vector from = p;
-    for(std::size_t k = 0; k + 1 < places.size(); ++k) {
-      const bool is_next_near = (places[k + 1] - from).norm() <= longest;
-      if(is_next_near && sees(from, places[k + 1])) continue;
-      way.push_back(from = places[k]);
+    for(std::size_t k = 0; k + 1 < centers.size(); ++k) {
+      const bool is_next_near = (centers[k + 1] - from).norm() <= max_step;
+      if(is_next_near && sees(from, centers[k + 1])) continue;
+      taut.push_back(from = centers[k]);
     }
-    way.push_back(m_start);
-    return way;
+    taut.push_back(m_start);
+    return taut;
   }
 
-  // returns whether the straight way has room
+  // returns whether the segment keeps clear of the boundary
   bool sees(const Vector& p, const Vector& q) const
   {
     const double length = (q - p).norm();
-    const double needed = (std::min)({room_of_cell * m_size, room(p), room(q)}) / 2;
+    const double needed = (std::min)({cell_clearance * m_size, depth_at(p), depth_at(q)}) / 2;
     if(!(needed > 0)) return false;
     for(double done = 0; done < length;) {
-      const double free = room(p + done / length * (q - p));
+      const double free = depth_at(p + done / length * (q - p));
       if(free < needed) return false;
       done += free;
     }
@@ -114,12 +114,13 @@ public:
   }
 
 private:
-  using Cell = std::array<std::int64_t, 4>; // the place in the grid, and the size's exponent
+  using Cell = std::array<std::int64_t, 4>; // indices in the grid, and the exponent of the size
 
   static constexpr bool is_plane = Space_of<Domain>::is_plane;
 
-  // At the center, in units of the size: balls around neighboring centers meet.
-  static constexpr double room_of_cell = 0.55;
+  // Required distance of a center to the boundary, in units of the size of the cell: balls around
+  // neighboring centers meet.
+  static constexpr double cell_clearance = 0.55;
 
   Cell cell_at(const Vector& p) const
   {
@@ -129,10 +130,10 @@ private:
     return c;
   }
 
-  // the center, but where the flood begins
+  // the center of a cell, and the start in the first one
   Vector position(const Cell& c) const
   {
-    if(m_former.at(c) == c) return m_start;
+    if(m_predecessors.at(c) == c) return m_start;
     return center(c);
   }
 
@@ -155,23 +156,23 @@ private:
     return result;
   }
 
-  bool has_room(const Cell& c) const { return room(center(c)) >= room_of_cell * m_size; }
+  bool has_clearance(const Cell& c) const { return depth_at(center(c)) >= cell_clearance * m_size; }
 
   // the distance to the boundary, 0 outside
-  double room(const Vector& x) const { return depth(m_domain, to_point(x, m_traits)); }
+  double depth_at(const Vector& x) const { return depth(m_domain, to_point(x, m_traits)); }
 
   const Domain& m_domain;
   const Traits m_traits;
   std::size_t m_cells_left;
   Vector m_origin;
-  std::unordered_set<Cell, boost::hash<Cell>> m_fruitless;
+  std::unordered_set<Cell, boost::hash<Cell>> m_without_result;
 
-  // of the last flood
+  // of the last search
   Vector m_start;
   int m_level = 0;
-  double m_size = 0; // of the cells
+  double m_size = 0; // of a cell
   Cell m_last{};
-  std::unordered_map<Cell, Cell, boost::hash<Cell>> m_former; // from which a cell was reached
+  std::unordered_map<Cell, Cell, boost::hash<Cell>> m_predecessors; // of visited cells
 };
 
 } // namespace internal

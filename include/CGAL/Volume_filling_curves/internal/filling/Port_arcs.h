@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Domain without some segments, for the search for a path around them.
+// Domain from which segments are removed, for the search for paths around them.
 template <typename Domain>
 class Domain_without_segments
 {
@@ -49,22 +49,25 @@ public:
 
   explicit Domain_without_segments(const Domain& domain) : m_domain(domain) {}
 
-  void take_out(const Vector& p, const Vector& q) { m_segments.push_back({p, q}); }
-  void take_out(const std::vector<Vector>& path)
+  void remove(const Vector& p, const Vector& q) { m_segments.push_back({p, q}); }
+  void remove(const std::vector<Vector>& path)
   {
-    for(std::size_t k = 1; k < path.size(); ++k) take_out(path[k - 1], path[k]);
+    for(std::size_t k = 1; k < path.size(); ++k) remove(path[k - 1], path[k]);
   }
 
   CGAL::Bbox_3 bbox() const { return m_domain.bbox(); }
-  bool is_inside(const Point_3& p) const { return m_domain.is_inside(p) && to_segments(p) > 0; }
+  bool is_inside(const Point_3& p) const
+  {
+    return m_domain.is_inside(p) && distance_to_segments(p) > 0;
+  }
 
   double distance(const Point_3& p) const
   {
-    return (std::min)(static_cast<double>(m_domain.distance(p)), to_segments(p));
+    return (std::min)(static_cast<double>(m_domain.distance(p)), distance_to_segments(p));
   }
 
 private:
-  double to_segments(const Point_3& p) const
+  double distance_to_segments(const Point_3& p) const
   {
     double least = std::numeric_limits<double>::infinity();
     for(const Segment& s : m_segments)
@@ -76,19 +79,20 @@ private:
   std::vector<Segment> m_segments;
 };
 
-// Arcs that a filling between ports starts from: from each odd port to the next one. They begin and
-// end with straight necks, whose nodes are pinned and which a path through the domain joins.
+// Arcs from which a filling between ports starts: one from each odd port to the next port. An arc
+// begins and ends with a straight neck, whose nodes are pinned; a path through the domain joins the
+// two.
 template <typename Domain, typename Traits>
 class Port_arcs
 {
   using Point_3 = typename Traits::Point_3;
-  using Ways = Path_search<Domain_without_segments<Domain>, Traits>;
+  using Paths = Path_search<Domain_without_segments<Domain>, Traits>;
 
 public:
   using Polyline = std::vector<Point_3>;
 
-  // Takes how far the nodes of necks are apart, in units of the thickness. Throws
-  // std::invalid_argument, with the number of the port, from 1, if there is no neck or no way.
+  // Takes the distance between the nodes of a neck, in units of the thickness. Throws
+  // std::invalid_argument, with the number of the port, from 1, if there is no neck or no path.
   Port_arcs(const Domain& domain,
             const Thickness<Point_3>& thickness,
             const std::vector<Port<Point_3>>& ports,
@@ -123,9 +127,9 @@ public:
   }
 
 private:
-  static constexpr double cells_of_ways[] = {0.5, 0.25, 0.125, 0.0625}; // of the thickness
-  static constexpr std::size_t most_cells = 2000000;                    // some seconds
-  static constexpr double longest_step = 2; // between nodes of a way, in units of the thickness
+  static constexpr double cell_sizes[] = {0.5, 0.25, 0.125, 0.0625}; // in units of the thickness
+  static constexpr std::size_t max_cells = 2000000;                  // some seconds
+  static constexpr double max_step = 2; // between nodes of a path, in units of the thickness
 
   double thickness_at(std::size_t k) const { return m_thickness(m_necks[k].end); }
 
@@ -153,16 +157,17 @@ private:
                                       std::to_string(k + 1) + ": their necks meet");
   }
 
-  // Keeps the way of an arc off the arcs before, and off all necks; its own are open at their ends.
+  // The domain for the path of an arc, without earlier paths and without necks; of its own two necks
+  // the inner halves remain.
   Domain_without_segments<Domain> free_domain(std::size_t first) const
   {
     Domain_without_segments<Domain> domain(m_domain);
-    for(const std::vector<Vector>& way : m_ways) domain.take_out(way);
+    for(const std::vector<Vector>& path : m_paths) domain.remove(path);
     for(std::size_t k = 0; k < m_necks.size(); ++k) {
       const std::vector<Vector> nodes = nodes_of_neck(k);
       const bool is_own = k == first || k == first + 1;
-      domain.take_out(to_vector(m_necks[k].wall),
-                      is_own ? Vector((nodes.front() + nodes.back()) / 2) : nodes.back());
+      domain.remove(to_vector(m_necks[k].wall),
+                    is_own ? Vector((nodes.front() + nodes.back()) / 2) : nodes.back());
     }
     return domain;
   }
@@ -171,28 +176,28 @@ private:
   {
     const std::vector<Vector> from = nodes_of_neck(k), to = nodes_of_neck(k + 1);
     std::vector<Vector> nodes = from;
-    for(const Vector& x : way(k, from.back(), to.back())) nodes.push_back(x);
-    m_ways.push_back({nodes.begin() + static_cast<std::ptrdiff_t>(from.size()) - 1, nodes.end()});
+    for(const Vector& x : path(k, from.back(), to.back())) nodes.push_back(x);
+    m_paths.push_back({nodes.begin() + static_cast<std::ptrdiff_t>(from.size()) - 1, nodes.end()});
     nodes.insert(nodes.end(), to.rbegin() + 1, to.rend());
     Polyline polyline;
     for(const Vector& x : nodes) polyline.push_back(to_point(x, m_traits));
     m_polylines.push_back(polyline);
   }
 
-  // Returns the nodes from one neck, without its end, to that of the other one.
-  std::vector<Vector> way(std::size_t k, const Vector& from, const Vector& to) const
+  // Returns the nodes between the ends of two necks, with the second end.
+  std::vector<Vector> path(std::size_t k, const Vector& from, const Vector& to) const
   {
     const Domain_without_segments<Domain> domain = free_domain(k);
-    Ways ways(domain, m_traits, most_cells);
+    Paths paths(domain, m_traits, max_cells);
     const auto is_end = [&](const Vector& p) {
       check_run();
-      return ways.sees(from, p);
+      return paths.sees(from, p);
     };
-    for(const double cell : cells_of_ways)
-      if(ways.flood(to, cell * thickness_at(k + 1), is_end))
-        return ways.way_from(from, longest_step * thickness_at(k));
+    for(const double cell : cell_sizes)
+      if(paths.search(to, cell * thickness_at(k + 1), is_end))
+        return paths.path_from(from, max_step * thickness_at(k));
     throw std::invalid_argument("ports " + std::to_string(k + 1) + " and " + std::to_string(k + 2) +
-                                ": no way was found between them");
+                                ": no path was found between them");
   }
 
   const Domain& m_domain;
@@ -200,12 +205,12 @@ private:
   const double m_spacing;
   const Traits m_traits;
   std::vector<Port_neck<Point_3>> m_necks;
-  std::vector<std::vector<Vector>> m_ways; // with the inner ends of the necks
+  std::vector<std::vector<Vector>> m_paths; // with the inner ends of the necks
   std::vector<Polyline> m_polylines;
 };
 
-// Finds out which necks are free: no edge meets the segment from the boundary to the end of the
-// curve but in this end. \pre the end of each neck is an end of the curve
+// Marks the necks that are free: no edge meets the segment from the boundary to the end of the
+// curve, except in this end. \pre the end of each neck is an end of the curve
 template <typename Network>
 void check_necks(const Network& curve, std::vector<Port_neck<typename Network::Point_3>>& necks)
 {

@@ -38,11 +38,10 @@ constexpr double needed_width = 0.8;
 // none.
 constexpr double uncrowded_width = 1.1;
 
-// The share of a domain that is too thin for a thickness. For each of some samples, the nearby
-// sample with the largest ball is chosen, and the ball ascends; if it stays smaller than a curve
-// needs, the sample lies in walls that are too thin. Takes hardly
-// any query of the domain where it is wide, and up to some hundred for each of the samples where it
-// is not.
+// Share of a domain that is too thin for a thickness. For each of some samples, the largest ball
+// around a nearby sample ascends; if it stays smaller than a curve needs, the sample lies between
+// walls that are too thin. Needs hardly any query of the domain where it is wide, and up to some
+// hundred per sample where it is not.
 template <typename Samples>
 class Thin_walls
 {
@@ -81,7 +80,7 @@ public:
     std::size_t thin = 0, all = 0;
     for(; all < n && (all == 0 || !m_watch.must_stop()); ++all) {
       const Point_3& p = m_samples.points()[all];
-      if(!has_room(to_vector(p), scale * m_thickness(p))) ++thin;
+      if(!fits(to_vector(p), scale * m_thickness(p))) ++thin;
     }
     return static_cast<double>(thin) / static_cast<double>(all);
   }
@@ -101,13 +100,13 @@ public:
 private:
   // The center of a ball that touches the walls of a corner is 1.73 of its radii from it.
   static constexpr double reach_of_ball = 1.5 / 0.8; // in units of its radius
-  // If of that many balls around samples none has that part of the needed width, none will get it.
+  // If none of `many` balls around samples has the share `hopeful` of the needed width, none will.
   static constexpr int many = 8;
   static constexpr double hopeful = 0.6;
   static constexpr std::size_t number_of_probes = 300;
-  static constexpr int halvings = 32;        // of the square of the thickness, at most
-  static constexpr double last_step = 0.1;   // of the ascend, in units of r
-  static constexpr double least_gain = 1e-3; // of a radius, relative, so that the ascend ends
+  static constexpr int halvings = 32;      // of the square of the thickness, at most
+  static constexpr double last_step = 0.1; // of the ascent, in units of r
+  static constexpr double min_gain = 1e-3; // of a radius, relative, so that the ascent ends
 
   struct Ball
   {
@@ -117,7 +116,7 @@ private:
 
   static double scale(int k) { return std::sqrt(std::ldexp(1., -k)); }
 
-  bool has_room(const Vector& p, double r) const
+  bool fits(const Vector& p, double r) const
   {
     const auto is_near = [&](const Ball& ball) { return (ball.center - p).norm() <= m_reach * r; };
     auto near = std::find_if(m_balls.begin(), m_balls.end(), is_near);
@@ -132,8 +131,8 @@ private:
     return ball.radius >= needed;
   }
 
-  // Moves the ball to more room, along an axis or a diagonal of space, never out of itself; returns
-  // whether there is any.
+  // Moves the center, within the ball, along an axis or a diagonal of space to a larger ball;
+  // returns whether there is one.
   bool ascend(Ball& ball, const Vector& p, double step, double farthest) const
   {
     for(int k = 0; k < 27; ++k) {
@@ -143,7 +142,7 @@ private:
       const Vector direction = offset.normalized();
       const Ball next = ball_at(ball.center + (std::min)(step, ball.radius) * direction);
       if((next.center - p).norm() > farthest) continue;
-      if(!(next.radius > (1 + least_gain) * ball.radius)) continue;
+      if(!(next.radius > (1 + min_gain) * ball.radius)) continue;
       ball = next;
       return true;
     }

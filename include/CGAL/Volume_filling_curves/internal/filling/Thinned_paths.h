@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Points of paths into regions that are too thin for the required thickness, along which a curve
-// may be thinner. Linear in their number.
+// Paths into regions that are too thin for the required thickness, as points; along them a curve may
+// be thinner. Linear in the number of points.
 class Thinned_paths
 {
 public:
@@ -51,7 +51,6 @@ private:
 };
 
 } // namespace internal
-
 } // namespace Volume_filling_curves
 } // namespace CGAL
 

@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Unfilled space of a domain, which a curve has not reached, represented by samples. Near-linear in
-// their number.
+// Space of a domain that a curve has not reached yet, represented by samples. Near-linear in their
+// number.
 template <typename Network, typename Samples, typename ConcurrencyTag = Sequential_tag>
 class Unfilled_space
 {
@@ -46,8 +46,7 @@ public:
 
   using Distances = Boundary_distances<Domain>;
 
-  // Takes the distances of the samples to the boundary, and whether the curve is to keep clear of
-  // that.
+  // Takes the distances of the samples to the boundary, and how the curve treats it.
   Unfilled_space(const Samples& samples,
                  const Distances& boundary_distances,
                  Wall wall,
@@ -66,7 +65,7 @@ public:
     return sample_distances<ConcurrencyTag>(curve, m_samples);
   }
 
-  // returns the share of the volume that is farther than twice the thickness from a curve, by the
+  // returns the share of the volume farther than twice the thickness from a curve, given the
   // distances to it
   template <typename Thickness>
   double fraction(const std::vector<double>& distances, const Thickness& thickness) const
@@ -74,7 +73,7 @@ public:
     return unfilled_fraction(m_samples, to_be_covered(distances, thickness), thickness);
   }
 
-  // returns whether it is more than is tolerated, or somewhere much farther: a thin ear of a bunny
+  // returns whether this share is not tolerable, or a point is much farther: the thin ear of a bunny
   // is less than a hundredth of the volume, but far away
   template <typename Thickness>
   bool is_much(const Network& curve, const Thickness& thickness) const
@@ -87,7 +86,7 @@ public:
     return farther_than(2) > tolerated_unfilled_fraction || farther_than(far_away) > 0;
   }
 
-  // returns the regions that a curve has not got to, by the distances to it
+  // returns the regions that a curve has not reached, given the distances to it
   template <typename Thickness>
   std::vector<Region> regions(const Network& curve,
                               const std::vector<double>& distances,
@@ -98,15 +97,15 @@ public:
                               boundary_distance, thickness);
   }
 
-  // returns a point of each region, and points far from the curve, the farthest first: a tip of a
-  // thin ear holds no ball that makes it a region
+  // returns a point of each region, and other points far from the curve, the farthest first: the tip
+  // of a thin ear holds no ball that makes it a region
   template <typename Thickness>
-  std::vector<Point_3> places(const Network& curve, const Thickness& thickness) const
+  std::vector<Point_3> unreached_points(const Network& curve, const Thickness& thickness) const
   {
     const std::vector<double> distances_to_curve = to_be_covered(distances(curve), thickness);
-    std::vector<Point_3> places;
+    std::vector<Point_3> points;
     for(const Region& region : regions(curve, distances_to_curve, thickness))
-      places.push_back(region.point);
+      points.push_back(region.point);
     std::vector<std::size_t> far_samples;
     for(std::size_t k = 0; k < distances_to_curve.size(); ++k)
       if(distances_to_curve[k] > far_away * thickness(m_samples.points()[k]))
@@ -120,43 +119,42 @@ public:
       const auto is_near = [&](const Point_3& q) {
         return (to_vector(p) - to_vector(q)).norm() < far_away * thickness(p);
       };
-      if(std::none_of(places.begin(), places.end(), is_near)) places.push_back(p);
+      if(std::none_of(points.begin(), points.end(), is_near)) points.push_back(p);
     }
-    return places;
+    return points;
   }
 
-  // returns points of ways from places to the curve. Once the run is to stop no further ones are
-  // looked for.
-  std::vector<Vector> ways_to(const std::vector<Point_3>& places,
-                              const Network& curve,
-                              double thickness,
-                              Run_watch& watch) const
+  // returns the points of paths from the curve to targets, of no more paths once the run is to stop
+  std::vector<Vector> paths_to(const std::vector<Point_3>& targets,
+                               const Network& curve,
+                               double thickness,
+                               Run_watch& watch) const
   {
     std::vector<Vector> points;
-    if(places.empty()) return points;
+    if(targets.empty()) return points;
     const Distance_to_curve tree(curve);
-    Path_search ways(m_samples.domain(), m_samples.traits(), most_cells);
-    for(const Point_3& place : places)
-      for(double cell = cell_of_paths; cell >= least_cell; cell /= 2) {
+    Path_search paths(m_samples.domain(), m_samples.traits(), max_cells);
+    for(const Point_3& target : targets)
+      for(double cell = cell_of_paths; cell >= min_cell; cell /= 2) {
         const auto is_near = [&](const Vector& p) {
           return tree.distance(p) < 2 * cell_of_paths * thickness || watch.must_stop();
         };
         if(watch.must_stop()) return points;
-        if(!ways.flood(to_vector(place), cell * thickness, is_near)) continue;
-        const std::vector<Vector> way = ways.cells();
-        points.insert(points.end(), way.begin(), way.end());
+        if(!paths.search(to_vector(target), cell * thickness, is_near)) continue;
+        const std::vector<Vector> path = paths.path();
+        points.insert(points.end(), path.begin(), path.end());
         break;
       }
     return points;
   }
 
 private:
-  static constexpr double far_away = 3;       // from the curve, in units of the thickness
-  static constexpr double least_cell = 0.125; // in units of the thickness
-  static constexpr std::size_t most_cells = 1000000;
+  static constexpr double far_away = 3;     // from the curve, in units of the thickness
+  static constexpr double min_cell = 0.125; // in units of the thickness
+  static constexpr std::size_t max_cells = 1000000;
 
-  // The distances of samples to the curve, 0 where it is to keep clear of the boundary. Driven
-  // there, it would be compressed, and stay so.
+  // The distances of the samples to the curve, 0 where it is to keep clear of the boundary: pushed
+  // there, the curve would stay compressed.
   template <typename Thickness>
   std::vector<double> to_be_covered(std::vector<double> distances, const Thickness& thickness) const
   {

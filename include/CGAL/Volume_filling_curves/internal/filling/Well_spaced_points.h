@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Well-spaced points inside a domain, which keep a distance from one another, which may vary in
-// space, and from the boundary, and leave little space for more. Dart throwing (Cook 1986) over a
+// Well-spaced points inside a domain: they keep a distance, which may vary in space, from one
+// another and from the boundary, and leave little space for more. Dart throwing (Cook 1986) over a
 // finite set: candidates lie on a jittered grid, three per distance along each axis; in random
 // order, each remaining one is taken and removes those within its distance. Near-linear in their
 // number.
@@ -42,40 +42,41 @@ class Well_spaced_points
   using Space = Space_of<Domain>;
 
 public:
-  // Takes the distance at a point, also to be kept from points that are there already, what part of
-  // it is to be kept from the boundary, and a layer along the boundary to which that is added. Once
-  // the run is to stop no more points are found.
+  // Takes the distance as a function of the point; the clearance, which is the share of it to keep
+  // from the boundary; and the width of a layer along the boundary that is left out. A run that is
+  // to stop finds no more points.
   Well_spaced_points(const Domain& domain,
                      const Distance& distance,
-                     double room,
+                     double clearance,
                      const Traits& traits,
                      Run_watch& watch,
                      double layer = 0)
       : m_domain(domain),
         m_distance(distance),
-        m_room(room),
+        m_clearance(clearance),
         m_traits(traits),
         m_watch(watch),
         m_layer(layer)
   {}
 
-  std::vector<Vector> operator()(const std::vector<Vector>& there, std::size_t seed)
+  // Returns points that also keep the distance from existing ones.
+  std::vector<Vector> operator()(const std::vector<Vector>& existing, std::size_t seed)
   {
     Random_source random(seed);
     find_candidates(random);
     if(m_watch.must_stop()) return {};
     const Box_tree tree(boxes_of_runs());
     m_is_struck_out.assign(m_candidates.size(), false);
-    for(const Vector& p : there) {
+    for(const Vector& p : existing) {
       if(m_watch.must_stop()) return {};
       strike_out_near(p, tree);
     }
     const std::vector<Index> order = shuffled(random);
     std::vector<Vector> points;
-    for(const double room : {m_room, m_room / 2, m_room / 4}) // spikes come last
+    for(const double clearance : {m_clearance, m_clearance / 2, m_clearance / 4}) // spikes last
       for(const Index k : order) {
         if(m_watch.must_stop()) return points;
-        if(m_is_struck_out[k] || !has_room(m_candidates[k], room)) continue;
+        if(m_is_struck_out[k] || !has_clearance(m_candidates[k], clearance)) continue;
         points.push_back(m_candidates[k]);
         strike_out_near(m_candidates[k], tree);
       }
@@ -84,7 +85,7 @@ public:
 
 private:
   static constexpr double candidates_along_distance = 3;
-  static constexpr int most_halvings = 20;      // of the box
+  static constexpr int max_halvings = 20;       // of the box
   static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
 
   struct Cube // or square
@@ -93,7 +94,7 @@ private:
     double side;
   };
 
-  // Cubes around the box are divided down to the size that is asked for there, but not outside.
+  // Divides a cube around the box down to the size required at each point, but not outside.
   void find_candidates(Random_source& random)
   {
     const CGAL::Bbox_3 box = m_domain.bbox();
@@ -101,7 +102,7 @@ private:
     const Vector sides(box.x_span(), box.y_span(), box.z_span());
     double side = size_of_cube(low + sides / 2);
     while(side < sides.maxCoeff()) side *= 2;
-    m_least_side = side * std::ldexp(1, -most_halvings);
+    m_min_side = side * std::ldexp(1, -max_halvings);
     divide({low, side}, random);
   }
 
@@ -114,14 +115,14 @@ private:
   {
     const Vector p = cube.low + cube.side * Space::random_point(random);
     constexpr double slack = 1 + 1e-9;
-    if(cube.side <= slack * size_of_cube(p) || cube.side <= m_least_side)
+    if(cube.side <= slack * size_of_cube(p) || cube.side <= m_min_side)
       add_candidate(p);
     else if(!is_outside(cube) && !m_watch.must_stop())
       for(int k = 0; k < 1 << Space::dimension; ++k)
         divide({cube.low + cube.side / 2 * Vector(k % 2, k / 2 % 2, k / 4), cube.side / 2}, random);
   }
 
-  // Candidates outside the domain's box only count: of a thin plate they are nearly all.
+  // Candidates outside the domain's box, nearly all of those of a thin plate, are only counted.
   void add_candidate(const Vector& p)
   {
     m_is_kept.push_back(
@@ -135,10 +136,10 @@ private:
     return !m_domain.is_inside(center) && m_domain.distance(center) > 0.87 * cube.side;
   }
 
-  bool has_room(const Vector& x, double room) const
+  bool has_clearance(const Vector& x, double clearance) const
   {
     const Point_3 p = to_point(x, m_traits);
-    return m_domain.is_inside(p) && m_domain.distance(p) - m_layer >= room * m_distance(p);
+    return m_domain.is_inside(p) && m_domain.distance(p) - m_layer >= clearance * m_distance(p);
   }
 
   // Candidates that follow one another lie near each other, as the cubes do.
@@ -183,7 +184,7 @@ private:
     }
   };
 
-  // The numbers of the candidates in random order, none once the run is to stop.
+  // The indices of the candidates in random order; none if the run is to stop.
   std::vector<Index> shuffled(Random_source& random) const
   {
     constexpr Index none = (std::numeric_limits<Index>::max)();
@@ -201,11 +202,11 @@ private:
 
   const Domain& m_domain;
   const Distance& m_distance;
-  const double m_room; // at the boundary, in units of the distance
+  const double m_clearance; // from the boundary, in units of the distance
   const Traits m_traits;
   Run_watch& m_watch;
   const double m_layer;
-  double m_least_side = 0;
+  double m_min_side = 0;
   std::deque<Vector> m_candidates; // no vector, which takes thrice as much while it grows
   std::vector<bool> m_is_kept;     // of all candidates, in the order of the cubes
   std::vector<bool> m_is_struck_out;

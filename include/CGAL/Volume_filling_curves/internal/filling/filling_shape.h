@@ -35,7 +35,7 @@ constexpr double bend_radius_of_thickness = 0.85, strand_distance_of_thickness =
 // bends would tangle, or contract the curve: in a cube of side 10 r one with a bend radius of 2 r
 // vanished.
 template <typename Point_3>
-double least_thickness_for(const Filling_parameters<Point_3>& parameters)
+double min_thickness_for(const Filling_parameters<Point_3>& parameters)
 {
   return parameters.bend_radius / bend_radius_of_thickness;
 }

@@ -29,7 +29,7 @@ namespace internal {
 // in one of size 2^-170. Such a run therefore uses the size of the domain's box as unit, rounded to
 // a power of two, which rounds no coordinate.
 
-inline double largest_coordinate_of(const CGAL::Bbox_3& box)
+inline double max_coordinate_of(const CGAL::Bbox_3& box)
 {
   double largest = 0;
   for(int i = 0; i < 3; ++i)
@@ -50,12 +50,12 @@ inline double largest_coordinate_of(const CGAL::Bbox_3& box)
 template <typename Domain>
 double length_unit(const CGAL::Bbox_3& box)
 {
-  constexpr int largest_exponent = 128; // leaves 2^40 between the domain's size and that of edges
-  const double size = largest_coordinate_of(box);
+  constexpr int max_exponent = 128; // leaves 2^40 between the domain's size and that of edges
+  const double size = max_coordinate_of(box);
   if(!(size > 0) || !std::isfinite(size)) return 1; // the survey says what is wrong
   const int exponent = std::ilogb(size);
-  if(std::abs(exponent) <= largest_exponent) return 1;
-  if(size > largest_coordinate || size < least_size)
+  if(std::abs(exponent) <= max_exponent) return 1;
+  if(size > max_coordinate || size < min_extent)
     refuse_size(size, "must be between 1e-150 and 1e150");
   if(!Is_scalable<Domain>::value)
     refuse_size(size, "must be between 1e-38 and 1e38 if the domain has no member function "

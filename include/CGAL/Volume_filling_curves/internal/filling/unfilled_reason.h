@@ -74,7 +74,7 @@ struct Missed_regions
   std::size_t others = 0;
 };
 
-// Takes also the thickness that leaves strands room, used if the curve is crowded.
+// Also takes the thickness with which strands keep their distance, used if the curve is crowded.
 template <typename Point_3>
 std::string unfilled_reason(const Filling_result<Point_3>& result,
                             const Missed_regions& missed,

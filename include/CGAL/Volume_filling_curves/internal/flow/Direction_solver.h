@@ -35,8 +35,7 @@ public:
   {
     if(contacts.has_contacts())
       return m_conjugate_gradients(p, contacts, b, rough_tolerance, watch);
-    if(p.rows() > largest_factorized)
-      return m_conjugate_gradients(p, contacts, b, tolerance, watch);
+    if(p.rows() > max_factorized) return m_conjugate_gradients(p, contacts, b, tolerance, watch);
     m_factorization.compute(p);
     // b serves as a direction if the factorization breaks down
     if(m_factorization.info() != Eigen::Success) return b;
@@ -47,7 +46,7 @@ public:
 private:
   // Cholesky loses from 64 nodes on for tight knots (kernel_solver, 2026-11-21): with 200, tangled
   // knots, which flow on 50 to 200 nodes most of the time, take a fifth longer (2026-11-23).
-  static constexpr Eigen::Index largest_factorized = 64;
+  static constexpr Eigen::Index max_factorized = 64;
 
   // Relative residuals. Directions with contacts take twice as many iterations for another digit,
   // and knots do not settle in fewer steps for that (2026-11-23).

@@ -61,7 +61,7 @@ public:
   void set_max_displacement(double max_displacement)
   {
     m_parameters.max_displacement = max_displacement;
-    m_step.set_largest_displacement(max_displacement);
+    m_step.set_max_displacement(max_displacement);
   }
 
   // Strands go that far apart after every free step, in units of the least thickness.
@@ -88,7 +88,7 @@ public:
     // A step keeps strands a tenth of the thickness apart; closer ones could hardly move again.
     constexpr double clearance_over_thickness = 0.1;
     m_guard.set_clearance(m_node_thickness.empty() ? 0
-                                                   : clearance_over_thickness * least_thickness());
+                                                   : clearance_over_thickness * min_thickness());
   }
 
   // Takes the positions of the nodes, and the direction of each. Moves the curve, remeshes it, and
@@ -129,7 +129,7 @@ private:
   {
     const Stage_timer stage(m_statistics.seconds_motion);
     if(m_shape_phase == Shape_phase::BENDING)
-      return shaped_step().bend(direction, m_parameters.max_displacement * least_thickness(),
+      return shaped_step().bend(direction, m_parameters.max_displacement * min_thickness(),
                                 m_shaped_steps++);
     return m_step(positions, direction, m_parameters, m_node_thickness, m_statistics);
   }
@@ -153,7 +153,7 @@ private:
     return has_moved;
   }
 
-  double least_thickness() const
+  double min_thickness() const
   {
     return *std::min_element(m_node_thickness.begin(), m_node_thickness.end());
   }
@@ -186,10 +186,10 @@ private:
 
   Remesher make_remesher() { return make_remesher(m_parameters.spacing); }
 
-  Remesher make_remesher(double least_edge)
+  Remesher make_remesher(double min_edge)
   {
     std::vector<double> spacing = m_node_thickness;
-    for(double& h : spacing) h *= least_edge;
+    for(double& h : spacing) h *= min_edge;
     return {m_guard, std::move(spacing)};
   }
 

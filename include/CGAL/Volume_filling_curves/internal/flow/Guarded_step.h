@@ -56,14 +56,12 @@ template <typename Guard, typename ConcurrencyTag>
 class Guarded_step
 {
 public:
-  Guarded_step(Guard& guard, double largest_displacement)
-      : m_guard(guard), m_size(largest_displacement)
-  {}
+  Guarded_step(Guard& guard, double max_displacement) : m_guard(guard), m_size(max_displacement) {}
 
   // Forgets how the last steps went.
-  void start_anew(double largest_displacement) { m_size = Step_size(largest_displacement); }
+  void start_anew(double max_displacement) { m_size = Step_size(max_displacement); }
 
-  void set_largest_displacement(double largest) { m_size.set_largest_displacement(largest); }
+  void set_max_displacement(double largest) { m_size.set_max_displacement(largest); }
 
   // Strands go that far apart after every step, in units of the least thickness.
   void keep_apart(double distance) { m_separation = distance; }
@@ -97,12 +95,11 @@ public:
 private:
   // Strands that block one another are separated by more than the length of an edge: at smaller
   // distances the energy does not distinguish them, and would bring them back together.
-  bool separate_strands(double least_thickness, double longest_way)
+  bool separate_strands(double min_thickness, double max_motion)
   {
     constexpr double separation_of_held_strands = 0.5;
     const double distance = (std::max)(separation_of_held_strands, m_separation);
-    return Strand_separator<Guard, ConcurrencyTag>(m_guard, distance * least_thickness,
-                                                   longest_way)();
+    return Strand_separator<Guard, ConcurrencyTag>(m_guard, distance * min_thickness, max_motion)();
   }
 
   Guard& m_guard;

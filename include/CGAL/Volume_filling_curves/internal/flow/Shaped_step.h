@@ -41,14 +41,14 @@ public:
 
   // Takes a direction of each node, how far a node may go along it, and how many steps have passed.
   // Returns whether any node moved.
-  bool bend(const Vector_field& direction, double longest_way, std::size_t number_of_steps)
+  bool bend(const Vector_field& direction, double max_motion, std::size_t number_of_steps)
   {
     const Strand_pairs pairs = find_pairs();
     std::vector<Vector> x = positions();
     for(std::size_t v = 0; v < x.size(); ++v) {
       const Vector way = row(direction, v);
       const double length = way.norm();
-      x[v] += length > longest_way ? Vector(longest_way / length * way) : way;
+      x[v] += length > max_motion ? Vector(max_motion / length * way) : way;
     }
     return project(std::move(x), pairs, sweeps_of_step(number_of_steps), false);
   }
@@ -65,7 +65,7 @@ private:
   // Figures found on six domains, with a bend radius of 0.85 r and a strand distance of 1.6 r
   // (2026-11-24).
   static constexpr double slack = 0.25; // in strand distances: two nodes go half of that each
-  static constexpr double first_sweeps = 2, growth_of_sweeps = 1.05, most_sweeps = 40;
+  static constexpr double first_sweeps = 2, growth_of_sweeps = 1.05, max_sweeps = 40;
   static constexpr int sweeps_to_polish = 10;
   static constexpr double parting_distance = 0.25; // of held strands, in strand distances
   static constexpr double wall_distance = 1. / 16; // in strand distances
@@ -74,8 +74,8 @@ private:
   static int sweeps_of_step(std::size_t k)
   {
     double sweeps = first_sweeps;
-    for(; k > 0 && sweeps < most_sweeps; --k) sweeps *= growth_of_sweeps;
-    return static_cast<int>((std::min)(sweeps, most_sweeps));
+    for(; k > 0 && sweeps < max_sweeps; --k) sweeps *= growth_of_sweeps;
+    return static_cast<int>((std::min)(sweeps, max_sweeps));
   }
 
   Strand_pairs find_pairs() const { return {ConcurrencyTag(), m_guard.curve(), m_limits, slack}; }

@@ -41,11 +41,11 @@ class Strand_separator
 
 public:
   // Takes the distance, and how far a node may go.
-  Strand_separator(Guard& guard, double distance, double longest_way)
+  Strand_separator(Guard& guard, double distance, double max_motion)
       : m_guard(guard),
         m_curve(guard.curve()),
         m_distance(distance),
-        m_longest_way(longest_way),
+        m_max_motion(max_motion),
         m_clearance(m_curve, CGAL_PI * distance),
         m_is_done(m_curve.number_of_nodes(), false)
   {}
@@ -77,7 +77,7 @@ private:
   {
     const double missing = m_distance - distance(e, f);
     if(!(missing > 0)) return; // others made room
-    const Vector way = (std::min)(missing / 2, m_longest_way) * normal_from(f, e);
+    const Vector way = (std::min)(missing / 2, m_max_motion) * normal_from(f, e);
     for(const std::size_t v : {m_curve.source(e), m_curve.target(e)}) move(v, way);
     for(const std::size_t v : {m_curve.source(f), m_curve.target(f)}) move(v, -way);
   }
@@ -91,11 +91,11 @@ private:
   // way between their nearest points, so that planar curves stay in their plane.
   Vector normal_from(std::size_t f, std::size_t e) const
   {
-    constexpr double least_sine = 0.05;
+    constexpr double min_sine = 0.05;
     const Vector u = (target(e) - source(e)).normalized(), v = (target(f) - source(f)).normalized();
     const Vector offset = (source(e) + target(e) - source(f) - target(f)) / 2;
     const Vector normal = u.cross(v);
-    if(!(normal.norm() > least_sine)) return Vector(offset - offset.dot(u) * u).normalized();
+    if(!(normal.norm() > min_sine)) return Vector(offset - offset.dot(u) * u).normalized();
     const double height = normal.dot(source(e) - source(f));
     if(height == 0) return chord_from(f, e).normalized();
     return (height > 0 ? 1 : -1) * normal.normalized();
@@ -121,7 +121,7 @@ private:
 
   Guard& m_guard;
   const Network& m_curve;
-  double m_distance, m_longest_way;
+  double m_distance, m_max_motion;
   Least_clearance<Network> m_clearance;
   std::vector<bool> m_is_done; // of the nodes
   bool m_have_moved = false;

@@ -44,7 +44,7 @@ public:
   }
 
   // at most that many nodes share a sphere with node v
-  std::size_t most_nodes(std::size_t v) const
+  std::size_t max_nodes(std::size_t v) const
   {
     const auto [first, last] = of_spheres(v);
     return static_cast<std::size_t>(last - first) + m_begin[v + 1] - m_begin[v];

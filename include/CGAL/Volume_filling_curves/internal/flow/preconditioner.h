@@ -61,7 +61,7 @@ public:
                               ? m_parameters.medial_weight
                               : m_parameters.screening;
     Sparse_matrix matrix(index(size()), index(size()));
-    matrix.reserve(most_entries());
+    matrix.reserve(max_entries());
     for_each_block<ConcurrencyTag>(size(), block, [&](std::size_t v, std::size_t end) {
       Entries neighbors;
       for(; v < end; ++v)
@@ -85,11 +85,11 @@ private:
   std::size_t size() const { return m_curve.number_of_nodes(); }
 
   // Of each row; an edge of the curve and a sphere may contribute to the same entry.
-  Eigen::VectorXi most_entries() const
+  Eigen::VectorXi max_entries() const
   {
     Eigen::VectorXi numbers(index(size()));
     for(std::size_t v = 0; v < size(); ++v)
-      numbers[index(v)] = static_cast<int>(1 + m_curve.degree(v) + m_touching.most_nodes(v));
+      numbers[index(v)] = static_cast<int>(1 + m_curve.degree(v) + m_touching.max_nodes(v));
     return numbers;
   }
 

@@ -21,13 +21,13 @@ namespace internal {
 
 // Range of the coordinates that networks, readers, domains and guards accept, and least size of the
 // bounding box of a curve that moves: squares of lengths neither overflow nor underflow.
-constexpr double largest_coordinate = 1e150, least_size = 1e-150;
+constexpr double max_coordinate = 1e150, min_extent = 1e-150;
 
 // returns whether all coordinates are accepted; NaN is not
 inline bool is_in_range(const Vector& x)
 {
   for(int k = 0; k < 3; ++k)
-    if(!(std::abs(x[k]) <= largest_coordinate)) return false;
+    if(!(std::abs(x[k]) <= max_coordinate)) return false;
   return true;
 }
 

@@ -75,8 +75,8 @@ public:
   const std::vector<double>& fractions() const { return m_fractions; }
 
 private:
-  static constexpr double least_fraction = 1. / 64; // a node that cannot go that far stands still
-  static constexpr std::size_t block = 128;         // nodes or pairs per task
+  static constexpr double min_fraction = 1. / 64; // a node that cannot go that far stands still
+  static constexpr std::size_t block = 128;       // nodes or pairs per task
 
   Rounds one_round() { return {{std::move(m_end)}, false}; }
 
@@ -178,7 +178,7 @@ private:
 
   void shorten(std::size_t v)
   {
-    m_fractions[v] = m_fractions[v] > least_fraction ? m_fractions[v] / 2 : 0;
+    m_fractions[v] = m_fractions[v] > min_fraction ? m_fractions[v] / 2 : 0;
     m_end[v] = m_limits.position(v, m_fractions[v]);
   }
 

@@ -146,14 +146,14 @@ double tube_radius(const Network& curve, Run_watch* watch = nullptr)
 template <typename Network>
 bool is_tighter(const Network& first, const Network& second, Run_watch& watch)
 {
-  constexpr double most_crossings = 1.1; // of one, in units of the other's
+  constexpr double max_crossings = 1.1; // of one, in units of the other's
   const auto ropelength_of = [&](const Network& curve) {
     watch.check();
     return total_length(curve) / tube_radius(curve, &watch);
   };
   return ropelength_of(first) < ropelength_of(second) &&
          average_crossing_number(first, 1, &watch) <=
-             most_crossings * average_crossing_number(second, 1, &watch);
+             max_crossings * average_crossing_number(second, 1, &watch);
 }
 
 } // namespace internal

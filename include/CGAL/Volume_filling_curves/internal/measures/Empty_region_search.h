@@ -179,13 +179,13 @@ private:
         if(room_there > next.radius) next = {trial, room_there, 0};
       }
       const double gain = next.radius - ball.radius;
-      if(gain < least_gain * length) step /= 2;
+      if(gain < min_gain * length) step /= 2;
       ball = next;
     }
     return ball;
   }
 
-  static constexpr double least_gain = 1e-3; // of the step, so that the ascend ends
+  static constexpr double min_gain = 1e-3; // of the step, so that the ascend ends
 
   void unite_samples_in(const Region& ball, std::size_t start)
   {

@@ -42,7 +42,7 @@ public:
   void add(std::size_t item, const Extent& box)
   {
     const Cells cells = cells_of(box);
-    if(number_of(cells) > most_cells) return m_large.push_back(item);
+    if(number_of(cells) > max_cells) return m_large.push_back(item);
     for_each_bucket(cells, [&](Bucket& bucket) { bucket.push_back(item); });
   }
 
@@ -50,7 +50,7 @@ public:
   void remove(std::size_t item, const Extent& box)
   {
     const Cells cells = cells_of(box);
-    if(number_of(cells) > most_cells) return take_out(m_large, item);
+    if(number_of(cells) > max_cells) return take_out(m_large, item);
     for_each_bucket(cells, [&](Bucket& bucket) { take_out(bucket, item); });
   }
 
@@ -78,7 +78,7 @@ private:
   using Bucket = std::vector<std::size_t>;
   using Cells = std::array<std::array<std::int64_t, 2>, 3>; // the first and the last per coordinate
 
-  static constexpr double most_cells = 64;      // of a box that is not large
+  static constexpr double max_cells = 64;       // of a box that is not large
   static constexpr double outermost_cell = 1e9; // coordinates beyond are in this one
 
   Cells cells_of(const Extent& box) const

@@ -36,7 +36,7 @@ class Rollback
 public:
   explicit Rollback(Guard& guard) : m_guard(guard), m_least(ropelength(guard.curve())) {}
 
-  double least_ropelength() const { return m_least; }
+  double min_ropelength() const { return m_least; }
 
   // Returns the certified fraction of the motion.
   double move(const Vector_field& targets)
@@ -44,7 +44,7 @@ public:
     const Stage_timer timer(m_seconds_back); // it takes as long to go back
     Vector_field before = coordinates(m_guard.curve());
     const Clearance_scope<Guard> scope(m_guard, 0);
-    const double fraction = m_guard.template move_nodes<ConcurrencyTag>(targets, least_fraction);
+    const double fraction = m_guard.template move_nodes<ConcurrencyTag>(targets, min_fraction);
     if(fraction > 0) m_changes.push_back({std::move(before), {}});
     return fraction;
   }
@@ -79,7 +79,7 @@ public:
   double seconds_back() const { return m_seconds_back; }
 
   // Returns whether it arrived.
-  bool return_to_least_ropelength()
+  bool return_to_min_ropelength()
   {
     const Clearance_scope<Guard> scope(m_guard, 0);
     try {
@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  static constexpr double least_fraction = 1. / 64; // of the way, as of a step of the flow
+  static constexpr double min_fraction = 1. / 64; // of the way, as of a step of the flow
 
   // Of a motion or an insertion.
   struct Change

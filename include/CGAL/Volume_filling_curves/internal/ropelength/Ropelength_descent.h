@@ -56,7 +56,7 @@ public:
     } catch(const Run_stopped&) { // the curve is where a motion was certified last
       m_is_stopped = true;
     }
-    return m_way.return_to_least_ropelength() && is_complete;
+    return m_way.return_to_min_ropelength() && is_complete;
   }
 
   // whether it was the watch that ended it
@@ -66,7 +66,7 @@ private:
   static constexpr double coarse_edge = 0.7, fine_edge = 0.3; // the mean, at most, in radii
   static constexpr double strongest_pull = 0.25, weakest_pull = 0.0125, weakening = 0.985;
   static constexpr int block = 50; // iterations
-  static constexpr int most_blocks = 100;
+  static constexpr int max_blocks = 100;
   static constexpr double noticeable = 1e-4; // a fall of the length in a block
   static constexpr double helpful = 1e-3;    // a fall for which it is worth to go on
 
@@ -99,10 +99,10 @@ private:
   template <typename Function>
   bool find_minimum(const Function& go_on)
   {
-    constexpr int most_distortions = 30, most_in_vain = 3; // in a row
+    constexpr int max_distortions = 30, max_failures = 3; // in a row
     if(!contract(go_on)) return false;
     double least = m_rope.length();
-    for(int k = 0, in_vain = 0; k < most_distortions && in_vain < most_in_vain; ++k) {
+    for(int k = 0, in_vain = 0; k < max_distortions && in_vain < max_failures; ++k) {
       distort();
       if(!contract(go_on)) return false;
       const bool has_helped = m_rope.length() < (1 - helpful) * least;
@@ -131,7 +131,7 @@ private:
   template <typename Function>
   bool contract(const Function& go_on)
   {
-    for(int k = 0; k < most_blocks; ++k) {
+    for(int k = 0; k < max_blocks; ++k) {
       const double before = m_rope.length();
       if(!make_block(strongest_pull, go_on)) return false;
       if(m_rope.length() > (1 - noticeable) * before) break;
@@ -153,10 +153,10 @@ private:
   template <typename Function>
   bool come_to_rest(const Function& go_on)
   {
-    for(int k = 0; k < most_blocks; ++k) {
-      const double before = m_way.least_ropelength();
+    for(int k = 0; k < max_blocks; ++k) {
+      const double before = m_way.min_ropelength();
       if(!make_block(weakest_pull, go_on)) return false;
-      if(m_way.least_ropelength() > (1 - helpful) * before) return true;
+      if(m_way.min_ropelength() > (1 - helpful) * before) return true;
     }
     return false;
   }

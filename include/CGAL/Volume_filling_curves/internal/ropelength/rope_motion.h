@@ -27,7 +27,7 @@ namespace internal {
 // more tightly than its radius allows. Linear time.
 
 // Turning of the tightest bend, and the excess of a polygon, 2 % for a ring of 12 edges.
-constexpr double least_length_of_ring = 1.05 * 2 * CGAL_PI;
+constexpr double min_length_of_ring = 1.05 * 2 * CGAL_PI;
 
 // Moves each node by `strength` times the sum of its edges' directions, times the mean edge: by 1/2
 // to the middle between its neighbors if its edges are that long. Slides it towards the longer one
@@ -42,7 +42,7 @@ inline void pull(Rope& rope, double strength, std::vector<Vector>& before)
   before = rope.x;
   for(std::size_t v = 0; v < rope.size(); ++v) {
     const Rope::Part& part = parts[rope.component[v]];
-    if(part.length < least_length_of_ring) {
+    if(part.length < min_length_of_ring) {
       rope.x[v] += widening * (before[v] - part.center);
       continue;
     }

@@ -50,7 +50,7 @@ public:
     double thickness = first_guess * diagonal;
     for(int k = 0; k < max_refinements && thickness > 0; ++k) {
       sample(samples_per_thickness * thickness);
-      const double least = (std::min)(least_thickness(), thickness);
+      const double least = (std::min)(min_thickness(), thickness);
       const double refined = (std::max)(percentile(thickness), least);
       const bool is_settled = refined > settled * thickness;
       thickness = refined;
@@ -70,7 +70,7 @@ private:
   static constexpr int max_refinements = 8;
   static constexpr double growth = 4, coarse = 500;  // of a network's number of nodes
   static constexpr double edge_per_thickness = 0.28; // mean; edges are between 0.2 and 0.4
-  static constexpr double most_samples = 1e5, most_samples_per_node = 10; // together
+  static constexpr double max_samples = 1e5, max_samples_per_node = 10; // together
 
   double box_diagonal() const { return m_x.rows() == 0 ? 0 : sides(m_x).norm(); }
 
@@ -126,14 +126,14 @@ private:
   // four times the mean distance of samples along the curve
   double start_cap() const { return 4 * length() / static_cast<double>(m_samples.rows()); }
 
-  double least_thickness() const
+  double min_thickness() const
   {
     const auto n = static_cast<double>(m_x.rows());
-    const double samples = most_samples + most_samples_per_node * n;
+    const double samples = max_samples + max_samples_per_node * n;
     const double least = length() / (samples_per_thickness * samples);
     if(!m_curve.has_junction()) return least;
-    const double most_nodes = growth * (std::max)(n, coarse);
-    return (std::max)(least, length() / (edge_per_thickness * most_nodes));
+    const double max_nodes = growth * (std::max)(n, coarse);
+    return (std::max)(least, length() / (edge_per_thickness * max_nodes));
   }
 
   double length() const

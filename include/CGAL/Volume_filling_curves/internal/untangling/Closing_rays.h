@@ -83,7 +83,7 @@ public:
     for(const std::size_t tip : tips_of_rays(m_curve)) {
       Vector_field x = coordinates(m_curve);
       turn(tip, center, x);
-      have_moved |= m_guard.move_nodes(x, Step_size::least_fraction) > 0;
+      have_moved |= m_guard.move_nodes(x, Step_size::min_fraction) > 0;
     }
     return have_moved;
   }

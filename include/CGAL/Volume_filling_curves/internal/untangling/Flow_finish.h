@@ -118,7 +118,7 @@ bool move_to_circle(Guard& guard)
   for(int k = 0; k < max_moves; ++k) {
     const double fraction =
         guard.move_nodes(Round_polygon<typename Guard::Curve_network>(guard.curve()).nodes(),
-                         Step_size::least_fraction);
+                         Step_size::min_fraction);
     if(fraction == 1) return true;
     if(fraction == 0) return false;
   }

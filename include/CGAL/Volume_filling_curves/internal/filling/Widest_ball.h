@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_PLACE_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_PLACE_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_BALL_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_BALL_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -21,24 +21,24 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Point inside a domain as far from the boundary as a local search finds: the best of some samples,
-// improved along the axes with steps that are halved when none helps. The radius of the ball around
-// it inside the domain is accurate to a hundredth.
+// Widest ball inside a domain that a local search finds: its center is the sample farthest from the
+// boundary, improved along the axes with steps that are halved when none helps. The radius is
+// accurate to a hundredth.
 template <typename Domain, typename Traits>
-class Widest_place
+class Widest_ball
 {
   using Point_3 = typename Traits::Point_3;
 
 public:
-  // Of a polygon that passes for a circle: the middles of its edges are 1 % nearer to the center.
+  // The middles of the edges of this polygon are 1 % nearer to the center than its nodes.
   static constexpr std::size_t nodes_of_round_circle = 24;
 
   // Takes the distances of the samples to the boundary, up to a limit. \pre there is a sample
-  Widest_place(const Domain& domain,
-               const std::vector<Point_3>& samples,
-               const std::vector<double>& distances,
-               double limit,
-               const Traits& traits)
+  Widest_ball(const Domain& domain,
+              const std::vector<Point_3>& samples,
+              const std::vector<double>& distances,
+              double limit,
+              const Traits& traits)
       : m_domain(&domain), m_traits(traits)
   {
     const Deepest_point<Domain> deepest(domain, samples, distances, limit);
@@ -52,10 +52,9 @@ public:
 
   // A circle around the center of at most that radius, as a polyline whose last point repeats the
   // first.
-  std::vector<Point_3> circle(double largest_radius,
-                              std::size_t nodes = nodes_of_round_circle) const
+  std::vector<Point_3> circle(double max_radius, std::size_t nodes = nodes_of_round_circle) const
   {
-    const double radius = (std::min)(largest_radius, radius_of_circle * m_radius);
+    const double radius = (std::min)(max_radius, radius_of_circle * m_radius);
     std::vector<Point_3> points;
     for(std::size_t k = 0; k < nodes; ++k) {
       const auto [cosine, sine] = cos_sin(static_cast<double>(k) / static_cast<double>(nodes));
@@ -66,10 +65,10 @@ public:
   }
 
 private:
-  static constexpr double radius_of_circle = 0.5;             // in units of the ball's, at most
+  static constexpr double radius_of_circle = 0.5;             // at most, in units of the ball's
   static constexpr double first_step = 0.5, last_step = 0.01; // in units of the radius
 
-  static constexpr int max_steps = 10000; // a domain that calls itself ever wider has no end
+  static constexpr int max_steps = 10000; // ends the search in a domain of infinite depth
 
   bool try_center(const Vector& x)
   {
@@ -107,4 +106,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_PLACE_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_WIDEST_BALL_H

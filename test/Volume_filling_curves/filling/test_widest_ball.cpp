@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Widest_place.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Widest_ball.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@
 #include <vector>
 
 // Where a curve starts to grow: where the domain is widest.
-namespace test_widest_place {
+namespace test_widest_ball {
 
 using namespace CGAL::Volume_filling_curves;
 using exact_surface::Point;
@@ -33,7 +33,7 @@ using Network = Curve_network_3<>;
 using Mesh_domain = Triangle_mesh_domain_3<>;
 
 template <typename Domain>
-internal::Widest_place<Domain, Traits> widest_place(const Domain& domain, std::size_t n)
+internal::Widest_ball<Domain, Traits> widest_place(const Domain& domain, std::size_t n)
 {
   static const Traits traits;
   const Domain_samples_3<Traits, Domain> samples(domain, n, 1);
@@ -41,7 +41,7 @@ internal::Widest_place<Domain, Traits> widest_place(const Domain& domain, std::s
   return {domain, samples.points(), distances.up_to_limit(), distances.limit(), traits};
 }
 
-TEST(Widest_place, of_a_ball_is_its_center)
+TEST(Widest_ball, of_a_ball_is_its_center)
 {
   for(const double radius : {1e-30, 2., 1e30}) {
     const Ball_domain_3<> ball(Point(radius, -radius, 0), radius);
@@ -54,7 +54,7 @@ TEST(Widest_place, of_a_ball_is_its_center)
   }
 }
 
-TEST(Widest_place, of_a_slab_is_in_its_middle)
+TEST(Widest_ball, of_a_slab_is_in_its_middle)
 {
   const Box_domain_3<> slab(Point(0, 0, 0), Point(10, 10, 0.5));
   const auto widest = widest_place(slab, 1000);
@@ -62,7 +62,7 @@ TEST(Widest_place, of_a_slab_is_in_its_middle)
   EXPECT_LE(widest.radius(), 0.25);
 }
 
-TEST(Widest_place, of_a_mesh_is_found_past_its_thin_parts)
+TEST(Widest_ball, of_a_mesh_is_found_past_its_thin_parts)
 {
   meshes::Soup soup = exact_surface::two_legs(1);
   soup = exact_surface::stretched(soup, 0, {0, 1, 1.5, 3.5}); // the second leg is wider
@@ -75,7 +75,7 @@ TEST(Widest_place, of_a_mesh_is_found_past_its_thin_parts)
   EXPECT_NEAR(widest.radius(), exact_surface::Surface(soup).distance(center), 1e-9);
 }
 
-TEST(Widest_place, has_room_for_a_circle)
+TEST(Widest_ball, has_room_for_a_circle)
 {
   const exact_surface::Surface surface(exact_surface::corner_piece());
   const Mesh_domain domain(meshes::to_mesh(exact_surface::corner_piece()));
@@ -108,4 +108,4 @@ TEST(Check_inside, names_the_nodes)
             "the edge of nodes 1 and 2 meets the boundary of the domain");
 }
 
-} // namespace test_widest_place
+} // namespace test_widest_ball

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_STAGES_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_STAGES_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_STAGE_RUNNER_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_STAGE_RUNNER_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -39,11 +39,11 @@ struct Filling_record
   double gradient_norm = std::numeric_limits<double>::quiet_NaN();
 };
 
-// The stages of a filling, one after another, each with parameters of its own, until they have
-// settled or the run is to end. A run that resumes takes the same way, with the same decisions,
-// leaves out the stages before the one that it was in, and goes on in the middle of that.
+// Runner of the stages of a filling, one after another, each with its own parameters, until the
+// curve has settled or the run ends. A resumed run makes the same decisions, skips the stages that
+// were complete, and continues in the middle of the next one.
 template <typename Flow, typename Visitor>
-class Filling_stages
+class Filling_stage_runner
 {
   using Guard = typename Flow::Guard;
   using Thickness = typename Flow::Thickness;
@@ -51,13 +51,13 @@ class Filling_stages
 
 public:
   // Takes the thickness to start from. If the run resumes, the curve is that of its state.
-  Filling_stages(Guard& guard,
-                 const Parameters& parameters,
-                 const Thickness& thickness,
-                 Run_watch& watch,
-                 Visitor& visitor,
-                 Run_saver& saver,
-                 Filling_record& record)
+  Filling_stage_runner(Guard& guard,
+                       const Parameters& parameters,
+                       const Thickness& thickness,
+                       Run_watch& watch,
+                       Visitor& visitor,
+                       Run_saver& saver,
+                       Filling_record& record)
       : m_parameters(parameters),
         m_shape(shape_goal(parameters)),
         m_watch(watch),
@@ -76,13 +76,13 @@ public:
 
   const Flow& flow() const { return m_flow; }
 
-  // why the run is to end, if it is not because the curve has settled
+  // the reason to end before the curve has settled, if any
   const std::optional<Filling_status>& end() const { return m_end; }
 
-  // whether there is time for another step, or for what takes as long
+  // whether there is time for another step
   bool is_time_left() const { return m_watch.leaves(m_seconds_of_step); }
 
-  // Returns a number that is decided between stages, by this run or the one that it goes on with.
+  // Returns a number decided between stages, by this run or by the one that it resumes.
   template <typename Decide>
   double decide(const Decide& decide)
   {
@@ -152,8 +152,8 @@ private:
     p.screening *= stage.screening;
     p.number_of_directions = (std::min)(p.number_of_directions, stage.directions);
     p.coupling *= stage.coupling;
-    constexpr double largest_spacing = 1; // of a flow
-    p.spacing = (std::min)((std::max)(p.spacing / stage.thickness, stage.spacing), largest_spacing);
+    constexpr double max_spacing = 1; // of a flow
+    p.spacing = (std::min)((std::max)(p.spacing / stage.thickness, stage.spacing), max_spacing);
     p.max_radius = (std::min)(p.max_radius, stage.max_radius);
     p.max_displacement = (std::min)(p.max_displacement / stage.thickness, stage.max_displacement);
     return p;
@@ -202,7 +202,7 @@ private:
     return m_flow.step();
   }
 
-  // To ask again, as a run does that resumes, changes nothing.
+  // Asking again, as a resumed run does, changes nothing.
   std::optional<Filling_status> end_between_steps()
   {
     const std::optional<Filling_status> end = end_before_step();
@@ -221,22 +221,22 @@ private:
   }
 
   const Parameters& m_parameters;
-  const Shape_goal m_shape; // none unless it is asked for
+  const Shape_goal m_shape; // may be empty
   Run_watch& m_watch;
   Flow m_flow;
   Visitor& m_visitor;
   Run_saver& m_saver;
   Filling_record& m_record;
-  std::vector<double> m_numbers; // that were decided so far
+  std::vector<double> m_numbers; // decided so far
   std::vector<Vector> m_points;
   std::size_t m_next_number = 0, m_next_point = 0;
   std::size_t m_stage = 0; // from 1
   std::optional<Filling_status> m_end;
-  double m_seconds_of_step = 0; // the last one took
+  double m_seconds_of_step = 0; // of the last one
 
-  // of the stage
+  // of the current stage
   Length_window m_lengths;
-  double m_displacement = 0; // the largest, in units of the thickness
+  double m_displacement = 0; // at most, in units of the thickness
   Idle_steps m_idle_steps;
 
   const Run_saver::Kept m_kept;
@@ -247,4 +247,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_STAGES_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_STAGE_RUNNER_H
