@@ -190,17 +190,17 @@ TEST(Rollback, leads_to_the_start_if_nothing_was_better)
   const Vector_field before = internal::coordinates(curve);
   Guard guard(curve);
   Random random(4);
-  internal::Rollback<Guard, CGAL::Sequential_tag> way(guard);
+  internal::Rollback<Guard, CGAL::Sequential_tag> rollback(guard);
   for(int k = 0; k < 3; ++k) {
     for(int i = 0; i < 3; ++i)
-      EXPECT_GT(way.move(internal::coordinates(curve) +
-                         0.003 * random_field(curve.number_of_nodes(), random)),
+      EXPECT_GT(rollback.move(internal::coordinates(curve) +
+                              0.003 * random_field(curve.number_of_nodes(), random)),
                 0);
-    way.note();
-    EXPECT_TRUE(way.halve_edges());
+    rollback.note();
+    EXPECT_TRUE(rollback.halve_edges());
   }
   EXPECT_EQ(curve.number_of_nodes(), 8 * 60u);
-  EXPECT_TRUE(way.return_to_min_ropelength());
+  EXPECT_TRUE(rollback.return_to_min_ropelength());
   EXPECT_EQ(internal::coordinates(curve), before);
   EXPECT_EQ(contents(curve), start);
 }
@@ -212,15 +212,15 @@ TEST(Rollback, leads_to_the_least_ropelength)
   Vector_field flat = internal::coordinates(curve);
   flat.col(0) *= 0.8;
   ASSERT_EQ(guard.move_nodes(flat), 1);
-  internal::Rollback<Guard, CGAL::Sequential_tag> way(guard);
+  internal::Rollback<Guard, CGAL::Sequential_tag> rollback(guard);
   Vector_field rounder = flat, flatter = flat;
   rounder.col(0) *= 1.1;
   flatter.col(0) *= 0.9;
   for(const Vector_field& next : {rounder, flatter}) {
-    EXPECT_EQ(way.move(next), 1);
-    way.note();
+    EXPECT_EQ(rollback.move(next), 1);
+    rollback.note();
   }
-  EXPECT_TRUE(way.return_to_min_ropelength());
+  EXPECT_TRUE(rollback.return_to_min_ropelength());
   EXPECT_EQ(internal::coordinates(curve), rounder);
 }
 
@@ -231,9 +231,9 @@ TEST(Rollback, does_not_mistake_a_refused_halving_for_a_motion)
   Network curve = internal::closed_network({{{1, 1, 1}, {next, 1, 1}, {1, next, 1}}});
   const auto start = contents(curve);
   Guard guard(curve);
-  internal::Rollback<Guard, CGAL::Sequential_tag> way(guard);
-  EXPECT_FALSE(way.halve_edges());
-  EXPECT_TRUE(way.return_to_min_ropelength());
+  internal::Rollback<Guard, CGAL::Sequential_tag> rollback(guard);
+  EXPECT_FALSE(rollback.halve_edges());
+  EXPECT_TRUE(rollback.return_to_min_ropelength());
   EXPECT_EQ(contents(curve), start);
 }
 

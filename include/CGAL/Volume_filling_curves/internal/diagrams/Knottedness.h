@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/looks_unknotted.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/may_be_unknot.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>

@@ -75,8 +75,8 @@ public:
   {
     double sum = 0;
     for(const Contact& contact : m_contacts) {
-      const Vector way = row(field, contact.first) - row(field, contact.second);
-      const double approach = way.dot(contact.normal);
+      const Vector motion = row(field, contact.first) - row(field, contact.second);
+      const double approach = motion.dot(contact.normal);
       const Vector force = contact.stiffness * approach * contact.normal;
       sum += contact.stiffness * approach * approach;
       set_row(image, contact.first, row(image, contact.first) + force);

@@ -29,17 +29,17 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Motion of a curve along the directions of its flow, and the lengths of its edges. A curve that is
-// brought into a shape bends, and then is polished, instead of going freely. The thickness at the
-// nodes, which edges and steps are measured in, is kept up to date. Near linear.
+// Motion of a curve along the directions of its flow, followed by remeshing. A curve with a required
+// shape takes bending and polishing steps instead of free ones. The thickness at the nodes, the unit
+// of edges and steps, is kept up to date. Near-linear time.
 template <typename Guard, typename ConcurrencyTag>
 class Flow_motion
 {
 public:
   using Thickness = internal::Thickness<typename Guard::Curve_network::Point_3>;
 
-  // Takes the parameters and the statistics of the flow, which must outlive the motion: the one has
-  // the mean thickness, the other one the time.
+  // Takes the flow's parameters, which have the mean thickness, and its statistics, which count the
+  // time. Both must outlive the motion.
   Flow_motion(Guard& guard,
               const Thickness& thickness,
               Curve_flow_parameters& parameters,
@@ -51,7 +51,7 @@ public:
         m_step(guard, parameters.max_displacement)
   {}
 
-  // Forgets how the last steps went.
+  // Forgets the outcome of the last steps.
   void start_anew()
   {
     m_step.start_anew(m_parameters.max_displacement);
@@ -64,10 +64,10 @@ public:
     m_step.set_max_displacement(max_displacement);
   }
 
-  // Strands go that far apart after every free step, in units of the least thickness.
+  // Sets the distance to which every free step moves strands apart, in units of the least thickness.
   void keep_apart(double distance) { m_step.keep_apart(distance); }
 
-  // Brings the curve into limits of its shape in the steps from here on, see Shaped_step.
+  // Makes the next steps bring the curve into the limits of its shape, see Shaped_step.
   void set_shape(const Shape_goal& goal, Shape_phase phase)
   {
     m_shape = goal;

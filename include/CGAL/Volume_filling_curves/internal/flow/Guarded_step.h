@@ -26,7 +26,7 @@ namespace internal {
 // Mean fraction of their displacements that the unpinned nodes moved.
 struct Motion_outcome
 {
-  double mean_fraction = 1; // of their ways
+  double mean_fraction = 1; // of their displacements
   bool are_nodes_held = false;
 
   bool has_moved() const { return mean_fraction > 0; }
@@ -39,14 +39,14 @@ inline Motion_outcome motion_outcome(const std::vector<double>& fractions,
 {
   Motion_outcome outcome;
   double sum = 0;
-  std::size_t number_of_ways = 0;
+  std::size_t number_of_moves = 0;
   for(std::size_t v = 0; v < fractions.size(); ++v) {
     if(row(direction, v) == Vector(0, 0, 0)) continue;
-    ++number_of_ways;
+    ++number_of_moves;
     sum += fractions[v];
     outcome.are_nodes_held = outcome.are_nodes_held || fractions[v] == 0;
   }
-  if(number_of_ways > 0) outcome.mean_fraction = sum / static_cast<double>(number_of_ways);
+  if(number_of_moves > 0) outcome.mean_fraction = sum / static_cast<double>(number_of_moves);
   return outcome;
 }
 
@@ -58,12 +58,12 @@ class Guarded_step
 public:
   Guarded_step(Guard& guard, double max_displacement) : m_guard(guard), m_size(max_displacement) {}
 
-  // Forgets how the last steps went.
+  // Forgets the outcome of the last steps.
   void start_anew(double max_displacement) { m_size = Step_size(max_displacement); }
 
   void set_max_displacement(double largest) { m_size.set_max_displacement(largest); }
 
-  // Strands go that far apart after every step, in units of the least thickness.
+  // Sets the distance to which every step moves strands apart, in units of the least thickness.
   void keep_apart(double distance) { m_separation = distance; }
 
   // Nodes were renumbered, see Step_size.

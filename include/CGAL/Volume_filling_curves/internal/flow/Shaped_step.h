@@ -26,11 +26,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The steps of a curve that is brought into limits of its shape. While it bends it goes along the
-// direction of the flow, which presses it outwards, and sweeps of projections bring the targets
-// towards the limits. Projections alone polish it, and end once the limits are kept. The guard
-// shortens ways that it cannot certify, so the limits are measured, never assumed.
-
+// Steps of a curve towards the limits of its shape. A bending step follows the direction of the
+// flow, which presses the curve outwards; sweeps of projections then bring the targets towards the
+// limits. A polishing step consists of projections alone, and is the last kind: polishing ends once
+// the limits are kept. The guard may shorten displacements, hence limits are measured, not assumed.
 template <typename Guard, typename ConcurrencyTag>
 class Shaped_step
 {
@@ -39,16 +38,16 @@ public:
       : m_guard(guard), m_limits(goal, thickness)
   {}
 
-  // Takes a direction of each node, how far a node may go along it, and how many steps have passed.
+  // Takes the direction of each node, the longest displacement, and the number of steps so far.
   // Returns whether any node moved.
   bool bend(const Vector_field& direction, double max_motion, std::size_t number_of_steps)
   {
     const Strand_pairs pairs = find_pairs();
     std::vector<Vector> x = positions();
     for(std::size_t v = 0; v < x.size(); ++v) {
-      const Vector way = row(direction, v);
-      const double length = way.norm();
-      x[v] += length > max_motion ? Vector(max_motion / length * way) : way;
+      const Vector u = row(direction, v);
+      const double length = u.norm();
+      x[v] += length > max_motion ? Vector(max_motion / length * u) : u;
     }
     return project(std::move(x), pairs, sweeps_of_step(number_of_steps), false);
   }
@@ -103,8 +102,8 @@ private:
            std::any_of(fractions.begin(), fractions.end(), [](double f) { return f > 0; });
   }
 
-  // Strands that hold one another part before they are projected again: nodes that cannot go where
-  // projections lead them cannot go elsewhere, either.
+  // Moves strands that block one another apart before the next projection: nodes whose projection
+  // is refused cannot move in other directions, either.
   bool part_strands()
   {
     const double distance = parting_distance * *std::min_element(m_limits.strand_distance.begin(),

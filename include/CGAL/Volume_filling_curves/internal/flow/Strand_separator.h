@@ -40,7 +40,7 @@ class Strand_separator
   using Network = typename Guard::Curve_network;
 
 public:
-  // Takes the distance, and how far a node may go.
+  // Takes the distance, and the longest motion of a node.
   Strand_separator(Guard& guard, double distance, double max_motion)
       : m_guard(guard),
         m_curve(guard.curve()),
@@ -76,10 +76,10 @@ private:
   void separate(std::size_t e, std::size_t f)
   {
     const double missing = m_distance - distance(e, f);
-    if(!(missing > 0)) return; // others made room
-    const Vector way = (std::min)(missing / 2, m_max_motion) * normal_from(f, e);
-    for(const std::size_t v : {m_curve.source(e), m_curve.target(e)}) move(v, way);
-    for(const std::size_t v : {m_curve.source(f), m_curve.target(f)}) move(v, -way);
+    if(!(missing > 0)) return; // after other motions
+    const Vector motion = (std::min)(missing / 2, m_max_motion) * normal_from(f, e);
+    for(const std::size_t v : {m_curve.source(e), m_curve.target(e)}) move(v, motion);
+    for(const std::size_t v : {m_curve.source(f), m_curve.target(f)}) move(v, -motion);
   }
 
   double distance(std::size_t e, std::size_t f) const
@@ -87,8 +87,8 @@ private:
     return std::sqrt(squared_segment_distance(source(e), target(e), source(f), target(f)));
   }
 
-  // Edges that are almost parallel have their offset for a perpendicular, and edges in a plane the
-  // way between their nearest points, so that planar curves stay in their plane.
+  // The common perpendicular of the edges; the offset of almost parallel edges; in a plane the vector
+  // between their nearest points, which keeps planar curves in their plane.
   Vector normal_from(std::size_t f, std::size_t e) const
   {
     constexpr double min_sine = 0.05;
@@ -107,12 +107,12 @@ private:
     return source(e) + s * (target(e) - source(e)) - source(f) - t * (target(f) - source(f));
   }
 
-  void move(std::size_t v, const Vector& way)
+  void move(std::size_t v, const Vector& motion)
   {
     if(m_curve.is_pinned(v) || m_is_done[v]) return;
     m_is_done[v] = true;
-    for(const double part : {1., 0.25}) {
-      const Vector target = to_vector(m_curve.point(v)) + part * way;
+    for(const double fraction : {1., 0.25}) {
+      const Vector target = to_vector(m_curve.point(v)) + fraction * motion;
       if(!m_guard.move_node(v, to_point(target, m_curve.traits()))) continue;
       m_have_moved = true;
       return;

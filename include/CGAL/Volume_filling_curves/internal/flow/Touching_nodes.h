@@ -43,7 +43,7 @@ public:
     deal_to_other_nodes();
   }
 
-  // at most that many nodes share a sphere with node v
+  // an upper bound of the number of nodes that share a sphere with node v
   std::size_t max_nodes(std::size_t v) const
   {
     const auto [first, last] = of_spheres(v);
@@ -118,17 +118,17 @@ private:
       for(const Item& item : items) ++m_begin[item.node + 1];
     std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
     m_items.resize(m_begin.back());
-    std::vector<std::size_t> place(m_begin.begin(), m_begin.end() - 1);
+    std::vector<std::size_t> end(m_begin.begin(), m_begin.end() - 1);
     for(std::size_t v = 0; v < m_end_of_spheres.size(); ++v) {
       const auto [first, last] = of_spheres(v);
       for(const Item* item = first; item != last; ++item)
-        m_items[place[item->node]++] = {static_cast<Index>(v), item->radius};
+        m_items[end[item->node]++] = {static_cast<Index>(v), item->radius};
     }
   }
 
   std::vector<std::vector<Item>> m_of_spheres; // of the nodes of each block
   std::vector<std::size_t> m_end_of_spheres;   // per node, in its block's items
-  std::vector<Item> m_items; // per node those of whose spheres it touches one, in order
+  std::vector<Item> m_items; // per node: the nodes with a sphere that it touches, in order
   std::vector<std::size_t> m_begin;
 };
 

@@ -131,7 +131,7 @@ private:
       if(after >= d * d || after >= squared_distance_before(e, k, old_edges, new_edges))
         return true;
       if(neighbors.empty())
-        neighbors = edges_within(m_curve, ways_from(k, new_edges),
+        neighbors = edges_within(m_curve, ends_of_paths(k, new_edges),
                                  scale * limits.length_between_strands(), is_taken_out);
       return std::binary_search(neighbors.begin(), neighbors.end(), e);
     });
@@ -162,18 +162,18 @@ private:
                                     edge.at_other);
   }
 
-  // The nodes from which the ways to other edges begin, with how far they are from the k-th new
-  // edge along the new ones.
-  static std::vector<std::pair<double, std::size_t>> ways_from(std::size_t k,
-                                                               const Edges& new_edges)
+  // The nodes at which paths to other edges begin, with their distances from the k-th new edge
+  // along the new ones.
+  static std::vector<std::pair<double, std::size_t>> ends_of_paths(std::size_t k,
+                                                                   const Edges& new_edges)
   {
     if(new_edges.size() == 1) return {{0., new_edges[0].node}, {0., new_edges[0].other}};
-    std::vector<std::pair<double, std::size_t>> ways;
+    std::vector<std::pair<double, std::size_t>> ends;
     for(std::size_t l = 0; l < new_edges.size(); ++l) {
       const Edge& edge = new_edges[l];
-      ways.push_back({l == k ? 0. : (edge.at_other - edge.at_node).norm(), edge.node});
+      ends.push_back({l == k ? 0. : (edge.at_other - edge.at_node).norm(), edge.node});
     }
-    return ways;
+    return ends;
   }
 
   const Network& m_curve;

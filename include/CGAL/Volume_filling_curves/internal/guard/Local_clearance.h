@@ -46,7 +46,7 @@ public:
   void on_removal(std::size_t, std::size_t e) override { update(e); }
   void on_new_ray(std::size_t v) override { update_edges_at(v); }
 
-  // The curve has changed altogether.
+  // Must be called after a change of the whole curve.
   void on_motion(const std::vector<Point_3>&, const Rounds&) override { m_is_built = false; }
   void on_renumbering(const std::vector<std::uint32_t>&) override { m_is_built = false; }
 
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t updates_per_edge = 8; // before all is collected again
+  static constexpr std::size_t updates_per_edge = 8; // before they are collected again
 
   void update_edges_at(std::size_t v)
   {
@@ -108,7 +108,7 @@ template <typename Network>
 class Local_clearance
 {
 public:
-  // An edge between two nodes, where the other end may stand elsewhere than the node does.
+  // An edge between two nodes; the positions of its ends may differ from those of the nodes.
   struct Edge
   {
     std::size_t node, other; // `other` may be the null node

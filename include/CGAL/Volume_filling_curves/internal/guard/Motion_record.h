@@ -27,7 +27,7 @@ namespace internal {
 // Record of all changes of a network since the record's construction, as an observer of the editor.
 // Recorded node numbers survive a renumbering of the network. A motion of all nodes is recorded as
 // its certified moves of single nodes. Leaves added to the network are temporary obstacles and not
-// part of the curve, hence omitted: a change that misses the curve and them misses the curve.
+// part of the curve, hence omitted: a change that misses both misses the curve.
 // Constant time per change.
 template <typename Network>
 class Motion_record final : public Curve_network_observer_3<typename Network::Traits>
@@ -102,7 +102,7 @@ public:
   // the numbers of the nodes in the record
   const std::vector<std::uint64_t>& numbers() const { return m_numbers; }
 
-  // everything that it consists of
+  // the state of the record
   auto contents()
   {
     return std::tuple_cat(m_writer.contents(), std::tie(m_numbers, m_next_number));

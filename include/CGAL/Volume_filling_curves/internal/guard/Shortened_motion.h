@@ -75,7 +75,7 @@ public:
   const std::vector<double>& fractions() const { return m_fractions; }
 
 private:
-  static constexpr double min_fraction = 1. / 64; // a node that cannot go that far stands still
+  static constexpr double min_fraction = 1. / 64; // a node that cannot move so far stays
   static constexpr std::size_t block = 128;       // nodes or pairs per task
 
   Rounds one_round() { return {{std::move(m_end)}, false}; }

@@ -34,14 +34,14 @@ template <typename Guard, typename ConcurrencyTag>
 class Rollback
 {
 public:
-  explicit Rollback(Guard& guard) : m_guard(guard), m_least(ropelength(guard.curve())) {}
+  explicit Rollback(Guard& guard) : m_guard(guard), m_min(ropelength(guard.curve())) {}
 
-  double min_ropelength() const { return m_least; }
+  double min_ropelength() const { return m_min; }
 
   // Returns the certified fraction of the motion.
   double move(const Vector_field& targets)
   {
-    const Stage_timer timer(m_seconds_back); // it takes as long to go back
+    const Stage_timer timer(m_seconds_back); // the motion back takes as long
     Vector_field before = coordinates(m_guard.curve());
     const Clearance_scope<Guard> scope(m_guard, 0);
     const double fraction = m_guard.template move_nodes<ConcurrencyTag>(targets, min_fraction);
@@ -65,12 +65,12 @@ public:
     return former.size() == n + edges;
   }
 
-  // Takes note of the curve as it stands if it is the best one so far.
+  // Stores the current curve as the point of return if its ropelength is the least so far.
   void note()
   {
     const double now = ropelength(m_guard.curve());
-    if(!(now < m_least)) return;
-    m_least = now;
+    if(!(now < m_min)) return;
+    m_min = now;
     m_seconds_back = 0;
     m_changes.clear();
   }
@@ -78,7 +78,7 @@ public:
   // the estimated time of the motion back
   double seconds_back() const { return m_seconds_back; }
 
-  // Returns whether it arrived.
+  // Moves the curve back, and returns whether it arrived.
   bool return_to_min_ropelength()
   {
     const Clearance_scope<Guard> scope(m_guard, 0);
@@ -92,9 +92,9 @@ public:
   }
 
 private:
-  static constexpr double min_fraction = 1. / 64; // of the way, as of a step of the flow
+  static constexpr double min_fraction = 1. / 64; // of a motion, as of a step of the flow
 
-  // Of a motion or an insertion.
+  // Data that undo a motion or an insertion.
   struct Change
   {
     Vector_field before;
@@ -112,7 +112,7 @@ private:
   }
 
   Guard& m_guard;
-  double m_least; // ropelength
+  double m_min; // ropelength
   double m_seconds_back = 0;
   std::vector<Change> m_changes;
 };

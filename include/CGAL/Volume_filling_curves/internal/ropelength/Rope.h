@@ -33,11 +33,11 @@ struct Rope
       previous[curve.target(e)] = curve.source(e);
     }
     for(std::size_t v = 0; v < next.size(); ++v) component[v] = curve.component(v);
-    take_places(curve, radius);
+    take_positions(curve, radius);
   }
 
   template <typename Network>
-  void take_places(const Network& curve, double radius)
+  void take_positions(const Network& curve, double radius)
   {
     x.resize(next.size());
     for(std::size_t v = 0; v < x.size(); ++v) x[v] = to_vector(curve.point(v)) / radius;
@@ -59,11 +59,11 @@ struct Rope
   double length() const
   {
     double sum = 0;
-    for(const Part& part : parts()) sum += part.length;
+    for(const Component& c : components()) sum += c.length;
     return sum;
   }
 
-  struct Part
+  struct Component
   {
     double length = 0, size = 0; // the number of nodes
     Vector center;               // the mean of the nodes
@@ -72,17 +72,17 @@ struct Rope
   };
 
   // of each component
-  std::vector<Part> parts() const
+  std::vector<Component> components() const
   {
-    std::vector<Part> parts(1 + *std::max_element(component.begin(), component.end()));
+    std::vector<Component> components(1 + *std::max_element(component.begin(), component.end()));
     for(std::size_t v = 0; v < size(); ++v) {
-      Part& part = parts[component[v]];
-      part.length += edge(v).norm();
-      part.center += x[v];
-      ++part.size;
+      Component& c = components[component[v]];
+      c.length += edge(v).norm();
+      c.center += x[v];
+      ++c.size;
     }
-    for(Part& part : parts) part.center /= part.size;
-    return parts;
+    for(Component& c : components) c.center /= c.size;
+    return components;
   }
 
   double mean_edge() const { return length() / static_cast<double>(size()); }

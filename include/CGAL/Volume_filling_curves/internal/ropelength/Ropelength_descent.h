@@ -42,7 +42,7 @@ public:
   // The radius is that of the rope, half of the distance that strands are to keep.
   // \pre all components are closed, no node is pinned, and there is no garbage
   Ropelength_descent(Guard& guard, double radius)
-      : m_guard(guard), m_radius(radius), m_way(guard), m_rope(guard.curve(), radius)
+      : m_guard(guard), m_radius(radius), m_rollback(guard), m_rope(guard.curve(), radius)
   {}
 
   // Calls go_on() after each certified motion, and stops if it returns false, or if the guard's
@@ -56,7 +56,7 @@ public:
     } catch(const Run_stopped&) { // the curve is where a motion was certified last
       m_is_stopped = true;
     }
-    return m_way.return_to_min_ropelength() && is_complete;
+    return m_rollback.return_to_min_ropelength() && is_complete;
   }
 
   // whether it was the watch that ended it
@@ -86,7 +86,7 @@ private:
 
   bool halve_edges()
   {
-    const bool is_done = m_way.halve_edges();
+    const bool is_done = m_rollback.halve_edges();
     m_rope = Rope(m_guard.curve(), m_radius);
     take_up();
     return is_done;
@@ -154,9 +154,9 @@ private:
   bool come_to_rest(const Function& go_on)
   {
     for(int k = 0; k < max_blocks; ++k) {
-      const double before = m_way.min_ropelength();
+      const double before = m_rollback.min_ropelength();
       if(!make_block(weakest_pull, go_on)) return false;
-      if(m_way.min_ropelength() > (1 - helpful) * before) return true;
+      if(m_rollback.min_ropelength() > (1 - helpful) * before) return true;
     }
     return false;
   }
@@ -186,7 +186,7 @@ private:
     Run_watch* const watch = m_guard.watch();
     if(watch == nullptr) return;
     watch->check();
-    if(watch->is_interrupted() || !watch->leaves(m_way.seconds_back())) throw Run_stopped();
+    if(watch->is_interrupted() || !watch->leaves(m_rollback.seconds_back())) throw Run_stopped();
   }
 
   bool has_moved_far() const
@@ -201,9 +201,9 @@ private:
   template <typename Function>
   bool carry_out(const Function& go_on)
   {
-    const double fraction = m_way.move(m_rope.coordinates(m_radius));
-    m_way.note();
-    m_rope.take_places(m_guard.curve(), m_radius);
+    const double fraction = m_rollback.move(m_rope.coordinates(m_radius));
+    m_rollback.note();
+    m_rope.take_positions(m_guard.curve(), m_radius);
     take_up();
     return fraction > 0 && go_on();
   }
@@ -216,7 +216,7 @@ private:
 
   Guard& m_guard;
   double m_radius;
-  Rollback<Guard, ConcurrencyTag> m_way;
+  Rollback<Guard, ConcurrencyTag> m_rollback;
   Rope m_rope;
   Rope_contacts m_contacts;
   std::vector<Vector> m_certified; // where the curve is

@@ -23,10 +23,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Motion of a rope's nodes apart from contacts: by its tension, and by its stiffness where it bends
-// more tightly than its radius allows. Linear time.
+// Motion of a rope's nodes without contacts: by its tension, and by its stiffness where it bends more
+// tightly than its radius allows. Linear time.
 
-// Turning of the tightest bend, and the excess of a polygon, 2 % for a ring of 12 edges.
+// Length, in radii, of the shortest ring that bends no more tightly than its radius, with 5 % for
+// polygons; a ring of 12 edges needs 2 %.
 constexpr double min_length_of_ring = 1.05 * 2 * CGAL_PI;
 
 // Moves each node by `strength` times the sum of its edges' directions, times the mean edge: by 1/2
@@ -38,15 +39,15 @@ inline void pull(Rope& rope, double strength, std::vector<Vector>& before)
 {
   constexpr double evening = 0.25; // of the difference of the edges
   constexpr double widening = 0.01;
-  const std::vector<Rope::Part> parts = rope.parts();
+  const std::vector<Rope::Component> components = rope.components();
   before = rope.x;
   for(std::size_t v = 0; v < rope.size(); ++v) {
-    const Rope::Part& part = parts[rope.component[v]];
-    if(part.length < min_length_of_ring) {
-      rope.x[v] += widening * (before[v] - part.center);
+    const Rope::Component& component = components[rope.component[v]];
+    if(component.length < min_length_of_ring) {
+      rope.x[v] += widening * (before[v] - component.center);
       continue;
     }
-    const double edge = part.mean_edge();
+    const double edge = component.mean_edge();
     const Vector in = before[v] - before[rope.previous[v]], out = before[rope.next[v]] - before[v];
     const double length_in = in.norm(), length_out = out.norm();
     if(!(length_in > 0 && length_out > 0)) continue;
@@ -68,9 +69,9 @@ inline void straighten(Rope& rope)
     if(!(length_in > 0 && length_out > 0)) continue;
     const double edge = (std::min)(length_in, length_out), tangent = edge / 2;
     const Vector bend = edge * (out / length_out - in / length_in);
-    const double most = 2 * edge * tangent / std::sqrt(1 + tangent * tangent), size = bend.norm();
-    if(!(size > most)) continue;
-    const Vector sixth = (size - most) / (6 * size) * bend;
+    const double max = 2 * edge * tangent / std::sqrt(1 + tangent * tangent), size = bend.norm();
+    if(!(size > max)) continue;
+    const Vector sixth = (size - max) / (6 * size) * bend;
     rope.x[v] += 2 * sixth;
     rope.x[u] -= sixth;
     rope.x[w] -= sixth;

@@ -102,8 +102,8 @@ private:
     m_circles.erase(m_circles.begin() + static_cast<std::ptrdiff_t>(count), m_circles.end());
   }
 
-  // At most `largest`. No cap between half of it and itself is tried: at the end the thickness
-  // hardly falls, and most radii would reach the smaller cap.
+  // At most `largest`. No cap between half of `largest` and `largest` is tried: at the end the
+  // thickness hardly falls, and most radii would reach the smaller cap.
   double percentile(double largest) const
   {
     for(double cap = start_cap();; cap *= 2) {

@@ -127,8 +127,8 @@ private:
     Support_function support;
     Moving_neighborhood neighborhood;
     Node_list touched;                // by the spheres of the last circle
-    Planar_rays ways;                 // of the centers: as far as the boundary leaves them
-    std::vector<double> free_lengths; // of the ways, without the boundary
+    Planar_rays paths;                // of the centers, up to the boundary
+    std::vector<double> free_lengths; // of the paths, without the boundary
   };
 
   // Finds the radii of some circles that are below a cap, in units of the thickness.
@@ -151,7 +151,7 @@ private:
     const double unit = thickness(c);
     start(c, cap, work);
     if(work.touched.size() > 0) work.support.add(work.touched);
-    limit_ways(c, cap, work);
+    limit_paths(c, cap, work);
     const double diameter = slack * 2 * unit / work.support.least();
     const Vector normal = m_spheres.circles()[c].normal();
     work.support.add(work.neighborhood(position(c), normal, diameter));
@@ -173,11 +173,11 @@ private:
 
   // Finds how far centers can go before they meet the boundary, if they do so before their spheres
   // meet one of the nodes touched last.
-  void limit_ways(std::size_t c, double cap, Workspace& work) const
+  void limit_paths(std::size_t c, double cap, Workspace& work) const
   {
     constexpr double slack = 1 - 1e-15; // rounding: a sphere of that radius touches no node
     const double unit = thickness(c);
-    std::vector<double>& lengths = work.ways.lengths;
+    std::vector<double>& lengths = work.paths.lengths;
     lengths.assign(m_spheres.number_of_directions(), cap * unit);
     if constexpr(is_bounded) {
       for(std::size_t l = 0; l < lengths.size(); ++l)
@@ -186,7 +186,7 @@ private:
         else if(work.support.is_supported(l))
           lengths[l] = unit / work.support(l);
       work.free_lengths = lengths;
-      m_boundary_limit.limit_centers(m_spheres, c, work.ways);
+      m_boundary_limit.limit_centers(m_spheres, c, work.paths);
       for(std::size_t l = 0; l < lengths.size(); ++l)
         if(lengths[l] < work.free_lengths[l])
           work.support.bound(l, slack * unit / lengths[l]);
@@ -197,7 +197,7 @@ private:
 
   void set_radius(std::size_t c, std::size_t l, double cap, const Workspace& work)
   {
-    const double unit = thickness(c), limit = work.ways.lengths[l];
+    const double unit = thickness(c), limit = work.paths.lengths[l];
     const double radius = work.support.is_supported(l) ? unit / work.support(l) : limit;
     if(work.support.is_supported(l) && radius <= limit)
       set(c, l, radius, work.support.supporting_node(l));

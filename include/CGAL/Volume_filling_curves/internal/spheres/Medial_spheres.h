@@ -81,19 +81,19 @@ public:
     return m_directions.cosine[l] * m_circles[c].u + m_directions.sine[l] * m_circles[c].v;
   }
 
-  double radius(std::size_t c, std::size_t l) const { return m_radii[place(c, l)]; }
+  double radius(std::size_t c, std::size_t l) const { return m_radii[index(c, l)]; }
 
   // the node that the sphere touches, no_node if something else limits it
-  Index touching_node(std::size_t c, std::size_t l) const { return m_touching_nodes[place(c, l)]; }
+  Index touching_node(std::size_t c, std::size_t l) const { return m_touching_nodes[index(c, l)]; }
 
   void set(std::size_t c, std::size_t l, double radius, Index touching_node)
   {
-    m_radii[place(c, l)] = radius;
-    m_touching_nodes[place(c, l)] = touching_node;
+    m_radii[index(c, l)] = radius;
+    m_touching_nodes[index(c, l)] = touching_node;
   }
 
 private:
-  std::size_t place(std::size_t c, std::size_t l) const { return c * number_of_directions() + l; }
+  std::size_t index(std::size_t c, std::size_t l) const { return c * number_of_directions() + l; }
 
   std::vector<Node_circle> m_circles;
   Circle_directions m_directions;

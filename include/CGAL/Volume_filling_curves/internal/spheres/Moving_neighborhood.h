@@ -40,33 +40,33 @@ public:
     m_size = 0;
   }
 
-  // Adds the nodes with the indices first, ..., beyond - 1 that are in the ball.
-  void add(std::size_t first, std::size_t beyond)
+  // Adds the nodes with the indices first, ..., end - 1 that are in the ball.
+  void add(std::size_t first, std::size_t end)
   {
-    grow(m_size + beyond - first);
+    grow(m_size + end - first);
     const double *x = m_all.x(), *y = m_all.y(), *z = m_all.z();
-    for(std::size_t k = first; k < beyond; ++k) {
+    for(std::size_t k = first; k < end; ++k) {
       const Vector d = m_scale * (Vector(x[k], y[k], z[k]) - m_center);
       m_x[m_size] = static_cast<float>(d.x());
       m_y[m_size] = static_cast<float>(d.y());
       m_z[m_size] = static_cast<float>(d.z());
-      m_places[m_size] = static_cast<std::uint32_t>(k);
+      m_numbers[m_size] = static_cast<std::uint32_t>(k);
       m_size += d.squaredNorm() <= slack ? 1 : 0;
     }
   }
 
-  // Replaces the contents of `sifted` by the nodes that can be touched, and some more.
+  // Replaces the contents of `prefiltered` by the nodes that can be touched, and some more.
   // \pre the node is in the ball, and the diameter at most its radius
-  void operator()(const Vector& node, const Vector& normal, double diameter, Node_list& sifted)
+  void operator()(const Vector& node, const Vector& normal, double diameter, Node_list& prefiltered)
   {
     mark(m_scale * (node - m_center), normal, m_scale * diameter);
     std::size_t count = 0;
     for(std::size_t k = 0; k < m_size; ++k) {
-      m_sifted[count] = m_places[k];
+      m_prefiltered_numbers[count] = m_numbers[k];
       count += m_marks[k];
     }
-    sifted.clear();
-    sifted.append(m_all, m_sifted, count);
+    prefiltered.clear();
+    prefiltered.append(m_all, m_prefiltered_numbers, count);
   }
 
 private:
@@ -97,17 +97,17 @@ private:
     if(n <= m_x.size()) return;
     n = (std::max)(n, 2 * m_x.size());
     for(auto* values : {&m_x, &m_y, &m_z}) values->resize(n);
-    for(auto* values : {&m_places, &m_marks, &m_sifted}) values->resize(n);
+    for(auto* values : {&m_numbers, &m_marks, &m_prefiltered_numbers}) values->resize(n);
   }
 
   const Node_list& m_all;
   Vector m_center;
   double m_scale = 0;
   std::size_t m_size = 0;
-  std::vector<float> m_x, m_y, m_z;    // from the center, in units of the ball's radius
-  std::vector<std::uint32_t> m_places; // among all nodes
-  std::vector<std::uint32_t> m_marks;  // 1 for those that can be touched
-  std::vector<std::uint32_t> m_sifted; // places of these
+  std::vector<float> m_x, m_y, m_z;     // from the center, in units of the ball's radius
+  std::vector<std::uint32_t> m_numbers; // among all nodes
+  std::vector<std::uint32_t> m_marks;   // 1 for those that can be touched
+  std::vector<std::uint32_t> m_prefiltered_numbers; // numbers of these
 };
 
 // Nodes that the spheres of a circle can touch, for successive circles along the curve: they are
@@ -124,8 +124,8 @@ public:
   {
     if(!((p - m_center).norm() + diameter <= m_radius)) move_to(p, diameter);
     m_last = p;
-    m_ball(p, normal, diameter, m_sifted);
-    return m_sifted;
+    m_ball(p, normal, diameter, m_prefiltered);
+    return m_prefiltered;
   }
 
 private:
@@ -142,16 +142,15 @@ private:
     if(length < skin * diameter) m_center += ahead * diameter * step.normalized();
     m_radius = (1 + skin) * diameter;
     m_ball.start(m_center, m_radius);
-    m_all.for_each_run_near(m_center, m_radius, [&](std::size_t first, std::size_t beyond) {
-      m_ball.add(first, beyond);
-    });
+    m_all.for_each_run_near(m_center, m_radius,
+                            [&](std::size_t first, std::size_t end) { m_ball.add(first, end); });
   }
 
   const Node_neighborhoods& m_all;
   Vector m_center, m_last;
   double m_radius = -1;
   Node_prefilter m_ball;
-  Node_list m_sifted;
+  Node_list m_prefiltered;
 };
 
 } // namespace internal

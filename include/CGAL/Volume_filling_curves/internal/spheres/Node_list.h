@@ -44,18 +44,18 @@ public:
     ++m_size;
   }
 
-  // Adds the entries first, ..., beyond - 1 of another list.
-  void append(const Node_list& other, std::size_t first, std::size_t beyond)
+  // Adds the entries first, ..., end - 1 of another list.
+  void append(const Node_list& other, std::size_t first, std::size_t end)
   {
-    grow(m_size + beyond - first);
-    for(std::size_t k = first; k < beyond; ++k) copy(other, k, m_size++);
+    grow(m_size + end - first);
+    for(std::size_t k = first; k < end; ++k) copy(other, k, m_size++);
   }
 
   // Adds some entries of another list.
-  void append(const Node_list& other, const std::vector<std::uint32_t>& places, std::size_t number)
+  void append(const Node_list& other, const std::vector<std::uint32_t>& numbers, std::size_t number)
   {
     grow(m_size + number);
-    for(std::size_t k = 0; k < number; ++k) copy(other, places[k], m_size++);
+    for(std::size_t k = 0; k < number; ++k) copy(other, numbers[k], m_size++);
   }
 
   // Removes all nodes farther from a point.

@@ -10,9 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
-#include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Plateau_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Suspected_unknot.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
@@ -71,10 +71,10 @@ public:
     const bool is_slack = is_smooth && is_loose();
     m_is_too_thin = is_slack && is_too_thin();
     if(m_is_too_thin) return Untangling_status::STALLED;
-    if(is_smooth && !is_slack && !is_suspicious()) return Untangling_status::CONVERGED;
+    if(is_smooth && !is_slack && !may_be_unknot()) return Untangling_status::CONVERGED;
     if(is_at_limit()) return unless_proved(Untangling_status::LIMIT);
     if(is_interrupted()) return Untangling_status::INTERRUPTED;
-    if(m_has_stalled || m_suspected_unknot.has_lingered_for_long(m_flow, m_start.patience))
+    if(m_has_stalled || m_plateau_monitor.has_lingered(m_flow, m_start.patience))
       return unless_proved(Untangling_status::STALLED);
     return std::nullopt;
   }
@@ -132,16 +132,16 @@ public:
     return length_over_thickness * m_flow.thickness() * static_cast<double>(number_of_components);
   }
 
-  void look_for_proof() { m_unknottedness.update(m_flow.curve()); }
-  bool is_proved() const { return m_unknottedness.is_proved(); }
-  void write_proofs(Untangling_result& result) { m_unknottedness.write(m_flow.curve(), result); }
+  void look_for_proof() { m_unknot_proofs.update(m_flow.curve()); }
+  bool is_proved() const { return m_unknot_proofs.is_proved(); }
+  void write_proofs(Untangling_result& result) { m_unknot_proofs.write(m_flow.curve(), result); }
 
   // data besides the flow that determine the status
   auto history()
   {
     return std::tuple_cat(
-        m_unknottedness.contents(),
-        std::tie(m_stall_monitor, m_has_stalled, m_iterations_to_proof, m_suspected_unknot));
+        m_unknot_proofs.contents(),
+        std::tie(m_stall_monitor, m_has_stalled, m_iterations_to_proof, m_plateau_monitor));
   }
 
 private:
@@ -180,9 +180,9 @@ private:
   }
 
   // In a domain a curve may be tight around an obstacle.
-  bool is_suspicious()
+  bool may_be_unknot()
   {
-    return !Guard::Boundary::is_bounded && m_suspected_unknot.is_suspicious(m_flow);
+    return !Guard::Boundary::is_bounded && m_plateau_monitor.may_leave_plateau(m_flow);
   }
 
   bool can_stop_at_proof()
@@ -207,9 +207,9 @@ private:
   const Untangling_context<Guard, Visitor>& m_run;
   const Flow& m_flow;
   const Flow_start& m_start;
-  Unknottedness<Network> m_unknottedness;
+  Unknot_proofs<Network> m_unknot_proofs;
   Stall_monitor m_stall_monitor;
-  Suspected_unknot m_suspected_unknot;
+  Plateau_monitor m_plateau_monitor;
   std::size_t m_iterations_to_proof = never;
   bool m_has_stalled = false, m_is_too_thin = false;
 };

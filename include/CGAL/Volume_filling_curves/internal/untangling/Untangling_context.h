@@ -9,7 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/knots/Unknottedness.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
@@ -49,10 +49,10 @@ template <typename Network>
 Untangling_result result_without_flow(const Network& curve, Untangling_status status)
 {
   Untangling_result result;
-  Unknottedness<Network> unknottedness;
-  unknottedness.update(curve);
-  unknottedness.write(curve, result);
-  result.status = unknottedness.is_proved() && status != Untangling_status::INTERRUPTED
+  Unknot_proofs<Network> unknot_proofs;
+  unknot_proofs.update(curve);
+  unknot_proofs.write(curve, result);
+  result.status = unknot_proofs.is_proved() && status != Untangling_status::INTERRUPTED
                       ? Untangling_status::UNKNOTTED
                       : status;
   return result;

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOTTEDNESS_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOTTEDNESS_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOT_PROOFS_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOT_PROOFS_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Proofs about moving curves. Curves only change by isotopies, so a proof, once found, remains
-// valid.
+// Proofs that the components of a moving curve are unknots, and that their link is trivial or not.
+// Curves only change by isotopies, hence a proof, once found, remains valid.
 template <typename Network>
-class Unknottedness
+class Unknot_proofs
 {
 public:
-  // looks whether more can be proved of the curves as they stand
+  // searches for further proofs with the current curves
   void update(const Network& curves)
   {
     m_proofs.resize(curves.number_of_components(), Unknot_proof::NONE);
@@ -37,13 +37,13 @@ public:
     if(are_unknots()) update_link(curves);
   }
 
-  // whether the curves are an unknot, or a trivial link
+  // whether the curves are proved to be an unknot or a trivial link
   bool is_proved() const
   {
     return m_link == Link_status::TRIVIAL || (m_proofs.size() == 1 && are_unknots());
   }
 
-  // Also decides whether they are linked, which no run needs before its end.
+  // Stores the proofs, and whether the components are linked, which no run needs before its end.
   void write(const Network& curves, Untangling_result& result)
   {
     update_link(curves);
@@ -51,7 +51,7 @@ public:
     result.link = m_link;
   }
 
-  // everything that is known
+  // the state of the proofs
   auto contents() { return std::tie(m_proofs, m_link); }
 
 private:
@@ -74,4 +74,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOTTEDNESS_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_KNOTS_UNKNOT_PROOFS_H

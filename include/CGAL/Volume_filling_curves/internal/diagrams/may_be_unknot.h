@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LOOKS_UNKNOTTED_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LOOKS_UNKNOTTED_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_MAY_BE_UNKNOT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_MAY_BE_UNKNOT_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -36,11 +36,11 @@ inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
   return true;
 }
 
-// Returns whether a knot is likely to be an unknot by its Alexander polynomial. Very large curves
-// count as knotted, since the answer would take longer than a second.
+// Returns whether the Alexander polynomial of a knot is that of the unknot, as far as two values
+// show. Returns false for very large curves, whose polynomial would take longer than a second.
 // \pre the curve is a single closed component, and has no garbage
 template <typename Network>
-bool looks_unknotted(const Network& curve)
+bool may_be_unknot(const Network& curve)
 {
   constexpr std::size_t max_nodes = 10000, max_crossings = 1000;
   if(curve.number_of_nodes() > max_nodes) return false;
@@ -52,4 +52,4 @@ bool looks_unknotted(const Network& curve)
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_LOOKS_UNKNOTTED_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DIAGRAMS_MAY_BE_UNKNOT_H
