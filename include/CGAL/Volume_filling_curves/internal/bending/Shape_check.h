@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Where a curve comes closest to a limit of its shape, or exceeds it most.
+// Point of a curve that comes closest to a limit of its shape, or exceeds it most.
 struct Shape_extreme
 {
-  double share = std::numeric_limits<double>::infinity(); // of the limit that is kept there
+  double share = std::numeric_limits<double>::infinity(); // value at the point, over the limit
   double value = 0, limit = 0;
   Vector point;
 
@@ -41,8 +41,7 @@ struct Shape_extreme
   bool is_kept() const { return share >= 1 - 1e-12; }
 };
 
-// The tightest bend and the closest strands of a curve, compared with the limits of its shape. Near
-// linear.
+// Tightest bend and closest strands of a curve, compared with the limits of its shape. Near-linear.
 struct Shape_check
 {
   template <typename ConcurrencyTag, typename Network>
@@ -50,7 +49,7 @@ struct Shape_check
       : Shape_check(curve, limits, Strand_pairs(ConcurrencyTag(), curve, limits, 0))
   {}
 
-  // with pairs that were found before
+  // Takes pairs of strands that were found before.
   template <typename Network>
   Shape_check(const Network& curve, const Shape_limits& limits, const Strand_pairs& pairs)
   {

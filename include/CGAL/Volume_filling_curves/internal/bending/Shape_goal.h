@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// How a curve gets its shape: it bends while the flow goes on, then it is polished.
+// Phases in which a curve takes its shape: it bends during the flow, and then it is polished.
 enum class Shape_phase
 {
   NONE,
@@ -27,8 +27,7 @@ enum class Shape_phase
   POLISHING
 };
 
-// A length that a shape keeps: the same everywhere, or in proportion to the thickness. None if it
-// is 0.
+// Length that limits a shape: constant, or in proportion to the thickness; 0 stands for no limit.
 struct Shape_length
 {
   double length = 0;       // everywhere
@@ -37,16 +36,17 @@ struct Shape_length
   double at(double thickness) const { return length + in_thickness * thickness; }
 };
 
-// How tightly a curve may bend, by Rawdon's MinRad, and how close its strands may come. Edges are
-// of different strands if the curve between them is half of a turn of the tightest bend, or of one
-// around a strand: with less in between, the bends keep them apart (Schur's comparison theorem).
+// Goal of a shape: the least bend radius, by Rawdon's MinRad, and the least distance of strands.
+// Two edges belong to different strands if the curve between them is at least as long as half a
+// turn of the tightest bend, or of one around a strand; with less curve in between, the bend radius
+// keeps them apart (Schur's comparison theorem).
 struct Shape_goal
 {
   Shape_length bend_radius, strand_distance;
 
   bool is_given() const { return bend_radius.at(1) > 0 || strand_distance.at(1) > 0; }
 
-  // for a thickness that is the unit of another one times a factor
+  // returns the same goal for a thickness multiplied by a factor
   Shape_goal in_units_of(double factor) const
   {
     Shape_goal goal = *this;
@@ -56,7 +56,7 @@ struct Shape_goal
   }
 };
 
-// The same at each node.
+// Limits of a shape at each node.
 struct Shape_limits
 {
   Shape_limits(const Shape_goal& goal, const std::vector<double>& thickness)

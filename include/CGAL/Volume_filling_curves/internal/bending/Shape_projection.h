@@ -27,11 +27,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Brings the nodes of a curve towards limits of its shape, constraint by constraint (position based
-// dynamics; Mueller et al. 2007): strands go apart, corners open, walls are left. Corners of nodes
-// 4, 2 and 1 apart are opened in turn, since corners of neighbors alone take hundreds of sweeps for
-// a bend. In each sweep constraints come in the order of the curve. All ways are combinations of
-// differences of positions, and of the walls' normals. Linear.
+// Projection of the nodes of a curve towards the limits of its shape, constraint by constraint
+// (position based dynamics; Mueller et al. 2007): strands move apart, corners open, and nodes leave
+// the walls. Corners of nodes 4, 2 and 1 apart are opened in turn, since corners of neighbors alone
+// take hundreds of sweeps for a bend. Each sweep visits the constraints in the order of the curve.
+// Displacements are linear combinations of differences of positions and of the walls' normals,
+// hence do not depend on the frame. Linear time.
 class Shape_projection
 {
   using Path = Strand_paths::Path;
@@ -50,7 +51,8 @@ public:
       m_mobility.push_back(curve.is_pinned(v) ? 0 : 1);
   }
 
-  // Sweeps over nodes at x. A tense curve keeps the lengths of its edges; otherwise these get even.
+  // Sweeps over nodes at x. A tense curve keeps the lengths of its edges; otherwise they are
+  // evened.
   void operator()(std::vector<Vector>& x, int sweeps, bool is_tense) const
   {
     const std::vector<double> lengths = mean_edges(x);
@@ -73,7 +75,7 @@ public:
   }
 
 private:
-  // Projections converge from outside: they aim at that much more than the limits.
+  // Projections converge from outside, hence aim slightly beyond the limits, by this factor.
   static constexpr double margin = 1.02;
 
   const std::vector<Path>& paths() const { return m_paths.paths(); }
@@ -89,8 +91,8 @@ private:
     x[v] += m_mobility[v] * way;
   }
 
-  // Edges between pinned nodes, as in the necks of ports, are left out: they stay as they are, and
-  // with shorter ones in the mean the others would shrink in each sweep.
+  // The mean length of edges, without those between pinned nodes, as in the necks of ports: these
+  // stay as they are, and shorter ones in the mean would make all others shrink in each sweep.
   std::vector<double> mean_edges(const std::vector<Vector>& x) const
   {
     std::vector<double> means;
@@ -142,7 +144,7 @@ private:
     }
   }
 
-  // Each end goes by what it has to do with the nearest points.
+  // Each end moves in proportion to its weight in the nearest point.
   void push_apart(std::vector<Vector>& x, std::size_t e, std::size_t f) const
   {
     const double distance = margin * m_pairs.distance(e, f);
@@ -180,9 +182,9 @@ private:
   // The arc that is tangent to both edges of a corner and touches the shorter one in its middle has
   // the limit for its radius if the sine of half of the turn is q / sqrt(1 + q^2), where q is half
   // of the shorter edge over the radius; the chords of a circle have the sine q. The node in the
-  // middle goes half of the excess ahead of the outer ones, those between a part of that, and
-  // all together nowhere: otherwise bends that are even would move to their inner side, and rings
-  // shrink to points.
+  // middle moves half of the excess relative to the outer ones, nodes in between move a share of
+  // that, and the mean of all stays: otherwise even bends would move to their inner side, and rings
+  // would shrink to points.
   template <std::size_t apart>
   void open_corner(std::vector<Vector>& x, const Index* nodes) const
   {
@@ -211,7 +213,7 @@ private:
   }
 
   // The neighbors of a pinned node turn around it until its bend, of edges of length 1, has lost
-  // the excess. As outer nodes of the corner they would go a sixth of that: the corner at the end
+  // the excess. As outer nodes of the corner they would move a sixth of that: the corner at the end
   // of a neck kept a radius of 0.2 r.
   void turn_neighbors(std::vector<Vector>& x, const Index* nodes, const Vector& excess) const
   {
@@ -223,9 +225,9 @@ private:
     move(x, w, -out / number * excess);
   }
 
-  // A closed curve that is shorter than a ring with the limit for its radius would shrink to a
-  // point by its stiffness: its corners stay as they are, and it grows. Most curves are far longer,
-  // and a look at some of their edges is enough.
+  // Whether a closed curve is shorter than a ring with the limit for its radius. Its stiffness
+  // would shrink it to a point; therefore it is widened, and its corners are not opened. Most
+  // curves are far longer, which some of their edges already show.
   bool is_too_short(const std::vector<Vector>& x, const Path& path) const
   {
     if(!path.is_closed) return false;
@@ -239,7 +241,7 @@ private:
     return length < ring;
   }
 
-  // Away from its center.
+  // Moves the nodes away from their center.
   void widen(std::vector<Vector>& x, const Path& path) const
   {
     constexpr double rate = 0.02;

@@ -27,15 +27,15 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The pairs of edges of different strands that may come closer than their limit. Near linear in the
-// number of edges; they are sought in parallel if asked to, and come in the same order.
+// Pairs of edges of different strands that may come closer than their limit. Near-linear in the
+// number of edges. A parallel tag makes the search parallel, with the same order of pairs.
 class Strand_pairs
 {
 public:
   using Index = std::uint32_t;
   using Pair = std::array<Index, 2>;
 
-  // Pairs farther apart than their limit and `slack` times that are left out.
+  // Leaves out pairs farther apart than (1 + slack) times their limit.
   template <typename ConcurrencyTag, typename Network>
   Strand_pairs(ConcurrencyTag, const Network& curve, const Shape_limits& limits, double slack)
   {
@@ -58,7 +58,7 @@ public:
   // the nodes of an edge
   const Pair& ends(std::size_t e) const { return m_ends[e]; }
 
-  // that two edges keep
+  // the distance that two edges must keep
   double distance(std::size_t e, std::size_t f) const
   {
     return (m_distances[e] + m_distances[f]) / 2;
@@ -70,12 +70,12 @@ public:
       double distance, const Vector& a, const Vector& b, const Vector& c, const Vector& d)
   {
     const double lengths = std::sqrt(2 * ((b - a).squaredNorm() + (d - c).squaredNorm()));
-    const double reach = 2 * distance + lengths; // of twice the way between the middles
+    const double reach = 2 * distance + lengths; // of twice the distance of the middles
     return ((a - c) + (b - d)).squaredNorm() >= reach * reach;
   }
 
 private:
-  // Returns the length of curve, for each edge, from which on others are of different strands.
+  // Returns for each edge the length of curve beyond which edges belong to different strands.
   template <typename Network>
   std::vector<double> take_edges(const Network& curve, const Shape_limits& limits)
   {

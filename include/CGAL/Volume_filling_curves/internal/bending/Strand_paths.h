@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The paths of a network from one end or junction to the next, and its closed curves, as sequences
-// of nodes, whose corners follow one another in memory. Linear.
+// Paths of a network from one end or junction to the next, and its closed curves, as sequences of
+// nodes that are consecutive in memory. Linear.
 class Strand_paths
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   struct Path
   {
-    std::size_t begin, end; // of its nodes; a closed path has its first node once
+    std::size_t begin, end; // of its nodes; a closed path does not repeat its first node
     bool is_closed;
 
     std::size_t size() const { return end - begin; }

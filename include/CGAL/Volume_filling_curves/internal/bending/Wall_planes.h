@@ -21,14 +21,14 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The boundary near nodes that are close to it, as planes. Nodes that are pushed into a wall are
-// held there by the guard, and hold bends next to them: of the 3,200 nodes of the bunny 8, between
-// which the bend radius stayed at 0.06 r. Normals are differences of distances, so that every
-// domain has them. Linear.
+// Planes that approximate the boundary near nodes close to it. Without them, nodes pushed into a
+// wall were held there by the guard and kept the bends next to them: 8 of the bunny's 3,200 nodes,
+// between which the bend radius stayed at 0.06 r. Normals are differences of distances, which every
+// domain has. Linear.
 class Wall_planes
 {
 public:
-  // Takes the distance that each node is to keep, besides the one that the boundary has.
+  // Takes the distance that each node must keep, in addition to that of the boundary itself.
   template <typename Network, typename Boundary>
   void find(const Network& curve, const Boundary& boundary, const std::vector<double>& distances)
   {
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  static constexpr double reach = 3; // of planes, in distances to be kept
+  static constexpr double reach = 3; // of planes, in units of the distance to keep
 
   struct Plane
   {
@@ -79,9 +79,9 @@ private:
     const double depth = depth_up_to(domain, curve.point(v), reach * distance);
     if(!(depth < reach * distance)) return;
     const double step = (std::min)(distance, depth) / 2; // stays inside
-    const auto depth_at = [&](int axis, double way) {
+    const auto depth_at = [&](int axis, double offset) {
       Vector p = x;
-      p[axis] += way;
+      p[axis] += offset;
       return domain.distance(to_point(p, curve.traits()));
     };
     Vector gradient;

@@ -43,7 +43,7 @@ public:
     }
   }
 
-  // the degree of the polynomial in t that value() is, at most
+  // an upper bound of the degree of value() as a polynomial in t
   std::size_t max_degree() const { return m_size; }
 
   // \throws Run_stopped if a watch requests it

@@ -22,8 +22,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Integers from their residues modulo more and more primes (Garner 1959). They are exact once the
-// product of the primes is more than twice any absolute value, so each needs a bound.
+// Reconstruction of integers from their residues modulo more and more primes (Garner 1959). The
+// result is exact once the product of the primes exceeds twice any absolute value, hence a bound of
+// these is needed.
 class Chinese_remainders
 {
 public:
@@ -33,12 +34,12 @@ public:
 
   bool is_complete() const { return m_known_bits > m_bits; }
 
-  // modulo which the residues are asked for next
+  // the prime for the next residues
   const Prime_field& field() const { return m_field; }
 
   void add(const std::vector<Prime_field::Number>& residues)
   {
-    constexpr double bits_of_primes = 30.9; // all that are ever used are above 2^30.9
+    constexpr double bits_of_primes = 30.9; // all primes in use are above 2^30.9
     const Prime_field::Number scale = m_field.inverse(residue(m_product));
     for(std::size_t k = 0; k < m_values.size(); ++k) {
       const auto missing = m_field.difference(residues[k], residue(m_values[k]));

@@ -19,10 +19,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Coefficients of polynomials: integers of 64 bits, with an exception instead of an overflow.
+// Coefficients of polynomials: 64-bit integers that throw an exception instead of overflowing.
 using Coefficient = std::int64_t;
 
-// Thrown by computations that would exceed 64 bits, or the work that they may take.
+// Thrown by computations that would exceed 64 bits or their limit of operations.
 struct Polynomial_limit : std::runtime_error
 {
   Polynomial_limit() : std::runtime_error("a polynomial exceeds the limits") {}
@@ -47,7 +47,7 @@ inline Coefficient checked_product(Coefficient c, Coefficient d)
   return c * d;
 }
 
-// Writes the coefficient of a term behind the terms before it: "- 2 " in "1 - 2 x".
+// Writes the coefficient of a term after earlier terms: "- 2 " in "1 - 2 x".
 inline void write_coefficient(std::ostream& out, Coefficient c, bool is_first, bool is_constant)
 {
   out << (c < 0 ? (is_first ? "-" : " - ") : (is_first ? "" : " + "));

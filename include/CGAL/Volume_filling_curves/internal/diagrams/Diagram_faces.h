@@ -86,7 +86,7 @@ private:
     }
   }
 
-  std::vector<std::size_t> m_mates, m_faces; // of each arc end, and of the corner on its left
+  std::vector<std::size_t> m_mates, m_faces; // per arc end: the other end, and the face on its left
   std::vector<std::size_t> m_parts;          // of each face
   std::vector<bool> m_is_black;              // each face
   std::size_t m_number_of_parts = 0;

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A step of a sweep: the disk takes a crossing in that is attached to its boundary by consecutive
-// arcs. Before the step the boundary is rotated until they are the first.
+// Step of a sweep: the disk absorbs a crossing that is attached to its boundary by consecutive
+// arcs. Before the step, the boundary is rotated to begin with these arcs.
 struct Sweep_step
 {
   std::size_t rotation; // of the boundary, to the left
@@ -38,15 +38,15 @@ struct Sweep_step
 // Order in which a disk grows over a connected diagram without nugatory crossings, one crossing at
 // a time. The boundary of the disk crosses the arcs between processed and remaining crossings,
 // which are listed counterclockwise. A crossing can be added if its arcs to the disk are
-// consecutive; otherwise a hole would remain. There always is one: each crossing whose removal
-// leaves the rest connected qualifies, as in an st-numbering (Lempel, Even, Cederbaum 1967). Of
-// these, the crossing with the most arcs to the disk is next. Several first crossings are tried,
-// and the order with the least sum of k! wins, where 2k arcs are on the boundary: about the time of
-// HOMFLY-PT. O(n w^2) for w arcs.
+// consecutive; otherwise a hole would remain. Such a crossing always exists: each crossing whose
+// removal leaves the rest connected qualifies, as in an st-numbering (Lempel, Even, Cederbaum
+// 1967). Of these, the crossing with the most arcs to the disk is next. Several first crossings are
+// tried, and the order with the least sum of k! wins, where 2k arcs are on the boundary: about the
+// time of HOMFLY-PT. O(n w^2) for w arcs.
 class Disk_sweep
 {
 public:
-  // \pre diagram_pieces() has returned the diagram, or it is a cable of one that it has returned
+  // \pre the diagram was returned by diagram_pieces(), or is a cable of such a diagram
   // \throws Polynomial_limit if all orders that were tried are wider than max_boundary
   explicit Disk_sweep(const Planar_diagram& diagram) : m_diagram(diagram), m_strands(diagram)
   {
@@ -68,7 +68,7 @@ private:
 
   using End = Diagram_strands::End;
 
-  // returns the cost, infinite if it is not less than that of the best sweep
+  // returns the cost, infinite unless it is less than that of the best sweep
   double sweep_from(std::size_t first)
   {
     m_steps.clear();
@@ -104,7 +104,7 @@ private:
     return source.crossing == crossing && source.k == k ? m_strands.target(arc) : source;
   }
 
-  // Whether arcs i and i + 1 of the boundary go to the same crossing, and nothing is between them.
+  // Whether arcs i and i + 1 of the boundary go to the same crossing, with nothing between them.
   bool is_run(std::size_t i) const
   {
     const End &e = m_boundary[i], &f = m_boundary[(i + 1) % m_boundary.size()];
@@ -127,7 +127,7 @@ private:
     return best;
   }
 
-  // the last crossing, with four arcs that can be counted from any of them on
+  // the last crossing, whose four arcs may be counted from any of them
   bool is_closed_run() const
   {
     return m_boundary.size() == 4 && is_run(0) && is_run(1) && is_run(2) && is_run(3);

@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A diagram that changes: crossings come and go, each in constant time. The arc ends of crossing c
-// are the slots 4 c ... 4 c + 3, counterclockwise from the lower strand that comes in; each is
-// joined to the slot at the other end of its arc. A slot also stands for its arc directed away from
-// the crossing, and for the face on the left of that.
+// Diagram in which crossings are added and removed, each in constant time. The arc ends of crossing
+// c are the slots 4 c ... 4 c + 3, counterclockwise from the incoming lower strand; each is joined
+// to the slot at the other end of its arc. A slot also stands for its arc directed away from the
+// crossing, and for the face on the left of that.
 class Editable_diagram
 {
 public:
@@ -66,8 +66,8 @@ public:
 
   void join(Slot a, Slot b) { m_mates[a] = b, m_mates[b] = a; }
 
-  // A new crossing on the arc that leaves from slot s, of a strand that comes from the left.
-  // Returns the slot that the new strand arrives at.
+  // Adds a crossing on the arc that leaves slot s with a strand that comes from the left. Returns
+  // the slot at which the new strand arrives.
   Slot insert_crossing(Slot s, bool is_new_strand_over)
   {
     const bool is_along = is_outgoing(s);
@@ -80,8 +80,8 @@ public:
     return rotated(from_s, 3);
   }
 
-  // Takes away the strand through slot s from its crossing. What is left of the other one is
-  // joined.
+  // Removes the strand through slot s from its crossing, and joins the two parts of the other
+  // strand.
   void remove_crossing(Slot s)
   {
     const Slot p = rotated(s, 1), q = across(p), before = mate(p), after = mate(q);
@@ -118,7 +118,7 @@ private:
     return static_cast<Slot>(4 * end.crossing + end.k);
   }
 
-  // The arc that a component begins with: after its crossing with the smallest number, but for a
+  // The first arc of a component: the one after its crossing with the smallest number, except for a
   // component of two arcs above all others, see Diagram_strands.
   Slot first_of_component(Slot s) const
   {

@@ -30,8 +30,8 @@ namespace internal {
 
 // Quadratic form of the surface that the faces of one color form (Goeritz 1933): a sparse symmetric
 // matrix, with a row for each face of the other color except one in each part. Its determinant is
-// that of the link, and its signature, corrected by the crossings at which the surface does not
-// follow the orientation, is that of the link (Gordon and Litherland 1978).
+// that of the link, and so is its signature after a correction by the crossings at which the
+// surface does not follow the orientation (Gordon and Litherland 1978).
 class Goeritz_form
 {
 public:
@@ -89,7 +89,7 @@ private:
     int value;
   };
 
-  // Rows for the faces of the color that has fewer of them; returns whether this is black.
+  // Makes rows for the faces of the less frequent color; returns whether it is black.
   bool number_rows(const Diagram_faces& faces)
   {
     const std::size_t n = faces.number_of_faces();

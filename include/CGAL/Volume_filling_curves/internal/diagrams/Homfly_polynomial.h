@@ -58,8 +58,8 @@ private:
     return polynomial;
   }
 
-  // Adds a crossing to the disk: a new strand is born if only one is there to cross, two strands
-  // cross, and they are joined with further arcs that the disk has to the crossing.
+  // Adds a crossing to the disk: if only one strand is attached, a new one is added; the two
+  // strands cross, and are joined with the remaining arcs from the disk to the crossing.
   static void take_in(Homfly_skein& skein, const Sweep_step& step, int sign)
   {
     const auto is_out = [sign](std::size_t k) { return k == 2 || k == (sign > 0 ? 1u : 3u); };
@@ -78,7 +78,7 @@ private:
   std::size_t m_work;
 };
 
-// Returns nothing if that takes more than so many operations on terms.
+// Returns nothing if the computation exceeds the limit of operations on terms.
 inline std::optional<Laurent_polynomial_2> homfly_polynomial(const Planar_diagram& diagram,
                                                              std::size_t work = default_work)
 {

@@ -24,18 +24,20 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A tangle in a disk as a combination of descending tangles, by the HOMFLY-PT skein relation
+// Tangle in a disk as a combination of descending tangles, by the HOMFLY-PT skein relation
 // H(+) - H(-) = z H(0). A kink of sign e multiplies by v^-e, a split loop by (1/v - v) / z.
 //
-// A descending tangle: its strands lie in layers, and in the plane each is a straight chord of the
-// disk. The incoming end of a strand has a rank, which is the layer, 0 on top; the outgoing end has
-// a label. So a tangle is the list of labels by rank, and k strands have k! tangles, which form a
-// basis (that of Hecke algebras, which have all incoming ends on one side; see Morton and Traczyk,
-// Knots and Algebras, 1990). Every operation keeps the ranks equal for all tangles.
+// The strands of a descending tangle lie in layers, and each is a straight chord of the disk in the
+// plane. The incoming end of a strand has a rank, the number of its layer from 0 on top; the
+// outgoing end has a label. A tangle is thus the list of labels by rank, and k strands have k!
+// tangles, which form a basis (that of Hecke algebras, which have all incoming ends on one side;
+// see Morton and Traczyk, Knots and Algebras, 1990). Every operation keeps the ranks equal for all
+// tangles.
 class Homfly_skein
 {
 public:
-  // An empty disk, and so many operations on terms until Polynomial_limit is thrown.
+  // Makes an empty disk, and takes the number of operations on terms until Polynomial_limit is
+  // thrown.
   explicit Homfly_skein(std::size_t work) : m_work(work)
   {
     m_tangles.push_back({0, Laurent_polynomial_2::monomial({0, 0})});
@@ -81,8 +83,8 @@ public:
     std::swap(m_ends[i], m_ends[i + 1]);
   }
 
-  // Joins the ends at i and i + 1, one in and one out; the last join closes the last loop, which
-  // counts as 1.
+  // Joins the ends at i and i + 1, one incoming and one outgoing. The last join closes the last
+  // loop, which counts as 1.
   void join(std::size_t i)
   {
     const std::size_t label = m_ends[i].is_out ? m_ends[i].index : m_ends[i + 1].index;
@@ -173,7 +175,7 @@ private:
     return (in < end) == (out < end) ? 0 : in < out ? 1 : -1;
   }
 
-  // Adds a tangle, to be collected.
+  // Adds a tangle to the terms, which are not yet sorted.
   void add(std::vector<Tangle>& tangles, Labels labels, Laurent_polynomial_2 factor)
   {
     const std::size_t work = 1 + factor.terms().size();
@@ -231,15 +233,15 @@ private:
     for(; rank > to; --rank) transpose(rank - 1);
   }
 
-  // If the upper one of two strands that come in side by side is the lower layer it is lifted, and
-  // their crossing agrees with the layers.
+  // Crosses two neighboring incoming strands: if the upper one is in the lower layer, it is lifted,
+  // after which the crossing agrees with the layers.
   void lift_above(std::size_t over, std::size_t under)
   {
     if(over > under) move(over, under);
   }
 
-  // Two strands that go out side by side: where the crossing disagrees with the layers it is
-  // switched; in the smoothed tangle they go on to each other's new ends.
+  // Crosses two neighboring outgoing strands: a crossing that disagrees with the layers is
+  // switched; in the smoothed tangle the strands exchange their new ends.
   void cross_outs(std::size_t over, std::size_t under, int sign)
   {
     std::vector<Tangle> all;
@@ -252,8 +254,9 @@ private:
     collect();
   }
 
-  // The strand that comes in is moved to the top or the bottom, where it agrees with the crossing
-  // whichever strand goes out; if it is the same strand the crossing is a kink.
+  // Crosses an incoming and an outgoing strand: the incoming one moves to the top or the bottom,
+  // where it agrees with the crossing for any outgoing strand; if both are one strand, the crossing
+  // is a kink.
   void cross_in_and_out(std::size_t i, bool is_in_over, int sign)
   {
     const std::size_t in = m_ends[i].is_out ? i + 1 : i;
@@ -264,7 +267,7 @@ private:
       if(Homfly_skein::label(t.labels, rank) == label) t.factor.shift({-sign, 0});
   }
 
-  // In tangles where the lowest strand goes out at the label, the join makes it a split loop.
+  // Tangles in which the join closes the lowest strand to a split loop: it ends at the label.
   void close_loops(std::size_t label, std::vector<Tangle>& done)
   {
     const std::size_t lowest = number_of_strands() - 1;
@@ -277,8 +280,8 @@ private:
     m_tangles = std::move(others);
   }
 
-  // The tangles in which the strand just above goes out at the label and on as the strand of that
-  // rank: they make one strand, descending, with a kink if their chords cross.
+  // Tangles in which the strand just above ends at the label and continues as the strand of that
+  // rank: the two become one descending strand, with a kink if their chords cross.
   void join_with_strand_above(std::size_t rank, std::size_t label, std::vector<Tangle>& done)
   {
     std::vector<Tangle> others;

@@ -31,7 +31,7 @@ namespace internal {
 class Kauffman_bracket
 {
 public:
-  // So many operations on coefficients until Polynomial_limit is thrown.
+  // Takes the number of operations on coefficients until Polynomial_limit is thrown.
   explicit Kauffman_bracket(std::size_t work) : m_work(work) {}
 
   std::size_t work_left() const { return m_work; }
@@ -52,7 +52,7 @@ private:
   static constexpr std::size_t max_width = 28; // 14 pairs have 2,674,440 pairings
 
   using Index = std::uint8_t;
-  using Pairing = std::array<Index, max_width + 4>; // the partner of each arc, 0 behind the width
+  using Pairing = std::array<Index, max_width + 4>; // the partner of each arc, 0 beyond the width
 
   struct State
   {
@@ -82,7 +82,7 @@ private:
   }
 
   // The smoothing of A joins the ends 0 and 1 and 2 and 3 of the crossing, counterclockwise from
-  // the lower strand that comes in; the one of 1/A joins the ends 1 and 2, 3 and 0.
+  // the incoming lower strand; the one of 1/A joins the ends 1 and 2, 3 and 0.
   Change smoothed(std::uint32_t s, const Sweep_step& step, Index exponent) const
   {
     const std::size_t old = m_width, attached = step.attached;
@@ -114,7 +114,7 @@ private:
     partners[q] = p;
   }
 
-  // The boundary begins with the ends that were not attached, and goes on with the old arcs.
+  // The boundary begins with the ends that were not attached, followed by the old arcs.
   void number_anew(const std::array<Index, max_width + 8>& partners,
                    const Sweep_step& step,
                    Pairing& pairing) const

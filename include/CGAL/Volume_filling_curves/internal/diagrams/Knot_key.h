@@ -19,10 +19,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A pair of numbers modulo two primes, as a value of polynomials at a point: of P(v, z) J_2(t), of
-// a knot, or of J_c(t). Since these polynomials are multiplicative, so is the key: that of a
-// connected sum is the product. A test shows that keys of different knots of up to 10 crossings,
-// composite ones included, differ.
+// Value of a polynomial of a knot at a point, modulo two primes: of P(v, z) J_2(t), or of J_c(t).
+// These polynomials are multiplicative, and so is the key: the key of a connected sum is the
+// product. A test shows that keys of different knots of up to 10 crossings, composite ones
+// included, differ.
 class Knot_key
 {
 public:
@@ -60,7 +60,8 @@ public:
   friend bool operator<(const Knot_key& k, const Knot_key& l) { return k.bits() < l.bits(); }
 
 private:
-  static constexpr Number v = 271828183, z = 314159265, t = 141421356; // no relation is known
+  static constexpr Number v = 271828183, z = 314159265,
+                          t = 141421356; // there is no known relation between them
 
   Knot_key(Number first, Number second) : m_first(first), m_second(second) {}
 

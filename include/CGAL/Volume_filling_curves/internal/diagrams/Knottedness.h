@@ -68,7 +68,7 @@ inline std::ostream& operator<<(std::ostream& out, Knottedness knottedness)
 
 namespace internal {
 
-// Cheap invariants come first: residues modulo a prime already prove that they differ. A trivial
+// Cheap invariants come first: different residues modulo a prime already prove a knot. A trivial
 // link of several components has the determinant and the Alexander polynomial 0.
 // \pre the diagram is simplified
 // \throws Run_stopped if a watch requests it

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A polynomial in a variable and its inverse, with integer coefficients. Dense, since the
+// Polynomial in a variable and its inverse, with integer coefficients. Dense, since the
 // polynomials of knots have few gaps.
 class Laurent_polynomial
 {

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A polynomial in two variables and their inverses, with integer coefficients. Sparse: its terms
+// Polynomial in two variables and their inverses, with integer coefficients. Sparse: its terms
 // are sorted by exponents, which makes sums and shifts linear.
 class Laurent_polynomial_2
 {

@@ -77,7 +77,7 @@ public:
     return arc + 1 < m_ends.size() && m_first[arc + 1] == m_first[arc] ? arc + 1 : m_first[arc];
   }
 
-  // where an arc comes from and where it goes to
+  // the ends from which and to which an arc leads
   End source(std::size_t arc) const { return m_ends[arc][0]; }
   End target(std::size_t arc) const { return m_ends[arc][1]; }
 
@@ -110,7 +110,7 @@ private:
     return is_up_in_pair(diagram, c) ? 1 : -1;
   }
 
-  // The upper strand of a component of two arcs: its pass at the other crossing decides.
+  // Orients the upper strand of a component of two arcs by its pass at the other crossing.
   bool is_up_in_pair(const Planar_diagram& diagram, std::size_t c) const
   {
     const std::size_t b = diagram.crossings[c][1], d = diagram.crossings[c][3];

@@ -46,8 +46,8 @@ struct Closed_polygons
 
 // Diagram of disjoint closed polygons, projected along a direction. Every decision rests on exact
 // signs; doubles only select pairs of edges, by boxes with a margin. A direction is generic if in
-// the image no node lies on an edge, no edge is a point and no two crossings coincide; others are
-// refused. O(n log n + k) for k pairs of overlapping boxes.
+// the image no node lies on an edge, no edge is a point and no two crossings coincide; other
+// directions are refused. O(n log n + k) for k pairs of overlapping boxes.
 class Polygon_projection
 {
 public:
@@ -84,7 +84,7 @@ private:
   struct Pass
   {
     std::size_t edge, other, crossing;
-    Projection_predicates::Approximation place; // on the edge
+    Projection_predicates::Approximation position; // on the edge
     bool is_over;
   };
 
@@ -117,7 +117,7 @@ private:
     return {m_right.dot(p), m_up.dot(p), 0};
   }
 
-  // Notes the crossing of two edges, if they cross. Returns false if the images touch otherwise.
+  // Records the crossing of two edges, if they cross. Returns false if the images touch otherwise.
   bool meet(std::size_t e, std::size_t f)
   {
     if(m_next[e] == f) return are_apart_at(f, e, m_next[f]);
@@ -132,7 +132,7 @@ private:
     return cross(e, f, to_s == POSITIVE);
   }
 
-  // Edges that share node v and go on to p and q: only in one direction they overlap.
+  // Edges from node v to p and to q overlap only if they have the same direction.
   bool are_apart_at(std::size_t v, std::size_t p, std::size_t q) const
   {
     return m_predicates.turn(v, p, q) != ZERO ||
@@ -164,13 +164,13 @@ private:
     return true;
   }
 
-  // along the polygons; returns false if there are two at the same place. Doubles order nearly all
+  // along the polygons; returns false if two coincide. Doubles order nearly all
   // of them, exact comparisons the rest.
   bool sort_passes()
   {
     std::sort(m_passes.begin(), m_passes.end(), [](const Pass& a, const Pass& b) {
-      return std::tie(a.edge, a.place.value, a.crossing) <
-             std::tie(b.edge, b.place.value, b.crossing);
+      return std::tie(a.edge, a.position.value, a.crossing) <
+             std::tie(b.edge, b.position.value, b.crossing);
     });
     for(std::size_t i = 1; i < m_passes.size(); ++i)
       for(std::size_t k = i; k > 0 && m_passes[k - 1].edge == m_passes[k].edge; --k) {
@@ -185,8 +185,8 @@ private:
   // whether a comes before b on their edge
   Sign compare(const Pass& a, const Pass& b) const
   {
-    const double distance = a.place.value - b.place.value;
-    if(std::abs(distance) > a.place.error + b.place.error)
+    const double distance = a.position.value - b.position.value;
+    if(std::abs(distance) > a.position.error + b.position.error)
       return distance > 0 ? POSITIVE : NEGATIVE;
     return CGAL::compare(exact_place(a), exact_place(b));
   }
@@ -196,7 +196,7 @@ private:
     return m_predicates.exact_place(pass.edge, m_next[pass.edge], pass.other, m_next[pass.other]);
   }
 
-  // Arcs and crossings get their numbers as they come along the polygons.
+  // Numbers arcs and crossings in their order along the polygons.
   Planar_diagram numbered()
   {
     Planar_diagram diagram;
@@ -219,7 +219,8 @@ private:
 
   using Passes = std::vector<Pass>::iterator;
 
-  // A component of two arcs above all others begins at the smaller crossing, see Diagram_strands.
+  // A component of two arcs above all others begins at the crossing with the smaller number, see
+  // Diagram_strands.
   static void orient_pair(Passes first, Passes last, const std::vector<std::size_t>& numbers)
   {
     if(last - first == 2 && first->is_over && first[1].is_over &&

@@ -24,7 +24,7 @@ public:
 
   explicit Prime_field(Number prime = largest) : m_prime(prime) {}
 
-  // the next smaller one; there are 50 million
+  // the next smaller prime field; there are 50 million of them
   Prime_field next() const
   {
     Number p = m_prime - 2;

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A knot of Rolfsen's table, or its mirror image. The table's own one is the closure of the braid
+// Knot of Rolfsen's table, or its mirror image. The knot of the table is the closure of the braid
 // word of KnotInfo (data/prime_knots.txt). Amphichiral knots are never mirrored.
 struct Prime_knot
 {
@@ -39,7 +39,7 @@ struct Prime_knot
     return k.index != l.index ? k.index < l.index : k.is_mirror < l.is_mirror;
   }
 
-  // the place in Rolfsen's table: crossings, and the number among the knots with as many
+  // the name in Rolfsen's table: the crossings, and the number among knots with as many crossings
   std::array<std::size_t, 2> place() const
   {
     constexpr std::array<std::size_t, 8> counts{1, 1, 2, 3, 7, 21, 49, 165}; // from 3 crossings on
@@ -95,8 +95,8 @@ inline std::string knot_name(const std::vector<Prime_knot>& factors)
 class Prime_factors
 {
 public:
-  // The factors, sorted, of at most so many crossings together; nothing if no three knots of the
-  // table, or fewer, have this key. Takes at most some milliseconds.
+  // Returns the factors, sorted, with at most `max_crossings` together; nothing if no three knots
+  // of the table, or fewer, have this key. Takes at most some milliseconds.
   static std::optional<std::vector<Prime_knot>> of(const Knot_key& key, std::size_t max_crossings)
   {
     Prime_factors factors;

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The direction towards the viewer, in integers of at most 2^20: a generic one exists for every
-// curve that does not meet itself.
+// Direction towards the viewer, in integers of at most 2^20; every embedded curve has a generic
+// one.
 using Viewing_direction = std::array<int, 3>;
 
 // Exact predicates of points projected along an integer direction. A double and its error bound
@@ -59,7 +59,7 @@ public:
     return CGAL::sign(qx * rx + qy * ry);
   }
 
-  // The place on the edge pq where its image crosses that of the edge rs, from 0 to 1.
+  // The position on the edge pq, from 0 to 1, where its image crosses that of the edge rs.
   Approximation approximate_place(std::size_t p, std::size_t q, std::size_t r, std::size_t s) const
   {
     const Approximation from = approximate_area(r, s, p), to = approximate_area(r, s, q);

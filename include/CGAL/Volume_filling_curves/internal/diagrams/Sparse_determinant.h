@@ -104,7 +104,7 @@ private:
       const auto found = std::lower_bound(
           row.begin(), row.end(), pivot.column,
           [](const Entry& entry, std::uint32_t column) { return entry.column < column; });
-      if(found == row.end() || found->column != pivot.column) continue; // it has vanished
+      if(found == row.end() || found->column != pivot.column) continue; // cancelled before
       subtract(pivot_row, m_field.product(found->value, scale), pivot.column, other);
       m_queue.push({m_rows[other].size(), other});
     }
@@ -130,7 +130,7 @@ private:
     target.assign(m_sum.begin(), m_sum.end());
   }
 
-  // whether the permutation from rows to columns is
+  // whether the permutation from rows to columns is odd
   bool is_odd()
   {
     bool result = false;

@@ -23,10 +23,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Rerouting of a strand that passes above, or below, all other strands, to a shortest path through
-// the faces from its start to its end. The loops and bigons of Reidemeister's first two moves, and
-// his third move, are the simplest cases; long strands move far at once. (The simplifications of
-// SnapPy, and of Knoodle, Cantarella and Schumacher 2025, use the same move.) Each search only
-// visits faces within the length of the strand.
+// the faces from its start to its end. Reidemeister's moves are the simplest cases; long strands
+// move far at once. (The simplifications of SnapPy, and of Knoodle, Cantarella and Schumacher 2025,
+// use the same move.) Each search only visits faces within the length of the strand.
 class Strand_rerouting
 {
   using Slot = Editable_diagram::Slot;
@@ -35,22 +34,22 @@ class Strand_rerouting
 public:
   explicit Strand_rerouting(Editable_diagram& diagram) : m_diagram(diagram) {}
 
-  // Moves the strand that leaves from a slot, and ends before the level of its passes changes, or
-  // after so many of them, to a path with fewer crossings. Returns whether there was one.
+  // Moves a strand to a path with fewer crossings, and returns whether there was one. The strand
+  // leaves from a slot and ends before its level changes, or after `max_length` crossings.
   bool shorten(Slot start, std::size_t max_length)
   {
     return take_strand(start, max_length) && find_path(m_crossings.size() - 1, nullptr) && move();
   }
 
-  // Moves it to a path, at random among the shortest ones, with as many crossings or fewer, or
-  // `more` of them if there is no other. Returns whether it was moved.
+  // Moves a strand to a random one of the shortest other paths, with no more crossings.
+  // Returns whether it was moved.
   bool move_at_random(Slot start, std::size_t max_length, Random_source& random)
   {
     return take_strand(start, max_length) && find_path(m_crossings.size(), &random) && move();
   }
 
-  // Takes a component away that passes above all others, or below, where it leaves from a slot.
-  // Returns whether it does.
+  // Removes the component of a slot from all its crossings if it passes above, or below, all
+  // others. Returns whether it does.
   bool lift_component(Slot start)
   {
     const bool is_over = Editable_diagram::is_over(start);
@@ -70,7 +69,7 @@ public:
   }
 
 private:
-  // A face on the way, and the arc that was crossed into it, as the slot on the side of the face
+  // A face of the path, and the arc crossed on entering it, as its slot on the side of the face
   // before.
   struct Face
   {
@@ -83,7 +82,7 @@ private:
     Face face;
   };
 
-  // Its slots where it leaves from the crossings that it passes
+  // the slots at which the strand leaves its crossings
   bool take_strand(Slot start, std::size_t max_length)
   {
     m_start = start;
@@ -99,7 +98,7 @@ private:
     return !m_crossings.empty();
   }
 
-  // A breadth-first search over the faces that the diagram has without the strand.
+  // Breadth-first search over the faces of the diagram without the strand.
   bool find_path(std::size_t max_length, Random_source* random)
   {
     begin_search();
@@ -129,7 +128,7 @@ private:
 
   void mark_strand(Slot s) { m_strand_stamps[s] = m_strand_stamps[m_diagram.mate(s)] = m_stamp; }
 
-  // Looks into a face; returns whether the strand ends there.
+  // Visits a face; returns whether the strand ends there.
   bool visit(const Step& step)
   {
     const std::size_t face = m_faces.size();

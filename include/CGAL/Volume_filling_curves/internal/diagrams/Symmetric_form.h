@@ -65,8 +65,8 @@ private:
   }
   void dequeue(std::size_t i) { m_queue.erase({m_rows[i].size(), i}); }
 
-  // Row and column j added to row and column i, where their entry is not 0 and both diagonal
-  // entries are. Returns false if the matrix is 0.
+  // Adds row and column j to row and column i, for a nonzero entry (i, j) with zeros on the
+  // diagonal. Returns false if the matrix is 0.
   bool find_any_pivot()
   {
     std::size_t i = 0;

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Cable of a diagram: a given number of parallel strands for each strand, with the framing of the
-// diagram. Each crossing becomes a square grid of crossings with its own arcs.
+// Cable of a diagram: each strand is replaced by parallel strands, with the framing of the diagram.
+// Each crossing becomes a square grid of crossings with its own arcs.
 class Cable
 {
 public:

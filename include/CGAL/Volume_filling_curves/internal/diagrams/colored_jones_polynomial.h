@@ -77,7 +77,7 @@ private:
   std::size_t m_work;
 };
 
-// The Jones polynomial J_c of color c, from 1 to 3; nothing if that takes more than so many
+// Returns the Jones polynomial J_c of color c, from 1 to 3; nothing if it exceeds the limit of
 // operations on coefficients. \pre the diagram is that of a knot if c > 1
 inline std::optional<Laurent_polynomial> colored_jones_polynomial(const Planar_diagram& diagram,
                                                                   int color,
@@ -90,8 +90,8 @@ inline std::optional<Laurent_polynomial> colored_jones_polynomial(const Planar_d
   }
 }
 
-// The Jones polynomial of the 2-cable with framing 0 of a knot, in the square root of t. By z^2 =
-// S_2 + 1 it knows as much as J_2.
+// The Jones polynomial of the 2-cable with framing 0 of a knot, in the square root of t. Since
+// z^2 = S_2 + 1, it contains the same information as J_2.
 inline Laurent_polynomial jones_of_2_cable(const Laurent_polynomial& colored_jones_2)
 {
   Laurent_polynomial bracket =

@@ -103,7 +103,7 @@ inline Planar_diagram diagram_of_pd_code(const std::string& text)
 {
   Planar_diagram diagram;
   std::vector<std::uint32_t> arcs;
-  bool is_loop = false; // whether the next number is that of a component without crossings
+  bool is_loop = false; // whether the next number belongs to a component without crossings
   for(std::size_t i = 0; i < text.size();) {
     if(text.compare(i, 4, "Loop") == 0) {
       ++diagram.number_of_free_loops;

@@ -44,7 +44,7 @@ Closed_polygons closed_polygons(const Network& curve)
   return polygons;
 }
 
-// The k-th of a sequence of directions, uniform on the sphere and without symmetries.
+// Direction k of a sequence that is uniform on the sphere and has no symmetries.
 inline Viewing_direction viewing_direction(std::size_t k)
 {
   constexpr double scale = 1 << 20; // two directions differ by 1e-6 or are the same
@@ -52,15 +52,15 @@ inline Viewing_direction viewing_direction(std::size_t k)
   return {int(std::lround(d.x())), int(std::lround(d.y())), int(std::lround(d.z()))};
 }
 
-// The diagram with the fewest crossings of several directions, the first one if there are many.
-// \throws std::invalid_argument if the polygons meet, so that no direction is generic
+// Diagram with the fewest crossings among several directions, or that of the first direction if it
+// has very many.
+// \throws std::invalid_argument if the polygons meet, and hence no direction is generic
 // \throws Run_stopped if a watch requests it
 inline Planar_diagram best_diagram(const Closed_polygons& polygons,
                                    std::size_t number_of_directions,
                                    Run_watch* watch = nullptr)
 {
-  // Of 10,000 directions none is refused for a curve that does not meet itself, on a lattice or
-  // not.
+  // Of 10,000 directions, none is refused for an embedded curve, on a lattice or not.
   constexpr std::size_t max_refused = 20;
   std::optional<Planar_diagram> best;
   std::size_t seen = 0, refused = 0;

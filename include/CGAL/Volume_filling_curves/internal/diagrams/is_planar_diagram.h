@@ -59,7 +59,7 @@ private:
     return true; // as many ends as arcs can have
   }
 
-  // Each component walked from its first arc on, in the direction of its numbers
+  // Whether each component, followed from its first arc, is numbered in order.
   bool are_numbered_in_order() const
   {
     for(std::size_t first = 0, end; first < m_ends.size(); first = end) {

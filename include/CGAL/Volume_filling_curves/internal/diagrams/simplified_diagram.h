@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Simplification of a diagram. First every strand that passes above or below all others is moved to
-// a shortest path, until none gets shorter; near-linear in practice. Then strands move at random
+// Simplification of a diagram. First, strands that pass above or below all others are moved to
+// shortest paths until none becomes shorter; near-linear in practice. Then strands move at random
 // between paths of equal length, which frees others, until this stops helping.
 class Diagram_simplification
 {
@@ -55,7 +55,7 @@ public:
     }
   }
 
-  // Moves strands at random, so many times per crossing.
+  // Moves strands at random, a number of times per crossing.
   void shake(std::size_t moves_per_crossing, Random_source& random)
   {
     for(std::size_t k = moves_per_crossing * number_of_crossings(); k > 0; --k) {
@@ -69,7 +69,8 @@ public:
 
 private:
   static constexpr std::size_t all = ~std::size_t(0);
-  static constexpr std::size_t max_shaken_length = 10; // in crossings; 4 left more of them
+  static constexpr std::size_t max_shaken_length =
+      10; // in crossings; with 4 more crossings remained
 
   Editable_diagram m_diagram;
   Strand_rerouting m_rerouting;
@@ -77,9 +78,9 @@ private:
   unsigned m_calls = 0;
 };
 
-// A diagram of the same link, of few crossings. 128 tangled prime knots of up to 10 crossings, seen
-// from 10 directions each, all come to their crossing number, in 0.6 ms on average; a random
-// polygon of 100,000 nodes comes from 15,349 crossings to 2,700 in half a second.
+// Returns a diagram of the same link with few crossings. 128 tangled prime knots of up to 10
+// crossings, seen from 10 directions each, all reach their crossing number, in 0.6 ms on average; a
+// random polygon of 100,000 nodes goes from 15,349 to 2,700 crossings in half a second.
 // \throws Run_stopped if a watch requests it
 inline Planar_diagram simplified_diagram(const Planar_diagram& diagram, Run_watch* watch = nullptr)
 {

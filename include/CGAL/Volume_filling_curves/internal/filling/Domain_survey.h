@@ -189,8 +189,8 @@ private:
     return Thickness<Point_3>(grown);
   }
 
-  // Whether each part holds a component; the last entry, true, stands for points of unknown part. If
-  // the run is to stop, all are true: without a surface a component takes milliseconds.
+  // Whether each part holds a component; the last entry, true, stands for points of unknown part.
+  // If the run is to stop, all are true: without a surface a component takes milliseconds.
   std::vector<bool> parts_that_hold(const Curve_network_3<Traits>& curve) const
   {
     std::vector<bool> result(m_is_wide.size(), false);
@@ -202,8 +202,8 @@ private:
     return result;
   }
 
-  // returns the distance to the boundary that is enough for a sample not to lie in thin walls; larger
-  // distances need not be known
+  // returns the distance to the boundary that is enough for a sample not to lie in thin walls;
+  // larger distances need not be known
   double sufficient_distance() const
   {
     const bool is_thickness_known = is_thickness_asked_for() && !m_thickness.varies();
@@ -212,12 +212,12 @@ private:
     return needed_width * (std::max)(m_thickness.number(), min_thickness_for(m_parameters));
   }
 
-  // Radius of the smallest ball in which a curve starts, in units of the thickness, or of the widest
-  // ball if that is smaller. Smaller parts are ignored.
+  // Radius of the smallest ball in which a curve starts, in units of the thickness, or of the
+  // widest ball if that is smaller. Smaller parts are ignored.
   static constexpr double min_radius = 0.125;
 
-  // The root of a tree is a hexagon as wide as the tips of fingers; fingers grow from its edges, half
-  // as long.
+  // The root of a tree is a hexagon as wide as the tips of fingers; fingers grow from its edges,
+  // half as long.
   std::vector<Point_3> circle(const typename Parts::Widest& ball) const
   {
     constexpr double share_of_clearance = 0.9; // of what the distance to the wall leaves

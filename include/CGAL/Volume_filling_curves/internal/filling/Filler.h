@@ -171,8 +171,8 @@ private:
     run(Filling_stage::refining());
   }
 
-  // Thins the curve along paths to points that it does not reach, since the domain is too thin there
-  // for the required thickness. Returns whether there are such points.
+  // Thins the curve along paths to points that it does not reach, since the domain is too thin
+  // there for the required thickness. Returns whether there are such points.
   bool is_thinned_in_narrow_regions()
   {
     if(m_runner.end()) return false;

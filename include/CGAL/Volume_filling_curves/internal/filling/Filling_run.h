@@ -195,10 +195,10 @@ private:
            domain_line(m_domain, m_curves.traits()) + hash_line("field", fields);
   }
 
-  // The layer along the boundary that counts as outside for the flow. Thereby strands settle as they
-  // would without a wall distance; strands pressed against it are crowded. A box of 20 x 10 x 10 r ends uncrowded for
-  // distances of 1, 1.5 and 3 r; without a layer 2 to 22 % of the length are crowded, with one as
-  // large as the distance 29 to 64 %.
+  // The layer along the boundary that counts as outside for the flow. Thereby strands settle as
+  // they would without a wall distance; strands pressed against it are crowded. A box of 20 x 10 x
+  // 10 r ends uncrowded for distances of 1, 1.5 and 3 r; without a layer 2 to 22 % of the length
+  // are crowded, with one as large as the distance 29 to 64 %.
   double layer() const
   {
     const double settled = m_parameters.wall == Wall::COVER ? 0.5 : 1.5; // in units of r

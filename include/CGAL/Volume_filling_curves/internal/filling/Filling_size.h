@@ -74,8 +74,8 @@ public:
                       std::sqrt(m_area / (4 * m_edge * nodes)));
   }
 
-  // Throws std::invalid_argument if there would be more nodes than allowed. The message gives lengths
-  // in the caller's unit.
+  // Throws std::invalid_argument if there would be more nodes than allowed. The message gives
+  // lengths in the caller's unit.
   void check(double thickness, double most, double unit) const
   {
     const double nodes = number_of_nodes(thickness);

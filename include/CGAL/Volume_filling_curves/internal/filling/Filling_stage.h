@@ -69,7 +69,8 @@ struct Filling_stage
     return stage;
   }
 
-  // Six iterations fill what fingers have reached; more of them do not space the strands more evenly.
+  // Six iterations fill what fingers have reached; more of them do not space the strands more
+  // evenly.
   static Filling_stage opening()
   {
     Filling_stage stage = growth();
@@ -112,11 +113,12 @@ struct Filling_stage
     return stage;
   }
 
-  // Bends the curve within its limits, from the opened fingers; settling first would be undone here.
-  // With the required thickness the curve would contract as its bends open; with 0.4 of it the
-  // medial spheres, of up to 1.6 r, push strands apart until their required distance holds them. Without coupling the matrix has three diagonals; projections couple the strands.
-  // Shorter edges and four times as many steps fill a cube to 85 instead of 81 %, in 4 times the
-  // time (2026-11-24).
+  // Bends the curve within its limits, from the opened fingers; settling first would be undone
+  // here. With the required thickness the curve would contract as its bends open; with 0.4 of it
+  // the medial spheres, of up to 1.6 r, push strands apart until their required distance holds
+  // them. Without coupling the matrix has three diagonals; projections couple the strands. Shorter
+  // edges and four times as many steps fill a cube to 85 instead of 81 %, in 4 times the time
+  // (2026-11-24).
   static Filling_stage bending()
   {
     Filling_stage stage;

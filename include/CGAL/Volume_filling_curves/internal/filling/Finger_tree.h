@@ -32,11 +32,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Tree of fingers that grow from curves through a whole domain before the flow. They follow a random
-// spanning tree of well-spaced points that starts from all points of the curves (Prim's algorithm). A small circle becomes the outline of a tree, isotopic to it, in time proportional to
+// Tree of fingers that grow from curves through a whole domain before the flow. They follow a
+// random spanning tree of well-spaced points that starts from all points of the curves (Prim's
+// algorithm). A small circle becomes the outline of a tree, isotopic to it, in time proportional to
 // the number of points. The component with the smallest share of the volume grows next. Points that
-// no straight finger reaches, for example end a neck, are reached by thin fingers along paths
-// from a search.
+// no straight finger reaches, for example end a neck, are reached by thin fingers along paths from
+// a search.
 template <typename Guard, typename Domain>
 class Finger_tree
 {

@@ -157,8 +157,8 @@ private:
                                       std::to_string(k + 1) + ": their necks meet");
   }
 
-  // The domain for the path of an arc, without earlier paths and without necks; of its own two necks
-  // the inner halves remain.
+  // The domain for the path of an arc, without earlier paths and without necks; of its own two
+  // necks the inner halves remain.
   Domain_without_segments<Domain> free_domain(std::size_t first) const
   {
     Domain_without_segments<Domain> domain(m_domain);

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Paths into regions that are too thin for the required thickness, as points; along them a curve may
-// be thinner. Linear in the number of points.
+// Paths into regions that are too thin for the required thickness, as points; along them a curve
+// may be thinner. Linear in the number of points.
 class Thinned_paths
 {
 public:

@@ -73,8 +73,8 @@ public:
     return unfilled_fraction(m_samples, to_be_covered(distances, thickness), thickness);
   }
 
-  // returns whether this share is not tolerable, or a point is much farther: the thin ear of a bunny
-  // is less than a hundredth of the volume, but far away
+  // returns whether this share is not tolerable, or a point is much farther: the thin ear of a
+  // bunny is less than a hundredth of the volume, but far away
   template <typename Thickness>
   bool is_much(const Network& curve, const Thickness& thickness) const
   {
@@ -97,8 +97,8 @@ public:
                               boundary_distance, thickness);
   }
 
-  // returns a point of each region, and other points far from the curve, the farthest first: the tip
-  // of a thin ear holds no ball that makes it a region
+  // returns a point of each region, and other points far from the curve, the farthest first: the
+  // tip of a thin ear holds no ball that makes it a region
   template <typename Thickness>
   std::vector<Point_3> unreached_points(const Network& curve, const Thickness& thickness) const
   {

@@ -29,9 +29,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Motion of a curve along the directions of its flow, followed by remeshing. A curve with a required
-// shape takes bending and polishing steps instead of free ones. The thickness at the nodes, the unit
-// of edges and steps, is kept up to date. Near-linear time.
+// Motion of a curve along the directions of its flow, followed by remeshing. A curve with a
+// required shape takes bending and polishing steps instead of free ones. The thickness at the
+// nodes, the unit of edges and steps, is kept up to date. Near-linear time.
 template <typename Guard, typename ConcurrencyTag>
 class Flow_motion
 {
@@ -64,7 +64,8 @@ public:
     m_step.set_max_displacement(max_displacement);
   }
 
-  // Sets the distance to which every free step moves strands apart, in units of the least thickness.
+  // Sets the distance to which every free step moves strands apart, in units of the least
+  // thickness.
   void keep_apart(double distance) { m_step.keep_apart(distance); }
 
   // Makes the next steps bring the curve into the limits of its shape, see Shaped_step.

@@ -87,8 +87,8 @@ private:
     return std::sqrt(squared_segment_distance(source(e), target(e), source(f), target(f)));
   }
 
-  // The common perpendicular of the edges; the offset of almost parallel edges; in a plane the vector
-  // between their nearest points, which keeps planar curves in their plane.
+  // The common perpendicular of the edges; the offset of almost parallel edges; in a plane the
+  // vector between their nearest points, which keeps planar curves in their plane.
   Vector normal_from(std::size_t f, std::size_t e) const
   {
     constexpr double min_sine = 0.05;

@@ -29,8 +29,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The link that closed curves form: a copy is simplified by certified operations, and projected. If
-// the name has no proof, but may have one, a search for fewer edges follows, and a second try.
+// Identification of the link that closed curves form: a copy is simplified by certified operations
+// and projected. If the name is not proved but may be, a search for fewer edges and a second
+// projection follow.
 template <typename Network>
 class Curve_identification
 {
@@ -45,7 +46,7 @@ public:
     (void)closed_polygons(m_curves);
   }
 
-  // \throws Run_stopped if the watch says so
+  // \throws Run_stopped if the watch requests it
   Link_identity operator()()
   {
     simplify();

@@ -48,7 +48,7 @@ public:
         m_viewpoint(to_point(Vector(0, 0, 0), curve.traits()))
   {}
 
-  // Returns nothing if every viewpoint is degenerate, which components that meet can bring about.
+  // Returns nothing if every viewpoint is degenerate, as may be the case if components meet.
   // \throws Run_stopped if a watch requests it
   std::optional<Matrix> operator()()
   {

@@ -23,8 +23,8 @@ namespace internal {
 // largest number of edges with which every closed polygon is an unknot (Randell 1994)
 inline constexpr std::size_t edges_of_unknots = 5;
 
-// Why component c is known to be an unknot: a knot has at least 6 edges (Randell 1994) and a total
-// curvature above 4 pi (Fary 1949, Milnor 1950). Linear.
+// Proof that component c is an unknot, if it is too simple for a knot, which has at least 6 edges
+// (Randell 1994) and a total curvature above 4 pi (Fary 1949, Milnor 1950). Linear.
 template <typename Network>
 Unknot_proof unknot_proof(const Network& curve, std::size_t c)
 {

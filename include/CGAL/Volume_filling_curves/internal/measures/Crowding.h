@@ -38,10 +38,10 @@ auto thickness_function(const Thickness& thickness)
     return [&thickness](const auto& p) { return static_cast<double>(thickness(p)); };
 }
 
-// How close the strands of a curve come to one another, measured by a thickness r. Two edges belong
-// to different strands if at least pi r of the curve lies between them: in a round bend of radius r
-// the curve faces itself after that length. Where r varies, that of a pair is the mean of the r in
-// the middles of both edges. Near linear in the number of edges and of pairs nearer than r.
+// Distances between the strands of a curve of thickness r. Two edges belong to different strands if
+// at least pi r of the curve lies between them: in a round bend of radius r the curve faces itself
+// after that length. If r varies, a pair of edges has the mean of r at their middles. Near-linear
+// in the number of edges and of pairs nearer than r.
 template <typename Network>
 class Crowding
 {
@@ -53,7 +53,7 @@ public:
         m_clearance(curve, scaled(CGAL_PI, m_radii))
   {}
 
-  // Two places of different strands, and their edges: null ones if there is only one strand.
+  // Two points on different strands, and their edges: null ones if there is only one strand.
   struct Strands
   {
     double distance;

@@ -74,7 +74,7 @@ public:
   {
     link();
     std::vector<std::pair<std::size_t, Region>> balls; // with a sample of the region
-    for(const Start& start : samples_with_most_room()) {
+    for(const Start& start : samples_with_max_clearance()) {
       const Region ball = ascend(m_empty[start.sample].position);
       if(ball.radius < m_thickness(to_point(ball.center, m_traits)) / 2) continue;
       unite_samples_in(ball, start.sample);
@@ -96,7 +96,7 @@ private:
   struct Start
   {
     std::size_t sample;
-    double room;
+    double clearance;
   };
 
   static constexpr std::size_t max_ascents = 256;
@@ -129,33 +129,33 @@ private:
 
   // One sample of each set. If there are very many sets, such as single samples in a thin plate,
   // those with the largest clearance.
-  std::vector<Start> samples_with_most_room()
+  std::vector<Start> samples_with_max_clearance()
   {
     std::vector<Start> starts;
-    for(const auto& members : sets()) starts.push_back(sample_with_most_room(members));
+    for(const auto& members : sets()) starts.push_back(sample_with_max_clearance(members));
     if(starts.size() <= max_ascents) return starts;
     std::stable_sort(starts.begin(), starts.end(),
-                     [](const Start& a, const Start& b) { return a.room > b.room; });
+                     [](const Start& a, const Start& b) { return a.clearance > b.clearance; });
     starts.resize(max_ascents);
     return starts;
   }
 
   // The gaps are sorted: the distance to the boundary is measured for few samples.
-  Start sample_with_most_room(const std::vector<std::size_t>& members) const
+  Start sample_with_max_clearance(const std::vector<std::size_t>& members) const
   {
     Start best{members.front(), -1};
     for(const std::size_t k : members) {
-      if(m_empty[k].gap <= best.room) break;
+      if(m_empty[k].gap <= best.clearance) break;
       check(m_watch);
-      const double room = (std::min)(m_empty[k].gap, m_boundary_distance(m_empty[k].number));
-      if(room > best.room) best = {k, room};
+      const double clearance = (std::min)(m_empty[k].gap, m_boundary_distance(m_empty[k].number));
+      if(clearance > best.clearance) best = {k, clearance};
     }
     return best;
   }
 
   // Radius of the largest ball around the center that is inside and farther than 2 r from the
   // curve.
-  double room(const Vector& center) const
+  double clearance(const Vector& center) const
   {
     const auto point = to_point(center, m_traits);
     check(m_watch);
@@ -166,7 +166,7 @@ private:
   // Ascends along the axes to a larger clearance, with steps that shrink where there is none.
   Region ascend(const Vector& start) const
   {
-    Region ball{start, room(start), 0};
+    Region ball{start, clearance(start), 0};
     double step = m_link;
     while(step > ascent_end * m_thickness(to_point(ball.center, m_traits))) {
       check_run();
@@ -175,8 +175,8 @@ private:
       for(int i = 0; i < 6; ++i) {
         Vector trial = ball.center;
         trial[i / 2] += i % 2 == 0 ? length : -length;
-        const double room_there = room(trial);
-        if(room_there > next.radius) next = {trial, room_there, 0};
+        const double clearance_there = clearance(trial);
+        if(clearance_there > next.radius) next = {trial, clearance_there, 0};
       }
       const double gain = next.radius - ball.radius;
       if(gain < min_gain * length) step /= 2;
@@ -185,7 +185,7 @@ private:
     return ball;
   }
 
-  static constexpr double min_gain = 1e-3; // of the step, so that the ascend ends
+  static constexpr double min_gain = 1e-3; // of the step, so that the ascent ends
 
   void unite_samples_in(const Region& ball, std::size_t start)
   {
@@ -194,7 +194,7 @@ private:
         m_sets.unite(k, start);
   }
 
-  // Of balls that turned out to lie in the same region the largest one counts.
+  // Keeps the largest of the balls that turned out to lie in the same region.
   std::vector<Region> regions_with(const std::vector<std::pair<std::size_t, Region>>& balls)
   {
     std::map<std::size_t, Region> best;

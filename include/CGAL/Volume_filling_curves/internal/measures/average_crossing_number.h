@@ -43,7 +43,7 @@ public:
 
   template <typename Network>
   explicit Crossing_counter(const Network& curve)
-      : m_edges(curve.number_of_edges()), m_places(curve.number_of_nodes())
+      : m_edges(curve.number_of_edges()), m_positions(curve.number_of_nodes())
   {
     for(std::size_t e = 0; e < m_edges.size(); ++e)
       m_edges[e].nodes = {static_cast<Index>(curve.source(e)), static_cast<Index>(curve.target(e))};
@@ -105,11 +105,11 @@ private:
     if(!(cell_size > 0)) return false;
     for(std::size_t v = 0; v < projection.size(); ++v) {
       const Vector x = projection[v] - low;
-      m_places[v] = {x.x() / cell_size, x.y() / cell_size};
+      m_positions[v] = {x.x() / cell_size, x.y() / cell_size};
     }
     for(Edge& edge : m_edges) {
-      edge.source = m_places[edge.nodes[0]];
-      edge.target = m_places[edge.nodes[1]];
+      edge.source = m_positions[edge.nodes[0]];
+      edge.target = m_positions[edge.nodes[1]];
     }
     m_columns = 1 + static_cast<Cell>(size.x() / cell_size);
     m_rows = 1 + static_cast<Cell>(size.y() / cell_size);
@@ -181,7 +181,7 @@ private:
   }
 
   std::vector<Edge> m_edges;
-  std::vector<Point> m_places; // of the nodes, in cells
+  std::vector<Point> m_positions; // of the nodes, in cells
   Cell m_columns = 0, m_rows = 0;
   std::vector<std::size_t> m_first, m_end; // per cell, into m_listed
   std::vector<std::pair<std::size_t, Index>> m_entries;

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Motion of a rope's nodes without contacts: by its tension, and by its stiffness where it bends more
-// tightly than its radius allows. Linear time.
+// Motion of a rope's nodes without contacts: by its tension, and by its stiffness where it bends
+// more tightly than its radius allows. Linear time.
 
 // Length, in radii, of the shortest ring that bends no more tightly than its radius, with 5 % for
 // polygons; a ring of 12 edges needs 2 %.

@@ -19,14 +19,16 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Monitor of plateaus, on which the gradient of an unknot is as small and uniform as that of a tight
-// knot: with the paper's preconditioner and a thickness of 0.0336, Ochiai's fourth unknot lingers at
-// 91 crossings from iteration 233 on and is untied in iteration 1012. The flow of a tight curve that
-// may be an unknot therefore continues until it is untied or has lingered for too long.
+// Monitor of plateaus, on which the gradient of an unknot is as small and uniform as that of a
+// tight knot: with the paper's preconditioner and a thickness of 0.0336, Ochiai's fourth unknot
+// lingers at 91 crossings from iteration 233 on and is untied in iteration 1012. The flow of a
+// tight curve that may be an unknot therefore continues until it is untied or has lingered for too
+// long.
 class Plateau_monitor
 {
 public:
-  // Returns whether a tight curve in the whole space may be an unknot, which leaves its plateau later.
+  // Returns whether a tight curve in the whole space may be an unknot, which leaves its plateau
+  // later.
   template <typename Flow>
   bool may_leave_plateau(const Flow& flow)
   {
