@@ -31,12 +31,12 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  *
  * \brief rounds the corners of a curve inside a domain: returns a smooth curve of circular arcs and
- * segments, and whether it is certified.
+ * segments, certified if possible.
  *
  * Each corner is replaced by the arc that is tangent to both of its edges and touches the shorter
  * one in its middle; segments join the arcs. The direction of the curve is continuous, and the
- * radius is nowhere less than `min_bend_radius()`. Straight corners and ends stay; paths end at
- * junctions, where the direction jumps.
+ * radius is nowhere less than `min_bend_radius()`. Straight corners and ends stay. The direction
+ * jumps only at junctions, where paths end.
  *
  * The spline is certified if it is ambient isotopic to the curve and strictly inside the domain.
  * This holds if the closed triangles of the arcs' ends and corners lie inside, and meet one another
@@ -49,7 +49,7 @@ namespace Volume_filling_curves {
  * Strands farther apart than the longest edge are never in conflict. Otherwise
  * `Arc_spline::conflicts` lists the nodes; shorter edges there help, at the cost of smaller radii.
  *
- * Takes near-linear time for curves whose nodes are spaced evenly.
+ * Takes near-linear time for evenly spaced nodes.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type

@@ -33,13 +33,14 @@ namespace Volume_filling_curves {
  *
  * \brief names the knot, or computes the invariants of the link, that a diagram shows.
  *
- * The diagram is simplified by Reidemeister moves and cut into the pieces whose connected sum it
- * is. HOMFLY-PT and the colored Jones polynomial of dimension 3 of each piece are looked up in a
- * table of the prime knots of up to 10 crossings and their sums of up to three factors. Two chiral knots, 9_42 and 10_71, have both polynomials in
- * common with their mirror images; the one of dimension 4 tells these apart.
+ * The diagram is simplified by Reidemeister moves and cut into the pieces of a connected sum. The
+ * HOMFLY-PT polynomial and the colored Jones polynomial of dimension 3 of each piece are looked up
+ * in a table of the prime knots of up to 10 crossings and their sums of up to three factors. Two
+ * chiral knots, 9_42 and 10_71, share both polynomials with their mirror images; the colored Jones
+ * polynomial of dimension 4 distinguishes them.
  *
- * A knot of 10 crossings takes milliseconds. A polynomial that would take more than about a second
- * is left out: typically of more than 100 crossings for HOMFLY-PT, and 25 for names.
+ * A knot of 10 crossings takes milliseconds. Polynomials that would take more than about a second
+ * are left out: HOMFLY-PT typically above 100 crossings, and those for names above 25.
  *
  * \tparam NamedParameters a sequence of named parameters
  *
@@ -64,11 +65,11 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
  *
  * \brief names the knot, or computes the invariants of the link, that closed curves form.
  *
- * A copy of the curves is simplified by certified operations, and projected along 20 directions
- * with exact predicates, of which the diagram with the fewest crossings is taken; see the overload
- * for a `Planar_diagram`. So a proof of the name holds for the curves themselves. A knot whose
- * diagram keeps more than 10 crossings, though it may have fewer, is brought to fewer edges by the
- * search of `untangle()`, if it has at most 200.
+ * A copy of the curves is simplified by certified operations and projected along 20 directions with
+ * exact predicates. The diagram with the fewest crossings is identified, see the overload for a
+ * `Planar_diagram`. Hence a proof of the name holds for the curves themselves. If the diagram keeps
+ * more than 10 crossings although the knot may have fewer, the search of `untangle()` first reduces
+ * the number of edges of a curve of at most 200 edges.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of named parameters
@@ -78,7 +79,8 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded, or not all closed, or branch
+ * \throws std::invalid_argument if the curves are not embedded, or if a component is open or has a
+ * junction
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -94,8 +96,9 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 /*!
  * \ingroup PkgVolumeFillingCurvesKnots
  *
- * names the knot, or computes the invariants of the link, of a polyline or several. Closed ones
- * repeat their first point, by \cgal's habit. See the overload for `Curve_network_3`.
+ * names the knot, or computes the invariants of the link, that one or several polylines form. A
+ * closed polyline repeats its first point, as usual in \cgal. See the overload for
+ * `Curve_network_3`.
  *
  * \tparam Polylines a range of points, or of such ranges
  * \tparam NamedParameters a sequence of named parameters
@@ -103,7 +106,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param polylines the polylines
  * \param np \vfcNamedParams{Measure_polylines_signature}
  *
- * \throws std::invalid_argument as that overload and that constructor
+ * \throws std::invalid_argument as that overload and the constructor of `Curve_network_3`
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Polylines,

@@ -70,7 +70,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * decides from a diagram whether a link is trivial, if it finds a proof.
+ * searches for a proof that the link of a diagram is trivial or that it is not.
  *
  * If all crossings can be removed, the link is trivial. If its determinant, Alexander polynomial or
  * HOMFLY-PT polynomial differs from that of the trivial link, it is not. The HOMFLY-PT polynomial

@@ -58,7 +58,7 @@ inline std::ostream& operator<<(std::ostream& out, Knot_chirality chirality)
 /// \ingroup PkgVolumeFillingCurvesKnots
 /// \headerfile CGAL/Volume_filling_curves/identify.h
 ///
-/// What `identify()` finds out about a knot or link.
+/// The result of `identify()`: name, proofs and invariants of a knot or link.
 struct Link_identity
 {
   /// The knot in Rolfsen's table, such as "7_5"; with an asterisk its mirror image, such as "7_5*";

@@ -36,11 +36,11 @@ double depth(const Domain& domain, const typename Domain::Point_3& p)
 }
 
 // Boundary of a domain for the flow: exact tests of triangles, and the largest radius of a sphere
-// that touches a node inside. The many distance queries to a tree of faces are slower far from the
-// surface; hence distances are cached at the centers of the cells of a grid, measured at the first
-// query. The distance is 1-Lipschitz, which gives a lower bound that answers nearly all queries;
-// only near the boundary, where queries are fast, is the point itself measured. Answers do not
-// depend on the order of the queries. Safe to query in parallel.
+// inside that touches a node. Distance queries to a tree of faces are slow far from the surface;
+// hence distances at the centers of the cells of a grid are measured once and cached. The distance
+// is 1-Lipschitz, hence the cached values give lower bounds, which answer nearly all queries. The
+// distance of the point itself is measured only near the boundary, where queries are fast. Answers
+// do not depend on the order of the queries. Safe to query in parallel.
 template <typename Domain>
 class Boundary
 {
@@ -65,8 +65,8 @@ public:
 
   const Domain& domain() const { return *m_domain; }
 
-  // Lets triangles count as inside only if they are farther than a distance from the boundary. The
-  // flow takes the layer along the boundary for outside. \pre the layer is not larger
+  // Sets the least distance of inside triangles to the boundary, and the width of the layer along
+  // the boundary that counts as outside for the flow. \pre the layer is no wider than the distance
   void set_wall_distance(double distance, double layer = 0)
   {
     m_wall_distance = distance;
@@ -93,18 +93,18 @@ public:
   {
     const double bound = conservative(bound_of_cell(to_vector(p)));
     if(bound > needed) return bound;
-    // a distance that is still more than `needed` when it is taken conservatively
+    // a distance that exceeds `needed` even with rounding
     const double enough = (needed + 2 * slack * m_diagonal) * (1 + 2 * slack);
     return conservative(depth_up_to(*m_domain, p, enough));
   }
 
-  // returns whether x, inside, is known to be farther from the boundary than that
+  // returns whether the cached distances show that x, inside, is farther from the boundary
   bool is_farther(const Vector& x, double distance) const
   {
     return conservative(bound_of_cell(x)) > distance + m_layer;
   }
 
-  // Shortens rays from p to where they leave the domain, or reach the layer.
+  // Shortens rays from p to the points where they leave the domain or reach the layer.
   void shorten(const Point_3& p, Planar_rays& rays) const
   {
     if(m_layer > 0) return shorten_to_layer(p, rays);
@@ -120,8 +120,8 @@ public:
     }
   }
 
-  // The radius, at most `limit`, of the largest sphere inside that touches p and has its center in
-  // the direction from p. Of such spheres the larger ones hold the smaller ones: bisection.
+  // Returns the radius, at most `limit`, of the largest sphere inside that touches p and has its
+  // center in the direction from p. Larger spheres contain smaller ones, hence bisection finds it.
   template <typename Traits>
   double tangent_radius(const Point_3& p,
                         const Vector& direction,
@@ -151,8 +151,8 @@ private:
   static constexpr double slack = 1e-9; // for the rounding of distances
   static constexpr double unknown = -1;
 
-  // Steps as far as each point is known to be above the layer; towards a plane, steps shrink in
-  // proportion. Medial spheres only steer the flow, and need no more digits.
+  // Each step is as long as the known distance to the layer; towards a plane, steps shrink in
+  // proportion. Medial spheres only steer the flow and need no more accuracy.
   void shorten_to_layer(const Point_3& p, Planar_rays& rays) const
   {
     constexpr int max_steps = 8;
@@ -203,7 +203,7 @@ private:
   std::unique_ptr<std::atomic<double>[]> m_distance;
 };
 
-// There is none.
+// Boundary of the whole space: there is none.
 template <typename GeomTraits>
 class Boundary<Unbounded_domain_3<GeomTraits>>
 {

@@ -31,18 +31,18 @@ double depth_up_to(const Domain& domain,
     return domain.distance(p);
 }
 
-// Decides whether a whole triangle inside a domain, which may be degenerate, is farther than c from
-// the boundary. A point in the middle of the longest side that is farther than c plus the reach of
-// the triangle from there settles it; otherwise the triangle is halved at that point. The answer is
-// as certain as the domain's distances, and no in case of doubt: for a triangle that comes within
-// 1/64 of its size of the limit. One query where there is room, some hundreds in the worst case.
+// Test whether a whole triangle inside a domain, which may be degenerate, is farther than c from
+// the boundary. This holds if the middle of the longest side is farther than c plus the reach of
+// the triangle from it; otherwise the triangle is halved there. The answer is as certain as the
+// domain's distances, and is no in doubtful cases: if the triangle comes within 1/64 of its size of
+// the limit. One query far from the boundary, some hundreds in the worst case.
 template <typename Domain>
 class Depth_test
 {
   using Point_3 = typename Domain::Point_3;
 
 public:
-  // Takes c, to which the caller adds what distances may be wrong by.
+  // Takes c, to which the caller has added the error of distances.
   Depth_test(const Domain& domain, double c) : m_domain(domain), m_c(c) {}
 
   bool operator()(const Vector& p, const Vector& q, const Vector& r) const
@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  static constexpr double finest = 1. / 64; // of the size, where halving ends
+  static constexpr double finest = 1. / 64; // of the size, at which halving ends
 
   bool is_deeper(const Vector& p, const Vector& q, const Vector& r, double min_reach) const
   {
@@ -68,9 +68,9 @@ private:
     const Vector middle = (p + q) / 2;
     const double reach = (std::max)((q - p).norm() / 2, (r - middle).norm());
     const double needed = m_c + reach;
-    constexpr double beyond = 1 + 1e-9; // distances end at the limit
+    constexpr double excess = 1 + 1e-9; // distances end at the limit
     const double depth =
-        depth_up_to(m_domain, Point_3(middle.x(), middle.y(), middle.z()), beyond * needed);
+        depth_up_to(m_domain, Point_3(middle.x(), middle.y(), middle.z()), excess * needed);
     if(depth > needed) return true;
     if(!(depth > m_c) || reach <= min_reach) return false;
     return is_deeper(p, middle, r, min_reach) && is_deeper(middle, q, r, min_reach);

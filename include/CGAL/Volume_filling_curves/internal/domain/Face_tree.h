@@ -126,7 +126,7 @@ public:
     return query.nearest;
   }
 
-  // returns the squared distance of the segment ab to the surface, and where on the segment it is,
+  // returns the squared distance of the segment ab to the surface, and its position on the segment,
   // from 0 to 1. \pre the segment does not meet the surface
   std::pair<double, double> nearest_to_segment(const Vector& a, const Vector& b) const
   {
@@ -143,7 +143,7 @@ public:
     return query.bound();
   }
 
-  // Shortens rays to where they meet the surface. One descent serves all of them.
+  // Shortens rays to their first intersections with the surface. One descent serves all of them.
   void shorten(Planar_rays& rays) const
   {
     Planar_rays_query query(m_corners, rays, m_largest);
@@ -172,7 +172,7 @@ private:
     }
   };
 
-  // Hands the faces that an upward ray may meet to a function, by their places.
+  // Passes the faces that an upward ray may meet to a function, by their order in the tree.
   template <typename Function>
   struct Crossing_query
   {
@@ -225,7 +225,7 @@ private:
     const Face_tree& faces;
     Vector a, b;
     Bbox_3 box;
-    std::pair<double, double> nearest; // the squared distance, and where on the segment
+    std::pair<double, double> nearest; // the squared distance, and its position on the segment
 
     double bound() const { return nearest.first; }
 

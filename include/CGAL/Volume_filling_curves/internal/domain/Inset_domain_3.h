@@ -117,16 +117,16 @@ public:
   /// `direction`, at most `limit`.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
-    // every step goes as far as the domain is known to be deep enough
+    // each step is as long as the known depth
     const internal::Vector start = internal::to_vector(p), u = internal::to_vector(direction);
-    double way = 0;
-    for(int k = 0; k < max_steps && way < limit; ++k) {
-      const internal::Vector x = start + way * u;
+    double length = 0;
+    for(int k = 0; k < max_steps && length < limit; ++k) {
+      const internal::Vector x = start + length * u;
       const double step = distance(Point_3(x.x(), x.y(), x.z()));
-      way += step;
+      length += step;
       if(!(step > min_step * limit)) break;
     }
-    return (std::min)(way, limit);
+    return (std::min)(length, limit);
   }
 
 private:

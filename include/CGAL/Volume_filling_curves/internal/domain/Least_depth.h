@@ -23,12 +23,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The least distance of a curve to the boundary of its domain, over whole edges. Distances are
-// 1-Lipschitz, so an edge of length l whose middle is farther away than l / 2 plus the best bound
-// cannot be the nearest; only those left are measured along their length: a mesh does that up to
-// rounding, for other domains an edge is halved until nothing on it can be nearer by more than a
-// thousandth of the distance, or of half of the edge. One query per edge that ends at the bound,
-// and few others.
+// Least distance of a curve to the boundary of its domain, over whole edges. Distances are
+// 1-Lipschitz, hence an edge of length l whose middle is farther than l / 2 plus the best bound
+// cannot be the nearest. The remaining edges are measured along their length: by a mesh up to
+// rounding; in other domains an edge is halved until no point of it can be nearer by more than a
+// thousandth of the distance or of half of the edge. One bounded query per edge, and few others.
 template <typename ConcurrencyTag, typename Network, typename Domain>
 class Least_depth
 {
@@ -49,7 +48,7 @@ public:
       : m_curve(curve), m_domain(domain), m_watch(watch)
   {}
 
-  // returns the nearest place, of equally near ones that on the first edge
+  // returns the nearest point; among equally near ones that on the first edge
   Place operator()() const
   {
     const std::vector<std::size_t> near = near_edges();
@@ -66,7 +65,7 @@ public:
 private:
   static constexpr std::size_t stride = 64; // of the edges that give the first bound
   static constexpr std::size_t block = 256;
-  static constexpr double precision = 1e-3; // relative, where a domain knows points only
+  static constexpr double precision = 1e-3; // relative, in domains that only measure points
 
   Vector source(std::size_t e) const { return to_vector(m_curve.point(m_curve.source(e))); }
   Vector target(std::size_t e) const { return to_vector(m_curve.point(m_curve.target(e))); }
@@ -82,7 +81,7 @@ private:
     return depth_up_to(m_domain, to_point(p, m_curve.traits()), limit);
   }
 
-  // Distances of the middles of edges as far as they matter, from the distances of some.
+  // The distances of the middles of edges, up to bounds from the distances of some.
   std::vector<std::size_t> near_edges() const
   {
     const std::size_t n = m_curve.number_of_edges();
@@ -116,7 +115,8 @@ private:
     }
   }
 
-  // No point between two is nearer than half of what their distances exceed the way between them.
+  // No point of a segment is nearer than half of the sum of the distances of its ends minus its
+  // length.
   void halve(const Vector& a,
              double at_a,
              const Vector& b,

@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  std::unique_ptr<const Faces> m_faces; // behind a pointer, so that a function can be moved
+  std::unique_ptr<const Faces> m_faces; // a pointer, which keeps the object movable
   std::vector<Value> m_values;          // by vertices of the copy
 };
 

@@ -27,9 +27,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Check of a mesh that should bound a domain, which reports the first kind of fault found and the
-// number of its faults. Vertices and faces are numbered from 0, in the order of the original of
-// this copy. Copying changes the order of vertices; the Function returns the original number of a
-// vertex. \pre all faces are triangles
+// number of its faults. Vertices and faces are numbered from 0, in the order of the original mesh.
+// Copying changes the order of vertices; the Function returns the original number of a vertex. \pre
+// all faces are triangles
 template <typename Mesh, typename Function>
 class Mesh_check
 {
@@ -39,7 +39,7 @@ class Mesh_check
 public:
   Mesh_check(const Mesh& mesh, const Function& number_of) : m_mesh(mesh), m_number_of(number_of) {}
 
-  // \throws std::invalid_argument if it is not closed, or if single faces are no good
+  // \throws std::invalid_argument if it is not closed, or if a face is invalid
   void check_faces() const
   {
     check_coordinates();

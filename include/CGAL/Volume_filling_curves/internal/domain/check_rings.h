@@ -82,7 +82,7 @@ private:
     });
   }
 
-  // Whether two edges that meet do so elsewhere than in the corner between them.
+  // Whether two edges that meet have another common point than the corner between them.
   bool do_cross(const Edge& e, const Edge& f) const
   {
     const std::size_t n = m_rings[e.ring].corners.size();

@@ -87,7 +87,7 @@ public:
 
   friend reference get(const Points_in_run& map, key_type v)
   {
-    static thread_local unsigned accesses = 0; // a look at the clock takes as long as some
+    static thread_local unsigned accesses = 0; // reading the clock takes as long as some
     if(++accesses % 64 == 0) check_run();
     return map.m_mesh->point(v);
   }

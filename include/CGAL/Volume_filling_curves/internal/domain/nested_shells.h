@@ -29,7 +29,7 @@ struct Nested_shell
 {
   std::vector<typename Mesh::Face_index> faces;
   std::optional<std::size_t> parent = {}; // the shell directly around, if there is one
-  bool is_right = true;                   // whether it is turned as its depth wants it
+  bool is_right = true;                   // whether its orientation suits its depth
 };
 
 // Returns the shells in the order of their first faces.
@@ -52,8 +52,8 @@ std::vector<Nested_shell<Mesh>> nested_shells(const Mesh& mesh)
   return shells;
 }
 
-// Whether a shell is turned like the one around it: its author may have meant two solids or a
-// cavity. A whole nest that is turned the wrong way is not ambiguous.
+// Whether a shell has the orientation of the one around it: its author may have meant two solids or
+// a cavity. A nest whose shells all have the wrong orientation is not ambiguous.
 template <typename Mesh>
 bool is_ambiguous(const std::vector<Nested_shell<Mesh>>& shells, std::size_t i)
 {

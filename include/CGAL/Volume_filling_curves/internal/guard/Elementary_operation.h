@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Change of a curve for a guard to make. Nodes have the guard's numbers: those of the network
-// without garbage, followed by inserted nodes in their order.
+// Change of a curve that a guard is asked to make. Nodes have the guard's numbers: those of the
+// network without garbage, followed by inserted nodes in their order.
 struct Elementary_operation
 {
   enum Kind : std::uint32_t

@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The limits of bends and of the distance of strands where a few edges are replaced by others: one
-// edge by two to a new node, two by one, or those at a node that moves. Constant time for edges of
-// similar lengths.
+// Limits of bends and of the distance of strands in a change that replaces a few edges by others:
+// one edge by two to a new node, two by one, or the edges of a node that moves. Constant time for
+// edges of similar lengths.
 template <typename Network>
 class Local_bends
 {
@@ -93,7 +93,7 @@ private:
     });
   }
 
-  // The corner at a node that moves, or is new, which was straight then.
+  // The corner at a node that moves or is new; before, a new one is straight.
   bool is_inner_corner_kept(const Edges& old_edges,
                             const Edges& new_edges,
                             const Limits& limits) const
@@ -143,7 +143,7 @@ private:
                       limits.scale_at(m_curve.point(m_curve.target(e))));
   }
 
-  // A moved edge is compared with what it was, others with all that they replace.
+  // A moved edge is compared with its former position, others with all edges that they replace.
   double squared_distance_before(std::size_t e,
                                  std::size_t k,
                                  const Edges& old_edges,

@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The limits of bends and of the distance of strands in a motion of all nodes: their values at the
-// start, and which edges are of one strand there. Linear to build, constant time per test. A
-// corner, or a pair of edges, whose nodes stand still always passes, so that shortened motions end.
+// Limits of bends and of the distance of strands in a motion of all nodes: their values at the
+// start, and the edges of the same strand there. Linear to build, constant time per test. A corner
+// or a pair of edges whose nodes do not move always passes, hence the shortening of a motion ends.
 template <typename Network>
 class Motion_bends
 {
@@ -40,7 +40,7 @@ public:
         m_neighbors(curve, multiples_of_edge_scales(limits.length_between_strands()))
   {}
 
-  // The margins of the edges for a search of pairs that are nearer than d, or than that distance.
+  // The margins of the edges for a search of pairs that are nearer than d, or than their limit.
   std::vector<double> margins(double distance) const
   {
     std::vector<double> margins = multiples_of_edge_scales(m_limits.strand_distance);
@@ -48,8 +48,8 @@ public:
     return margins;
   }
 
-  // returns whether edges e and f may be as close as `after`, the square of their distance, where
-  // `before()` says how close they were
+  // returns whether edges e and f may have the squared distance `after`, given the former one,
+  // `before()`
   template <typename SquaredDistance>
   bool allows_distance(std::size_t e,
                        std::size_t f,

@@ -139,7 +139,7 @@ private:
             [&](std::size_t e, std::size_t f) { return !share_a_node(m_curve, e, f); });
   }
 
-  // whether the boxes overlap that hold all that the edges of pair k sweep
+  // whether the boxes around the swept areas of the edges of pair k overlap
   bool do_sweeps_overlap(std::size_t k) const
   {
     return swept_box(m_pairs[k][0]).intersects(swept_box(m_pairs[k][1]));

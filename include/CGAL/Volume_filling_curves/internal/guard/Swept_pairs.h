@@ -20,7 +20,7 @@ namespace internal {
 
 // Motion of all nodes from `before` to `after`, one node after another in the order of their
 // indices or in the reverse order. When a node moves, its predecessors in this order have moved and
-// its successors have not. Every test therefore reads positions known beforehand, and the proof
+// its successors have not. Every test therefore reads known positions, and the proof
 // consists of independent tests of single edges and pairs of edges: if all pass, the motion is an
 // ambient isotopy (Reidemeister 1926, elementary moves). Exact; each test takes constant time.
 template <typename Network>

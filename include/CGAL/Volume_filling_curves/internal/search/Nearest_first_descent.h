@@ -40,8 +40,8 @@ inline double squared_distance_to_box(const Vector& p, const Bbox_3& box)
 //
 // Query: `double entry(const Bbox_3&) const` is a lower bound for everything in the box,
 // `double bound() const` the best so far, and `void visit(std::size_t i)` may lower it; i is the
-// place of the box in the order of the tree's leaves, in which the caller may keep its own data,
-// close together for neighbors.
+// index of the box in the order of the tree's leaves, in which the caller may store its own data,
+// hence neighbors close together.
 template <typename Query>
 class Nearest_first_descent
 {

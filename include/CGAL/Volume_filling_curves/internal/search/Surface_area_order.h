@@ -110,7 +110,7 @@ private:
   {
     std::size_t axis;
     Interval centers;
-    std::size_t bin; // the first one beyond
+    std::size_t bin; // the first one of the other side
     double cost;
   };
 
@@ -137,10 +137,10 @@ private:
   // other half begin.
   std::size_t split(const Range& range, std::size_t runs)
   {
-    const std::size_t room = max_run_length * (runs / 2),
-                      room_beyond = max_run_length * (runs - runs / 2);
-    const std::size_t min_size = range.size() - (std::min)(range.size(), room_beyond),
-                      max_size = (std::min)(range.size(), room);
+    const std::size_t capacity = max_run_length * (runs / 2),
+                      rest = max_run_length * (runs - runs / 2);
+    const std::size_t min_size = range.size() - (std::min)(range.size(), rest),
+                      max_size = (std::min)(range.size(), capacity);
     std::optional<Plane> best;
     for(std::size_t axis = 0; axis < 3; ++axis) consider(range, axis, min_size, max_size, best);
     if(best) return partition(range, *best);

@@ -33,12 +33,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Closing rays, which keep the knot of an open curve: without them a strand could slip off an end.
-// While components with pinned ends flow, pinned nodes run straight from each end to beyond a
-// sphere around all curves. As long as the curve stays inside the sphere, the type of the curve,
-// closed outside, cannot change. Like the usual closure of an open knot, the rays point away from
-// the mean of the nodes, at first and on request. They vanish with this object. Components with a
-// free end have none, since strands can slip off there anyway. Near-linear time.
+// Closing rays, which preserve the knot of an open curve: without them a strand could slip off an
+// end. While components with pinned ends flow, a straight ray of pinned nodes leads from each end
+// out of a sphere around all curves. As long as the curve stays inside the sphere, the type of the
+// curve, closed outside, cannot change. Like the usual closure of an open knot, the rays point away
+// from the mean of the nodes, at first and on request. They vanish with this object. Components
+// with a free end have none, since strands can slip off there anyway. Near-linear time.
 template <typename Guard>
 class Closing_rays
 {
@@ -46,7 +46,7 @@ class Closing_rays
   using Point_3 = typename Guard::Point_3;
 
 public:
-  // Adds nothing yet.
+  // Adds no rays yet.
   explicit Closing_rays(Guard& guard) : m_guard(guard), m_curve(guard.curve()) { find_ends(); }
 
   Closing_rays(const Closing_rays&) = delete;
@@ -55,8 +55,8 @@ public:
 
   bool are_needed() const { return !m_ends.empty(); }
 
-  // Adds the rays for a flow, and sets its thickness if none is given, since the measure must not
-  // see them. Does nothing if a length is not positive and finite: the flow will refuse it.
+  // Adds the rays for a flow, and sets its thickness if none is given, since it must be measured
+  // without rays. Does nothing if a length is not positive and finite: the flow will refuse it.
   // \pre the curve is embedded and has no garbage
   // \throws Run_stopped if the guard's watch ends the measuring
   template <typename ConcurrencyTag>
@@ -73,8 +73,8 @@ public:
     m_guard.collect_garbage();
   }
 
-  // Turns the rays by a small angle to where they point away from the mean of the nodes as they
-  // are now, as far as that is certified. Returns whether they moved. \pre there is no garbage
+  // Turns the rays by a small angle, as far as certified, to point away from the current mean of
+  // the nodes. Returns whether they moved. \pre there is no garbage
   bool turn_outwards(double clearance)
   {
     const Clearance_scope<Guard> scope(m_guard, clearance);
@@ -146,8 +146,8 @@ private:
     m_inner_radius = m_ball.radius - (std::min)(thickness, margin / 2);
   }
 
-  // Rays go away from the center of the ball or, where that is refused, in the nearest of some
-  // random directions that is not.
+  // Rays point away from the center of the ball or, if this is refused, in the nearest accepted one
+  // of some random directions.
   void add_rays()
   {
     Random_source random(0);
@@ -230,7 +230,7 @@ private:
 
   Guard& m_guard;
   const Network& m_curve;
-  std::vector<std::size_t> m_ends; // as they were numbered at first
+  std::vector<std::size_t> m_ends; // with their initial numbers
   Ball m_ball;
   double m_inner_radius = 0, m_length = 0;
 };

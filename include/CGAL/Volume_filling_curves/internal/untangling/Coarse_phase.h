@@ -23,7 +23,7 @@ namespace internal {
 class Coarse_phase
 {
 public:
-  // A curve that is nearly tight is to stay as fine as it is.
+  // A curve that is nearly tight keeps its fine edges.
   void begin(double gradient_norm)
   {
     m_edges = gradient_norm > gradient_of_nearly_tight ? Edges::LONG : Edges::SHORT;
@@ -45,8 +45,9 @@ public:
 private:
   static constexpr double gradient_of_nearly_tight = 0.1; // tangled curves have 0.2 to 0.5
   static constexpr std::size_t window = 10;
-  // Falls of the length in a window. They differ, since longer edges make a curve a little shorter
-  // by themselves: 3 % for both take 10 % more node-iterations on the paper's unknots (2026-11-23).
+  // Relative decreases of the length in a window. They differ, since longer edges make a curve a
+  // little shorter by themselves: 3 % for both take 10 % more node-iterations on the paper's
+  // unknots (2026-11-23).
   static constexpr double slow = 0.02, fast = 0.05;
 
   enum class Edges

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The searches of a run, each longer than the last. A search changes a simplified copy of the curve
-// at random; the curve adopts the result if the next flow has less work from there.
+// Random searches of a run, each longer than the last. A search changes a simplified copy of the
+// curve; the curve adopts the result if this leaves less work to the next flow.
 template <typename Guard, typename ConcurrencyTag, typename Visitor>
 class Curve_search
 {
@@ -35,7 +35,7 @@ class Curve_search
   using Search = Polygon_search<Guard, ConcurrencyTag>;
 
 public:
-  // Everything but the curve that the next search depends on.
+  // The state of the next search, apart from the curve.
   struct State
   {
     Random_source seeds;
@@ -48,7 +48,7 @@ public:
   explicit Curve_search(const Untangling_context<Guard, Visitor>& run)
       : m_run(run), m_curve(run.guard.curve()), m_state{Random_source(run.parameters.random_seed)}
   {
-    // no flow follows that could jam, and be followed by a search with more patience
+    // no flow follows that could jam and lead to a search with more patience
     if(is_alone()) m_state.patience_factor = patience_growth;
   }
 
@@ -168,7 +168,7 @@ private:
     constexpr double max_widths_left = 0.1;
     try {
       return length_in_widths(found) < max_widths_left * length_in_widths(m_curve);
-    } catch(const Run_stopped&) { // it does not matter any more
+    } catch(const Run_stopped&) { // the result is no longer needed
       return false;
     }
   }
@@ -195,7 +195,7 @@ private:
     if(has_pinned_node(m_curve)) return;
     try {
       rescale_to_length(m_run.guard, length);
-    } catch(const Run_stopped&) { // the size of the curve means nothing then
+    } catch(const Run_stopped&) { // the curve then keeps its size
     }
   }
 

@@ -86,7 +86,7 @@ private:
   Vector m_center, m_first, m_second;
 };
 
-// Removes every other node, until at most `most` are left or none can be removed.
+// Removes every other node until at most `most` remain or none can be removed.
 template <typename Guard>
 void thin_out(Guard& guard, std::size_t most)
 {
@@ -195,8 +195,7 @@ public:
     return status;
   }
 
-  // Gives unknots the length that they settle at, since the last step went too far, and a round
-  // shape.
+  // Gives unknots their settled length, which the last step missed, and a round shape.
   void settle()
   {
     const bool stops_at_proof = m_run.parameters.stop_at_proof;

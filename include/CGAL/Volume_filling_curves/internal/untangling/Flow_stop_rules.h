@@ -31,19 +31,19 @@ struct Flow_start
 {
   double thickness;              // 0 if it is to be measured
   std::size_t iterations_before; // of other flows
-  bool follows_search;           // then what is proved at once is coarse, and flows on
+  bool follows_search;           // the curve is coarse, and flows on even if it is proved at once
   bool makes_round;              // a single unknot
-  std::size_t patience = 1000;   // iterations on a plateau, of what looks like an unknot
-  bool is_last = true;           // or else a search follows if it stalls
-  bool can_be_thicker = false;   // if that suits the curve, in a flow that follows
+  std::size_t patience = 1000;   // iterations on a plateau of a curve that may be an unknot
+  bool is_last = true;           // otherwise a search follows if the flow stalls
+  bool can_be_thicker = false;   // whether a flow with a larger thickness may follow
 };
 
-// Decides between two steps whether a flow ends, and how: the curve is proved simple, is tight, or
-// gets nowhere, or the run is at its limit.
+// Rules that decide between two steps whether a flow ends, and how: the curve is proved simple, is
+// tight or stalls, or the run is at its limit.
 //
-// The gradient is in units of 1 / r, and below the tolerance on whatever is smooth on the scale of
-// r, such as a loop of radius 143 r that nothing holds. So a curve is tight only if contacts and
-// bends also carry the pull of its length.
+// The gradient, in units of 1 / r, is also below the tolerance on curves that are loose but smooth
+// on the scale of r, such as a loop of radius 143 r. A curve is therefore tight only if contacts
+// and bends also balance the pull of its length.
 template <typename Flow, typename Visitor>
 class Flow_stop_rules
 {
@@ -63,7 +63,7 @@ public:
     m_has_stalled = m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.rays.hold();
   }
 
-  // Takes whether the curve is smooth on the scale of the thickness. To ask again changes nothing.
+  // Takes whether the curve is smooth on the scale of the thickness. Asking again changes nothing.
   std::optional<Untangling_status> status(bool is_smooth)
   {
     look_for_proof();
@@ -88,7 +88,7 @@ public:
     return is_interrupted() ? Untangling_status::INTERRUPTED : end;
   }
 
-  // A curve on its way from the proof to where it settles has got there already.
+  // A curve that settles after its proof counts as unknotted.
   Untangling_status unless_proved(Untangling_status status) const
   {
     return m_run.parameters.stop_at_proof && is_proved() ? Untangling_status::UNKNOTTED : status;
@@ -102,8 +102,8 @@ public:
   // whether the flow has stalled since the thickness is too small for the curve
   bool is_curve_too_thin() const { return m_is_too_thin; }
 
-  // The thickness at which a loose curve as it stands is far from smooth, at least twice the
-  // present one; 0 if that is not too small. Ribbons, loops of strands 1e-2 to 1e-11 of their
+  // The thickness, at least twice the present one, at which the current loose curve is far from
+  // smooth; 0 if the present one is large enough. Ribbons, loops of strands 1e-2 to 1e-11 of their
   // radius apart, come tight from there in 40 to 130 iterations (2026-11-23).
   double fitting_thickness() const
   {
@@ -168,8 +168,8 @@ private:
            (std::max)(loose, loose_over_tolerance * m_run.parameters.tolerance);
   }
 
-  // Whether a loose curve is not worth the way: loops of radius r / gradient have to shrink, by the
-  // largest displacement at a time. Where the thickness may be chosen, a larger one is faster.
+  // Whether tightening a loose curve would take too long: loops of radius r / gradient shrink by at
+  // most the largest displacement per step. If the thickness may be chosen, a larger one is faster.
   bool is_too_thin() const
   {
     const std::size_t most = m_run.parameters.number_of_iterations;
@@ -187,15 +187,15 @@ private:
 
   bool can_stop_at_proof()
   {
-    constexpr double max_turn = 1; // at a node; curves that flow get hardly below 0.7
+    constexpr double max_turn = 1; // at a node; flowing curves hardly come below 0.7
     if(!is_settled()) return false;
     if(!m_run.parameters.stop_at_proof) return ends_round() && m_flow.length() <= settled_length();
     return !m_start.follows_search || max_turning_angle(m_flow.curve()) < max_turn;
   }
 
-  // Where on its way a curve is proved to be an unknot depends on details, while its length falls
-  // fast. It flows on for a few iterations, to a length that depends on the thickness only. An
-  // input that is an unknot from the start stays as it is. \pre it is unknotted
+  // When a curve is proved to be an unknot, its length still falls fast and depends on details of
+  // the motion. It therefore flows on for a few iterations, to a length that only depends on the
+  // thickness. An input that is a proved unknot from the start stays as it is. \pre it is unknotted
   bool is_settled()
   {
     const std::size_t iterations = m_flow.statistics().iterations;

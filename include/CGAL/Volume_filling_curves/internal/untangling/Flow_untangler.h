@@ -53,7 +53,7 @@ public:
     Untangling_status status = flow();
     try {
       finish(status);
-    } catch(const Run_stopped&) { // as far as that has come
+    } catch(const Run_stopped&) { // the curve keeps what was done so far
     }
     return result(status);
   }
@@ -83,7 +83,7 @@ private:
     m_run.guard.set_watch(&m_run.watch);
   }
 
-  // To ask again, as a run does that resumes, changes nothing.
+  // Asking again, as a resumed run does, changes nothing.
   std::optional<Untangling_status> status_between_steps()
   {
     const std::optional<Untangling_status> status = m_rules.status(is_smooth());
@@ -114,13 +114,13 @@ private:
     return !m_are_rays_turning || m_number_of_turns == max_turns;
   }
 
-  // Where the ends are close together, a knot settles around a ray.
+  // If the ends are close together, a knot may settle around a ray.
   void turn_rays()
   {
     if(!m_are_rays_turning || m_number_of_turns == max_turns) return;
     ++m_number_of_turns;
     if(m_run.rays.turn_outwards(clearance_of_rays * m_flow.thickness()))
-      m_flow.set_parameters(m_flow.parameters()); // takes note of where the rays are
+      m_flow.set_parameters(m_flow.parameters()); // records the positions of the rays
     m_are_rays_turning = !m_run.rays.can_turn_outwards();
   }
 

@@ -33,9 +33,9 @@ struct Ball
   }
 };
 
-// Do two closures of an open curve have the same type, the one along its rays, and the one away
-// from the mean of its nodes? Surely if the rays, taken as straight, can turn from there to here
-// one after the other, and the triangles that they sweep meet nothing: exact. Linear per ray.
+// Test whether two closures of an open curve have the same type: along its rays, and away from the
+// mean of its nodes. They do if the rays, taken as straight, can turn from the one to the other,
+// one after another, and the triangles that they sweep meet nothing. Exact. Linear per ray.
 template <typename Network>
 class Ray_turn
 {

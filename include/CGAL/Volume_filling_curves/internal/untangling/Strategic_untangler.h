@@ -66,7 +66,7 @@ private:
     const Untangling_status status = search();
     if(m_thickness > 0)
       m_thickness *= has_jammed ? thinning : 1;
-    else if(!has_jammed && is_ring()) // which has no strands whose distance could be measured
+    else if(!has_jammed && is_ring()) // a ring has no distance of strands to measure
       m_thickness = thickness_of_rings * total_length(m_curve);
     return status;
   }
@@ -105,7 +105,7 @@ private:
     const bool is_after_search = m_search.state().searches > 0;
     Flow_start start{m_thickness, m_statistics.iterations, m_search.state().has_changed_curve,
                      is_after_search};
-    if(is_after_search && !m_search.is_last()) start.patience = 0; // a search gets on faster
+    if(is_after_search && !m_search.is_last()) start.patience = 0; // a search is faster
     start.is_last = !is_after_search || !m_search.can_be_repeated();
     start.can_be_thicker = can_be_thicker();
     const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
@@ -137,7 +137,8 @@ private:
   Curve_flow_statistics m_statistics;
 };
 
-// The whole space as the place of an Untangling_run: all strategies, and rays at pinned ends.
+// The whole space as the surroundings of an Untangling_run: all strategies, and rays at pinned
+// ends.
 template <typename Traits, typename ConcurrencyTag>
 struct Whole_space
 {
@@ -149,7 +150,7 @@ struct Whole_space
 
   Guard guard(Network& curves) const { return Guard(curves); }
 
-  // If the run is stopped before the thickness is known there are no rays, and nothing flows.
+  // A run that is stopped before the thickness is known adds no rays and starts no flow.
   void add_rays(Closing_rays<Guard>& rays, Untangling_parameters& parameters) const
   {
     try {

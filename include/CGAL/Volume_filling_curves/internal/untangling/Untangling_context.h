@@ -31,7 +31,7 @@ struct Untangling_context
   Visitor& visitor;
   Run_saver& saver;
 
-  // How a run ended that the watch has stopped.
+  // The status of a run that the watch has stopped.
   Untangling_status status_when_stopped() const
   {
     return watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
@@ -43,8 +43,7 @@ Untangling_context(
     Guard&, Closing_rays<Guard>&, const Untangling_parameters&, Run_watch&, Visitor&, Run_saver&)
     -> Untangling_context<Guard, Visitor>;
 
-// The result for a curve that did not flow, or not at last. Proofs are about the curve as it
-// stands.
+// Result for a curve whose run did not end with a flow. Proofs are about the current curve.
 template <typename Network>
 Untangling_result result_without_flow(const Network& curve, Untangling_status status)
 {

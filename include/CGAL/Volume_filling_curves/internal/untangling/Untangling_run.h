@@ -158,7 +158,7 @@ private:
     try {
       return (result.status != Untangling_status::UNKNOTTED || are_unknots(unknot_proofs(input))) &&
              is_tighter(input, m_curves, m_watch);
-    } catch(const Run_stopped&) { // the time is up before that is known
+    } catch(const Run_stopped&) { // the time is over before this is known
       return false;
     }
   }

@@ -93,7 +93,7 @@ struct Filling_parameters : Curve_run_parameters
   /// turn.
   double direction_weight = 0.2;
 
-  /// The places where the curves enter the domain, if no curves are given: an even number of them.
+  /// The points where the curves enter the domain, if no curves are given: an even number of them.
   /// An arc leads from each odd port to the next one. The arcs share the volume: the one with the
   /// least of it grows first. At a port the curve is straight for a length of r, less where the
   /// domain is narrow, see `Filling_result::necks`. None by default.

@@ -20,17 +20,17 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  * \headerfile CGAL/Volume_filling_curves/fill.h
  *
- * \brief The struct `Port` is a place at the boundary of a domain where a filling enters it.
+ * \brief The struct `Port` is a point at the boundary of a domain where a filling enters it.
  *
  * \tparam Point_3 the type of points
  */
 template <typename Point_3 = Curve_flow_traits_3<>::Point_3>
 struct Port
 {
-  /// The place, on the boundary or within r of it.
+  /// The point, on the boundary or within r of it.
   Point_3 point;
 
-  /// The direction in which the curve enters, of any length, in which the boundary is crossed from
+  /// The direction, of any length, in which the curve enters, hence crosses the boundary from
   /// outside. Zero (default) stands for the inward normal.
   std::array<double, 3> direction = {0, 0, 0};
 };
@@ -46,7 +46,7 @@ struct Port
 template <typename Point_3>
 struct Port_neck
 {
-  Point_3 wall;                                ///< where the line of the neck meets the boundary
+  Point_3 wall;                                ///< the intersection of its line with the boundary
   Point_3 end;                                 ///< the end of the curve, r/64 from there
   std::array<double, 3> direction = {0, 0, 0}; ///< of the neck, a unit vector that leads inside
   double length = 0; ///< from the boundary to where the curve may bend, in the input's unit
