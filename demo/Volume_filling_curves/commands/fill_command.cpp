@@ -131,7 +131,7 @@ void note_thickness(const Session& session,
     session.console().note("thickness " + to_text(result.thickness) + ", " + reason);
   };
   if(asked_for.thickness < least && result.thickness <= least)
-    note("the least with room for such bends");
+    note("the least that allows such bends");
   else if(asked_for.thickness == 0 && !(result.default_thickness > 0))
     note("a quarter of the radius of the widest ball inside");
 }

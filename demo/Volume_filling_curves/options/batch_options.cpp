@@ -40,9 +40,9 @@ void add_batch_options(CLI::App& command,
   CLI::Option& batch = *command.add_option_function<std::string>(
       "--batch", start_batch,
       "many runs: a file with the name of a " + argument +
-          " per line. The output is a folder then, which gets NAME.obj for each of them, and "
-          "results.jsonl, with a report per line; what stands there is not done again. The names "
-          "given for other files are endings of NAME");
+          " per line. The output is then a folder for NAME.obj of each of them and "
+          "results.jsonl, with a report per line; runs listed there are not repeated. The names "
+          "given for other files are extensions of NAME");
   batch.type_name("LIST")->excludes(&input);
   for(const char* one_for_all : {"--report", "--checkpoint", "--resume"})
     if(CLI::Option* const other = command.get_option_no_throw(one_for_all)) batch.excludes(other);

@@ -31,7 +31,7 @@ CLI::Option& add_port_option(CLI::App& command, std::vector<std::string>& texts)
 {
   return *command
               .add_option("--port", texts,
-                          "a place at the surface where the curve enters along the inward normal, "
+                          "a point at the surface where the curve enters along the inward normal, "
                           "or NX,NY,NZ, through a straight neck; an arc leads from each odd port "
                           "to the next one")
               ->expected(1)
