@@ -199,7 +199,7 @@ public:
     return check_shape(m_motion.shape(), m_motion.node_thickness()).is_passed();
   }
 
-  // Compares the curve as it stands with limits of its shape.
+  // Compares the current curve with the limits of its shape.
   internal::Shape_check check_shape(const internal::Shape_goal& goal,
                                     const std::vector<double>& thickness) const
   {

@@ -235,7 +235,7 @@ private:
     return copy;
   }
 
-  std::unique_ptr<const Faces> m_faces; // behind a pointer, so that a domain can be moved
+  std::unique_ptr<const Faces> m_faces; // a pointer, which keeps the domain movable
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// returns the edges at all nodes that a way of less than `reach` leads to, sorted. Ways begin at
-// some nodes, with lengths that they have so far, and do not use edges for which
+// returns the edges at all nodes within a distance less than `reach` along the network, sorted.
+// Distances start with given values at some nodes, and paths avoid edges for which
 // is_taken_out(edge). (Dijkstra)
 template <typename Network, typename IsTakenOut>
 std::vector<std::size_t> edges_within(const Network& curve,
@@ -41,14 +41,14 @@ std::vector<std::size_t> edges_within(const Network& curve,
   for(const Entry& start : starts)
     if(start.first < reach) queue.push(start);
   while(!queue.empty()) {
-    const auto [way, v] = queue.top();
+    const auto [distance, v] = queue.top();
     queue.pop();
-    if(!reached.insert({v, way}).second) continue;
+    if(!reached.insert({v, distance}).second) continue;
     for(std::size_t k = 0; k < curve.degree(v); ++k) {
       const std::size_t f = curve.incident_edge(v, k);
       if(is_taken_out(f)) continue;
       edges.push_back(f);
-      const double next = way + edge_vector(curve, f).norm();
+      const double next = distance + edge_vector(curve, f).norm();
       if(next < reach) queue.push({next, curve.neighbor(v, k)});
     }
   }
@@ -56,10 +56,10 @@ std::vector<std::size_t> edges_within(const Network& curve,
   return edges;
 }
 
-// Which edges belong to one strand: neighbors share a node or are less than the mean of their
-// neighborhoods apart along their component. Along a curve that is a difference of arc lengths; in
-// a component with junctions it is the shortest way through the network, and it is enough if one of
-// two edges finds the other. Linear to build for curves, constant time per pair.
+// Neighborhood of edges of one strand: neighbors share a node, or their distance along the
+// component is less than the mean of their neighborhoods. Along a curve, this distance is a
+// difference of arc lengths; in a component with junctions, it is that of a shortest path, and it
+// suffices if one of two edges finds the other. Linear to build for curves, constant time per pair.
 template <typename Network>
 class Strand_neighbors
 {

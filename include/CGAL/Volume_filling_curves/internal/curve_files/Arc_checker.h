@@ -65,8 +65,8 @@ private:
   // The ends of a ring that is not closed are neighbors, of which samplings may leave out a few.
   static constexpr double max_gap = 3; // in longest edges
 
-  // Of the length of an arc: the legs of a right angle are an arc (0.71), two sides of an
-  // equilateral triangle (0.5) may be a ring.
+  // In lengths of the arc: the legs of a right angle are an arc (0.71), two sides of an equilateral
+  // triangle (0.5) may be a ring.
   static constexpr double max_share = 2. / 3;
 
   static constexpr double closeness = 1.5;    // in mean edge lengths

@@ -85,8 +85,8 @@ private:
     if(m_edges.empty()) add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no edges", line, {});
   }
 
-  // Of an edge that is given several times the first one stays. An edge that follows its own
-  // reverse in a record is no repetition: the line turns back there.
+  // Keeps the first of several equal edges. An edge directly after its reverse is no repetition:
+  // the line turns back there.
   void drop_duplicate_edges()
   {
     const std::vector<std::size_t> turns = find_turns(), duplicates = find_parallel_edges();
@@ -134,7 +134,7 @@ private:
     return parallel;
   }
 
-  // Nodes at the ends of an edge of length zero become one node, the first of them.
+  // Merges the ends of edges of length zero into their first node.
   void contract_short_edges()
   {
     for(const Edge& edge : m_edges)

@@ -87,7 +87,7 @@ private:
     return false;
   }
 
-  // Each strand that comes in goes on where the other one goes out.
+  // Smooths a crossing: each incoming strand continues as the other outgoing one.
   void smooth(std::size_t c)
   {
     auto crossings = this->crossings();

@@ -59,7 +59,7 @@ struct Prime_knot
 
   Knot_key key() const { return Knot_key(prime_knot_keys[index][is_mirror ? 1 : 0]); }
 
-  // Whether only the third color tells the knot from its mirror image.
+  // Whether only the third color distinguishes the knot from its mirror image.
   const Third_knot_key* third_key() const
   {
     const auto is_this = [this](const Third_knot_key& k) { return k.knot == index; };

@@ -112,6 +112,7 @@ private:
     return pivot.value;
   }
 
+  // Subtracts a multiple of a row from another one, apart from the pivot's column.
   void subtract(const Row& row, Number factor, std::uint32_t column, std::size_t from)
   {
     Row& target = m_rows[from];
@@ -139,7 +140,7 @@ private:
     return result;
   }
 
-  using Item = std::pair<std::size_t, std::size_t>; // length and row
+  using Item = std::pair<std::size_t, std::size_t>; // length, maybe a former one, and row
 
   const Prime_field m_field;
   Run_watch* m_watch; // none if null

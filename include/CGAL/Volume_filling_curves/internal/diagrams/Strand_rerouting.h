@@ -82,7 +82,7 @@ private:
     Face face;
   };
 
-  // the slots at which the strand leaves its crossings
+  // Collects the slots at which the strand leaves its crossings; returns whether there are any.
   bool take_strand(Slot start, std::size_t max_length)
   {
     m_start = start;
@@ -155,7 +155,7 @@ private:
     for(std::size_t k = steps.size(); k > 1; --k) std::swap(steps[k - 1], steps[random.index(k)]);
   }
 
-  // Puts the strand on the path that was found
+  // Moves the strand to the path that was found.
   bool move()
   {
     std::vector<Slot>& path = m_path;

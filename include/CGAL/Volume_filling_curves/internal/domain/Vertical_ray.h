@@ -36,7 +36,7 @@ public:
 
   explicit Vertical_ray(const Point_3& source) : m_source(source) {}
 
-  // takes note of a face. \pre it is not degenerate
+  // adds a face. \pre it is not degenerate
   void add(const Triangle& face)
   {
     m_is_source_on_surface = m_is_source_on_surface || holds_source(face);
@@ -64,8 +64,8 @@ private:
            m_orientation(face[0], face[1], face[2], m_source) == -turn;
   }
 
-  // Which way the edge passes the moved ray, seen from above: 1 counterclockwise, -1 clockwise, and
-  // 0 if the edge is vertical.
+  // The direction in which the edge passes the moved ray, seen from above: 1 counterclockwise, -1
+  // clockwise, 0 if the edge is vertical.
   int turn_around_ray(const Point_3& a, const Point_3& b) const
   {
     const int turn = m_turn(from_above(a), from_above(b), from_above(m_source));

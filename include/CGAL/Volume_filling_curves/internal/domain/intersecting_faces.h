@@ -41,8 +41,9 @@ std::array<typename Mesh::Vertex_index, 3> corners_of(const Mesh& mesh, typename
   return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
 }
 
-// Where a surface touches itself in a vertex, faces of a mesh meet in a point but not in a vertex.
-// Such a pair is tried once more as a mesh of its own, in which they do. \pre no vertex is shared
+// If a surface touches itself in a vertex, two faces meet in a point that is no common vertex. Such
+// a pair is tested again as a mesh of its own, in which the vertex is shared. \pre no vertex is
+// shared
 template <typename Mesh>
 bool do_only_touch(const Mesh& mesh, const Face_pair<Mesh>& pair)
 {

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Hole: a cycle of edges with a single face.
+// Hole of a mesh: a cycle of edges with one face each.
 template <typename Mesh>
 struct Mesh_hole
 {
@@ -59,6 +59,7 @@ std::vector<Mesh_hole<Mesh>> holes_of(const Mesh& mesh)
   return holes;
 }
 
+// returns the fault that a hole is, with its size and position
 template <typename Mesh>
 Mesh_fault hole_fault(const Mesh& mesh, const Mesh_hole<Mesh>& hole)
 {

@@ -106,7 +106,7 @@ public:
     return {begin, m_points.begin() + static_cast<std::ptrdiff_t>(m_next_point)};
   }
 
-  // Takes the thickness asked for.
+  // Runs a stage, with the required thickness.
   void run(const Filling_stage& stage, const Thickness& thickness_asked_for)
   {
     const Thickness thickness = stage.thickness * thickness_asked_for;

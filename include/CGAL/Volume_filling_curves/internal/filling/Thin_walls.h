@@ -106,7 +106,7 @@ private:
   static constexpr std::size_t number_of_probes = 300;
   static constexpr int halvings = 32;      // of the square of the thickness, at most
   static constexpr double last_step = 0.1; // of the ascent, in units of r
-  static constexpr double min_gain = 1e-3; // of a radius, relative, so that the ascent ends
+  static constexpr double min_gain = 1e-3; // of a radius, relative; ends the ascent
 
   struct Ball
   {

@@ -122,7 +122,7 @@ void measure_shape(Result& result,
   result.point_nearest_to_wall = point(nearest.point);
 }
 
-// Measures where a curve has got to, and how it lies there, as far as there is time. A run that is
+// Measures the coverage of a curve and its shape, as far as time allows. A run that is
 // to stop has a tenth of a second for that, enough for 50,000 nodes. A share that is not measured
 // is not a number.
 template <typename Result, typename Unfilled, typename Network, typename Thickness>

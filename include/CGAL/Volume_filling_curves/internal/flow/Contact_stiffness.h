@@ -97,7 +97,7 @@ private:
     double stiffness;
   };
 
-  // Of a circle's node; spheres side by side that touch the same node make one contact.
+  // Adds the contacts of a circle's node; neighboring spheres that touch the same node make one.
   template <typename Network>
   void add_contacts(const Network& curve,
                     const Vector_field& x,

@@ -47,8 +47,8 @@ public:
       m_first[e] = {static_cast<Index>(curve.target(e)), static_cast<Index>(curve.source(e))};
   }
 
-  // returns whether the edge between the neighbors of node v would be that close to the chain
-  // between them
+  // returns whether the edge that would join the neighbors of node v is within the distance of the
+  // chain between them
   bool is_shortcut_near(std::size_t v, double distance) const
   {
     const std::size_t a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
@@ -61,7 +61,7 @@ public:
            holds_inside(m_curve.incident_edge(v, 1), v, c, advance);
   }
 
-  // Two edges that are to become one: the far ends, and the chain's nodes next to these.
+  // Two edges that become one: their far ends, and the nodes of the chain next to these.
   struct Union
   {
     std::array<std::size_t, 2> edges, ends;
@@ -80,6 +80,7 @@ public:
     return both;
   }
 
+  // Records that the two edges have become one.
   void join(const Union& both)
   {
     const std::size_t e = both.edges[m_curve.is_removed_edge(both.edges[0]) ? 1 : 0];
@@ -108,8 +109,8 @@ private:
     return true;
   }
 
-  // Whether point p is within the distance of a point of the segment from 0 to `end` that is not
-  // before the one reached so far; moves on to the first such one.
+  // Moves on along the segment from 0 to `end` to the first point within the distance of p, and
+  // returns whether there is one that is not before the point reached so far.
   static bool move_on(const Vector& p, const Vector& end, double distance, double& reached)
   {
     const double length = end.norm();

@@ -84,7 +84,7 @@ private:
   static Eigen::Index index(std::size_t v) { return static_cast<Eigen::Index>(v); }
   std::size_t size() const { return m_curve.number_of_nodes(); }
 
-  // Of each row; an edge of the curve and a sphere may contribute to the same entry.
+  // Bounds of the numbers of entries per row; an edge and a sphere may contribute to the same one.
   Eigen::VectorXi max_entries() const
   {
     Eigen::VectorXi numbers(index(size()));

@@ -86,7 +86,7 @@ inline Vector sides(const Vector_field& x)
   return high - low;
 }
 
-// The power of two that scales the curve to a size of about 1, so that products of lengths neither
+// The power of two that scales the curve to a size of about 1, whereby products of lengths neither
 // overflow nor underflow. Scaling by it is exact.
 template <typename Network>
 double unit_of_size(const Network& curve)

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What meets what in the plane, by signs of exact orientations. Segments and triangles are closed,
-// and may be degenerate, which CGAL's predicates do not allow.
+// Intersection tests in the plane, by signs of exact orientations. Segments and triangles are
+// closed and may be degenerate, which CGAL's predicates do not allow.
 using Planar_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Planar_point = Planar_kernel::Point_2;
 

@@ -108,7 +108,7 @@ public:
     return std::tuple_cat(m_writer.contents(), std::tie(m_numbers, m_next_number));
   }
 
-  // Returns the certificate of the motion to the curve as it stands.
+  // Returns the certificate of the motion to the current curve.
   std::string certificate() const
   {
     const Canonical_curve end(m_curve);

@@ -185,7 +185,7 @@ private:
     return ball;
   }
 
-  static constexpr double min_gain = 1e-3; // of the step, so that the ascent ends
+  static constexpr double min_gain = 1e-3; // of the step; ends the ascent
 
   void unite_samples_in(const Region& ball, std::size_t start)
   {

@@ -27,7 +27,8 @@ namespace internal {
 
 // Tables of parameters, the basis of reading, checking and refusing them. The table of a struct has
 // a row per member: the named parameter that sets it, and the range of its values. Rows have the
-// names of the members.
+// names of the members. A new parameter takes a documented member of a struct, a name in
+// vocabulary/parameters.h, and a row here.
 
 enum class Range
 {

@@ -80,7 +80,7 @@ public:
     return start;
   }
 
-  // How long apply() takes, about: 1 to 3 microseconds per change, certificate included.
+  // The estimated time of apply(): 1 to 3 microseconds per change, certificate included.
   double seconds_to_apply() const
   {
     constexpr double seconds_per_operation = 3e-6;

@@ -85,7 +85,7 @@ public:
     return true;
   }
 
-  // the fewest edges that were recorded, and how to get there
+  // the fewest edges that were recorded, and the changes that lead to them
   std::size_t best() const { return m_best; }
   const Operations& best_operations() const { return m_best_operations; }
 
@@ -139,7 +139,7 @@ private:
     m_moves_until_end_of_round = number_of_edges();
   }
 
-  // Ends an attempt, and the search after several in vain.
+  // Ends an attempt, and the search after several without progress.
   void give_up()
   {
     m_attempts_in_vain = record() ? 0 : m_attempts_in_vain + 1;

@@ -31,8 +31,8 @@ struct Search_parameters
   double insertion_rate = 0.01;
   double smoothing_rate = 0.2;
 
-  // How often a search starts again without getting any further, unless it has made too many moves
-  // in vain before: a long attempt is not repeated.
+  // The number of attempts without progress after which a search ends, if it has not yet made too
+  // many moves without progress: a long attempt is not repeated.
   int max_attempts_in_vain = 3;
   double patience_factor = 1;
 
@@ -44,7 +44,7 @@ struct Search_parameters
   static constexpr double progress = 0.95;
 
   // The number of moves without progress after which an attempt ends, for a curve of n edges. Knots
-  // of 10 crossings get to 12 edges within 100,000 moves; unknots that are stuck at 15 to 20 edges
+  // of 10 crossings reach 12 edges within 100,000 moves; unknots that are stuck at 15 to 20 edges
   // come loose within 40,000 moves, Haken's at 59 within 320,000, and PZ120 at 65 within 660,000
   // and at 72 within 810,000 (5 seeds, 2026-11-22). A knot that needs more is one for the flow; a
   // flow that jams is followed by a search with more patience.
@@ -55,7 +55,7 @@ struct Search_parameters
     return static_cast<std::size_t>(patience_factor * std::clamp(moves, 1e4, 1e6));
   }
 
-  // The number of moves since the fewest edges were reached after which no attempt starts any more.
+  // The number of moves since the fewest edges were reached after which no further attempt starts.
   std::size_t max_moves_in_vain() const
   {
     return static_cast<std::size_t>(patience_factor * 1.5e5);

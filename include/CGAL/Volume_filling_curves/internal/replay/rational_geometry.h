@@ -102,7 +102,7 @@ public:
       clip_to_zero([&](const Rational_vector& x) { return Rational(x[k] - point[k]); });
   }
 
-  // returns whether f is positive on all that is left
+  // returns whether f is positive on the remaining part
   template <typename Function>
   bool is_positive(const Function& f) const
   {
@@ -126,8 +126,8 @@ inline bool do_meet_exactly(const Position& p,
                                                   rational(triangle[2])};
   const Rational_vector normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
   if(is_zero(normal)) {
-    const auto [least, largest] = std::minmax_element(triangle.begin(), triangle.end());
-    const Rational_vector u = rational(*least), v = rational(*largest), direction = v - u;
+    const auto [first, last] = std::minmax_element(triangle.begin(), triangle.end());
+    const Rational_vector u = rational(*first), v = rational(*last), direction = v - u;
     if(is_zero(direction)) segment.clip_to_point(u);
     segment.clip_to_line(u, direction);
     segment.clip([&](const Rational_vector& x) { return dot(x - u, direction); });

@@ -22,11 +22,11 @@ namespace Volume_filling_curves {
 namespace internal {
 namespace replay {
 
-// Quick proofs in double arithmetic that spare a replay rational numbers: any direction in which
-// two sets are separated by more than the rounding error proves that they are disjoint. It never
-// proves the contrary. The bound 1e-14 is more than ten times the worst rounding error of the sums
-// below, in any rounding mode; where products underflow or overflow nothing is proved. Constant
-// time, some ten nanoseconds.
+// Quick proofs in double arithmetic, which spare a replay most rational numbers: a direction in
+// which two sets are separated by more than the rounding error proves that they are disjoint.
+// Nothing proves the contrary. The bound 1e-14 is more than ten times the worst rounding error of
+// the sums below, in any rounding mode; where products underflow or overflow nothing is proved.
+// Constant time, some ten nanoseconds.
 
 inline Position difference(const Position& u, const Position& v)
 {
@@ -43,7 +43,7 @@ inline Position sum(const Position& u, const Position& v)
   return {u[0] + v[0], u[1] + v[1], u[2] + v[2]};
 }
 
-// A vector of length 1, about.
+// returns a vector with the direction of u and a length of about 1
 inline Position unit(const Position& u)
 {
   const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
@@ -55,7 +55,8 @@ inline Position scaled(double factor, const Position& u)
   return {factor * u[0], factor * u[1], factor * u[2]};
 }
 
-// The sign of the product of a direction with the vector between two points: 0 if it is not sure.
+// returns the sign of the product of a direction with the vector between two points, 0 if rounding
+// leaves it uncertain
 inline int certain_sign(const Position& direction, const Position& from, const Position& to)
 {
   constexpr double error = 1e-14, underflow = 1e-300;
@@ -69,7 +70,7 @@ inline int certain_sign(const Position& direction, const Position& from, const P
   return product > bound ? 1 : product < -bound ? -1 : 0;
 }
 
-// returns whether all of one set lies on one side, in this direction, of all of the other
+// returns whether the direction surely separates the two sets
 template <typename Points1, typename Points2>
 bool are_apart_in_direction(const Points1& set1, const Points2& set2, const Position& direction)
 {
@@ -81,8 +82,8 @@ bool are_apart_in_direction(const Points1& set1, const Points2& set2, const Posi
   return true;
 }
 
-// The directions that separate a segment and a triangle in general position, or in a plane, are
-// among these.
+// returns whether a segment and a triangle are surely disjoint. If disjoint sets are in general
+// position, or in a plane, one of the tested directions separates them.
 inline bool are_surely_apart(const std::array<Position, 2>& segment,
                              const std::array<Position, 3>& triangle)
 {
@@ -148,7 +149,7 @@ inline bool are_surely_not_collinear(const Position& a, const Position& b, const
   return false;
 }
 
-// An axis-parallel box.
+// Box with sides parallel to the axes.
 struct Extent
 {
   Position lower = {infinity(), infinity(), infinity()},

@@ -68,9 +68,9 @@ private:
   static constexpr int block = 50; // iterations
   static constexpr int max_blocks = 100;
   static constexpr double noticeable = 1e-4; // a fall of the length in a block
-  static constexpr double helpful = 1e-3;    // a fall for which it is worth to go on
+  static constexpr double helpful = 1e-3;    // a fall that is worth continuing
 
-  // All steps from here on return whether to go on.
+  // All steps below return whether to continue.
 
   template <typename Function>
   bool tighten(const Function& go_on)
@@ -115,7 +115,7 @@ private:
   // Distortion by a linear map close to the identity, along which no strands meet.
   void distort()
   {
-    constexpr double strength = 0.05; // 0.02 frees the knots above, but not that soon
+    constexpr double strength = 0.05; // 0.02 frees the knots above more slowly
     Vector center;
     for(const Vector& p : m_rope.x) center += p / static_cast<double>(m_rope.size());
     std::array<Vector, 3> columns;
@@ -197,7 +197,7 @@ private:
     return false;
   }
 
-  // Returns whether to go on from there.
+  // Returns whether to continue from there.
   template <typename Function>
   bool carry_out(const Function& go_on)
   {

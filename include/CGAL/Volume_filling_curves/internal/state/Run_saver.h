@@ -91,7 +91,7 @@ std::string run_fingerprint(const std::string& job, const Parameters& p)
   return out.str();
 }
 
-// Throws Run_state_error with the first line that is another one.
+// Throws Run_state_error with the first line that differs.
 inline void check_fingerprint(const std::string& of_state, const std::string& of_run)
 {
   if(of_state == of_run) return;
@@ -113,18 +113,18 @@ template <typename Domain>
 constexpr bool has_corners<Domain, std::void_t<decltype(std::declval<const Domain&>().corners())>> =
     true;
 
-// Of a mesh all corners, and of other domains, whose insides are unknown, the answers to a few
-// random questions.
+// Returns the fingerprint of a domain: a hash of all corners of a mesh, and of the answers to some
+// random queries, by which other domains are recognized.
 template <typename Domain, typename Traits>
 std::string domain_line(const Domain& domain, const Traits& traits)
 {
-  constexpr std::size_t number_of_questions = 1000;
+  constexpr std::size_t number_of_queries = 1000;
   State_archive archive;
   if constexpr(has_corners<Domain>) archive(std::vector(domain.corners()));
   auto box = domain.bbox();
   archive(box);
   Random_source random(0);
-  for(std::size_t k = 0; k < number_of_questions; ++k) {
+  for(std::size_t k = 0; k < number_of_queries; ++k) {
     const double x = random.real(), y = random.real(), z = random.real();
     const auto p = to_point(Vector(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
                                    box.zmin() + z * box.z_span()),
@@ -134,7 +134,7 @@ std::string domain_line(const Domain& domain, const Traits& traits)
   return hash_line("domain", archive);
 }
 
-// Copies a curve without garbage. One that is read replaces one with the same input.
+// Copies a curve without garbage. Reading replaces a curve with the same input.
 template <typename Network>
 void copy_curve(State_archive& archive, Network& curve)
 {
@@ -259,7 +259,7 @@ public:
 
   Run_state state_if_saving() const { return is_saving() ? state() : Run_state(); }
 
-  // Offers the state of a run that goes on, or ends early.
+  // Offers the state of a run that continues or ends early.
   void offer(bool is_last) const
   {
     if(is_saving()) m_checkpoint({[this] { return state(); }, is_last});

@@ -89,10 +89,10 @@ public:
   bool is_time_over() const { return !leaves(0); }
   bool is_interrupted() const { return m_is_interrupted; }
 
-  // Returns whether work of that many seconds ends in time.
+  // Returns whether work that takes these seconds ends in time.
   bool leaves(double seconds) const { return this->seconds() + seconds < m_limit; }
 
-  // Grants work after a stop that many seconds more; progress is not reported again.
+  // Grants these seconds to work after a stop; progress is not reported again.
   void grant(double seconds)
   {
     const double end = this->seconds() + seconds;
@@ -118,7 +118,7 @@ public:
     m_progress.fraction = (std::max)(m_progress.fraction, (std::min)(fraction, 1.));
   }
 
-  // Takes note of a flow as it stands, and reports it.
+  // Records the current state of a flow, and reports it.
   template <typename Flow>
   void note(const Flow& flow)
   {

@@ -158,7 +158,7 @@ inline bool is_underflow(std::string_view number)
   const auto [end, error] = number_from_text(exponent.data() + (has_sign ? 1 : 0),
                                              exponent.data() + exponent.size(), shift);
   const bool is_negative = has_sign && exponent[0] == '-';
-  const long long enough = 1LL << 60; // beyond what the places of a text can make up for
+  const long long enough = 1LL << 60; // more than the digits of a text can compensate
   if(error == std::errc::result_out_of_range || shift > enough) return is_negative;
   return point - digit + (is_negative ? -shift : shift) < 0;
 }

@@ -79,7 +79,7 @@ public:
     return std::nullopt;
   }
 
-  // The status of a run that goes on beyond its end, unless it is to stop.
+  // The status of a flow that continues after its end, unless the run is to stop.
   Untangling_status status_beyond(Untangling_status end)
   {
     look_for_proof();

@@ -199,7 +199,7 @@ private:
   static constexpr std::size_t max_turns = 300;
   static constexpr double clearance_of_rays = 0.1; // in units of the thickness
   static constexpr double coarse_spacing = 0.5;    // likewise
-  static constexpr double coarse_step = 2.5;       // of the largest displacement asked for
+  static constexpr double coarse_step = 2.5;       // in units of the largest displacement
 
   Untangling_context<Guard, Visitor> m_run;
   Flow m_flow;

@@ -23,11 +23,12 @@ namespace Volume_filling_curves {
  *
  * \brief The bend radius R and the distance of strands d that an `Isotopy_guard_3` keeps.
  *
- * A change must leave at each corner that it touches a bend radius (see `min_bend_radius()`) of at
- * least R, or of at least the former one, and each two strands at least d apart, or at least as far
- * apart as they were: what holds once holds on, as long as d is at most 2 R. Edges belong to
- * different strands if they are of different components, or at least \f$\pi \max(R, d/2)\f$ of the
- * curve lies between them. Decided in double arithmetic; no part of the proof of isotopy.
+ * After a change, the bend radius (see `min_bend_radius()`) at each changed corner must be at least
+ * R or at least the former one, and strands must be at least d apart or at least as far apart as
+ * before. Hence a limit that is kept once remains kept, provided that d is at most 2 R. Edges
+ * belong to different strands if they are of different components, or at least \f$\pi \max(R,
+ * d/2)\f$ of the curve lies between them. Decided in double arithmetic; no part of the proof of
+ * isotopy.
  *
  * \tparam Point_3 the type of points
  */
@@ -37,9 +38,9 @@ struct Bend_limits
   double bend_radius = 0;     ///< R, in the input's unit; 0 stands for none
   double strand_distance = 0; ///< d, in the input's unit; 0 stands for none
 
-  /// a function of the point by which both are multiplied, for a thickness that varies. For a pair
-  /// of edges the smaller one of their values counts. It must be positive, and safe to call
-  /// concurrently. None by default
+  /// a factor of both, as a function of the point, for a thickness that varies. A pair of edges has
+  /// the smaller one of their values. It must be positive, and safe to call concurrently. None by
+  /// default
   std::function<double(const Point_3&)> scale;
 
   /// returns whether there is any limit.
@@ -48,7 +49,7 @@ struct Bend_limits
   /// \cond SKIP_IN_MANUAL
   double scale_at(const Point_3& p) const { return scale ? scale(p) : 1; }
 
-  // the length of curve between two edges from which on they are of different strands, over scale
+  // the least length of curve between edges of different strands, over scale
   double length_between_strands() const
   {
     return CGAL_PI * (std::max)(bend_radius, strand_distance / 2);
@@ -58,7 +59,8 @@ struct Bend_limits
 
 namespace internal {
 
-// What must be at least a limit, or else no less than before: `before()` says how much it was.
+// Returns whether a value keeps a limit: it is at least the limit, or no less than `before()`, the
+// former value.
 template <typename Before>
 bool keeps_limit(double after, double limit, const Before& before)
 {
