@@ -164,12 +164,12 @@ public:
   // see `VolumeFillingDomainWithSurface_3`
   void shorten(internal::Planar_rays& rays) const { m_faces->shorten(rays); }
 
-  // the distance of a segment inside to the surface, and the place on the segment, from 0 to 1
+  // the distance of a segment inside to the surface, and the position on the segment, from 0 to 1
   std::pair<double, double> distance_of_segment(const Point_3& p, const Point_3& q) const
   {
-    const auto [d2, place] =
+    const auto [d2, position] =
         m_faces->nearest_to_segment(internal::to_vector(p), internal::to_vector(q));
-    return {std::sqrt(d2), place};
+    return {std::sqrt(d2), position};
   }
 
   // the corners of all faces

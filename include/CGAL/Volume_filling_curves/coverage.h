@@ -397,9 +397,9 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
   return internal::measured(np, [&](internal::Run_watch* watch) {
     const internal::Least_depth<ConcurrencyTag, Curve_network_3<Traits>, Domain> depths(
         curve, domain, watch);
-    const auto place = depths();
+    const auto nearest = depths();
     return Wall_distance_3<typename Traits::Point_3>{
-        place.distance, place.edge, internal::to_point(place.point, curve.traits())};
+        nearest.distance, nearest.edge, internal::to_point(nearest.point, curve.traits())};
   });
 }
 

@@ -162,11 +162,11 @@ private:
 
   void interpolate(const Anchor& a, const Anchor& b, std::size_t chain)
   {
-    double length = 0, way = 0;
+    double length = 0, done = 0;
     for(std::size_t i = a.step; i < b.step; ++i) length += step_length(i);
     for(std::size_t i = a.step + 1; i < b.step; ++i) {
-      way += step_length(i - 1);
-      const double share = length > 0 ? way / length : 0;
+      done += step_length(i - 1);
+      const double share = length > 0 ? done / length : 0;
       set_origin(i, chain, (std::min)(a.rank + share * (b.rank - a.rank), b.rank));
     }
   }

@@ -71,7 +71,8 @@ public:
       m_corners.push_back({to_vector(p), to_vector(q), to_vector(r)});
     }
     for(int i = 0; i < 3; ++i)
-      m_largest = (std::max)({m_largest, std::abs(bbox().min(i)), std::abs(bbox().max(i))});
+      m_max_coordinate =
+          (std::max)({m_max_coordinate, std::abs(bbox().min(i)), std::abs(bbox().max(i))});
   }
 
   const Mesh& mesh() const { return m_mesh; }
@@ -138,7 +139,7 @@ public:
   // returns the least t <= limit for which p + t u lies on the surface, or `limit`
   double distance_along(const Vector& p, const Vector& u, double limit) const
   {
-    Ray_query query{*this, p, u, Ray_entry(p, u, m_largest), limit};
+    Ray_query query{*this, p, u, Ray_entry(p, u, m_max_coordinate), limit};
     Nearest_first_descent<Ray_query>(m_tree, query).run();
     return query.bound();
   }
@@ -146,7 +147,7 @@ public:
   // Shortens rays to their first intersections with the surface. One descent serves all of them.
   void shorten(Planar_rays& rays) const
   {
-    Planar_rays_query query(m_corners, rays, m_largest);
+    Planar_rays_query query(m_corners, rays, m_max_coordinate);
     Nearest_first_descent<Planar_rays_query>(m_tree, query).run();
   }
 
@@ -267,7 +268,7 @@ private:
   Mesh m_mesh;
   Mesh_shells<Mesh> m_shells;
   Box_tree m_tree;
-  double m_largest = 0; // absolute value of a coordinate
+  double m_max_coordinate = 0; // absolute value of a coordinate
   // in the order of the leaves
   std::vector<Face> m_faces;
   std::vector<Triangle> m_triangles;

@@ -73,7 +73,8 @@ public:
     m_tree = Box_tree(order.sorted(boxes), order.run_ends());
     m_edges = order.sorted(edges);
     for(int i = 0; i < 2; ++i)
-      m_largest = (std::max)({m_largest, std::abs(bbox().min(i)), std::abs(bbox().max(i))});
+      m_max_coordinate =
+          (std::max)({m_max_coordinate, std::abs(bbox().min(i)), std::abs(bbox().max(i))});
   }
 
   // in the order of the tree
@@ -134,7 +135,7 @@ public:
   // the plane
   double distance_along(const Vector& p, const Vector& u, double limit) const
   {
-    Ray_query query{*this, p, u, Ray_entry(p, u, m_largest), limit};
+    Ray_query query{*this, p, u, Ray_entry(p, u, m_max_coordinate), limit};
     Nearest_first_descent<Ray_query>(m_tree, query).run();
     return query.nearest;
   }
@@ -229,8 +230,8 @@ private:
   static Bbox_3 box_of(const Planar_point& p) { return {p.x(), p.y(), 0, p.x(), p.y(), 0}; }
 
   Box_tree m_tree;
-  std::vector<Edge> m_edges; // in the order of the leaves
-  double m_largest = 0;      // absolute value of a coordinate
+  std::vector<Edge> m_edges;   // in the order of the leaves
+  double m_max_coordinate = 0; // absolute value of a coordinate
 };
 
 } // namespace internal

@@ -37,7 +37,7 @@ public:
   static constexpr double min_fraction = 1. / 64;
 
   // The limit is in units of the thickness.
-  explicit Step_size(double max_displacement) : m_largest(max_displacement) {}
+  explicit Step_size(double max_displacement) : m_max_displacement(max_displacement) {}
 
   // Returns the factor of the direction, where each node has its thickness.
   double next(const Vector_field& direction, const std::vector<double>& thickness)
@@ -47,11 +47,11 @@ public:
       longest = (std::max)(longest, row(direction, v).norm() / thickness[v]);
     if(m_last_direction.rows() == direction.rows()) adapt(direction);
     m_last_direction = direction;
-    m_time_step = (std::min)(m_time_step, m_largest / longest);
+    m_time_step = (std::min)(m_time_step, m_max_displacement / longest);
     return m_time_step;
   }
 
-  void set_max_displacement(double largest) { m_largest = largest; }
+  void set_max_displacement(double largest) { m_max_displacement = largest; }
 
   // Takes the mean fraction of their displacements that the nodes moved.
   void note_fraction(double mean)
@@ -94,7 +94,7 @@ private:
       m_time_step *= growth;
   }
 
-  double m_largest;
+  double m_max_displacement;
   double m_time_step = std::numeric_limits<double>::infinity();
   double m_turns = 0; // of the direction, those long ago less
   Vector_field m_last_direction;

@@ -43,15 +43,15 @@ inline double squared_distance_to_triangle(const Vector& p, const Corners& corne
 }
 
 // returns the squared distance of the segment ab to the triangle, which it does not meet, and the
-// place on the segment, from 0 to 1, if it is below `bound`, and else `bound`
+// position on the segment, from 0 to 1, if it is below `bound`, and else `bound`
 inline std::pair<double, double> nearest_to_triangle(const Vector& a,
                                                      const Vector& b,
                                                      const Corners& corners,
                                                      double bound)
 {
   std::pair<double, double> nearest = {squared_distance_to_triangle(a, corners, bound), 0};
-  const auto take = [&](double squared_distance, double place) {
-    if(squared_distance < nearest.first) nearest = {squared_distance, place};
+  const auto take = [&](double squared_distance, double position) {
+    if(squared_distance < nearest.first) nearest = {squared_distance, position};
   };
   take(squared_distance_to_triangle(b, corners, nearest.first), 1);
   for(std::size_t i = 0; i < 3; ++i) {

@@ -62,7 +62,7 @@ private:
     for(const auto& item : polyline) m_polyline.push_back(to_vector(get(point_map, item)));
     check_coordinates();
     const bool is_closed = drop_repeated_end();
-    const std::vector<std::size_t> distinct = distinct_places(is_closed);
+    const std::vector<std::size_t> distinct = distinct_points(is_closed);
     if(distinct.size() < (is_closed ? 3 : 2))
       fail(is_closed ? "is closed and has fewer than three distinct points"
                      : "has fewer than two distinct points");
@@ -92,15 +92,15 @@ private:
     return is_repeated || m_closure == Closure::CLOSED;
   }
 
-  // Returns the places of the points that differ from the one before.
-  std::vector<std::size_t> distinct_places(bool is_closed) const
+  // Returns the indices of the points that differ from their predecessors.
+  std::vector<std::size_t> distinct_points(bool is_closed) const
   {
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> indices;
     for(std::size_t i = 0; i < m_polyline.size(); ++i)
-      if(places.empty() || m_polyline[i] != m_polyline[i - 1]) places.push_back(i);
-    while(is_closed && places.size() > 1 && m_polyline[places.back()] == m_polyline.front())
-      places.pop_back();
-    return places;
+      if(indices.empty() || m_polyline[i] != m_polyline[i - 1]) indices.push_back(i);
+    while(is_closed && indices.size() > 1 && m_polyline[indices.back()] == m_polyline.front())
+      indices.pop_back();
+    return indices;
   }
 
   std::size_t add_point(const Vector& point)
