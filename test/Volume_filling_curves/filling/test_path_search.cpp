@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-// Ways around walls and through necks.
+// Paths around walls and through necks.
 namespace test_path_search {
 
 using namespace CGAL::Volume_filling_curves;

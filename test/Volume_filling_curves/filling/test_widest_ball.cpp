@@ -33,7 +33,7 @@ using Network = Curve_network_3<>;
 using Mesh_domain = Triangle_mesh_domain_3<>;
 
 template <typename Domain>
-internal::Widest_ball<Domain, Traits> widest_place(const Domain& domain, std::size_t n)
+internal::Widest_ball<Domain, Traits> widest_ball(const Domain& domain, std::size_t n)
 {
   static const Traits traits;
   const Domain_samples_3<Traits, Domain> samples(domain, n, 1);
@@ -46,7 +46,7 @@ TEST(Widest_ball, of_a_ball_is_its_center)
   for(const double radius : {1e-30, 2., 1e30}) {
     const Ball_domain_3<> ball(Point(radius, -radius, 0), radius);
     for(const std::size_t n : {1u, 100u}) {
-      const auto widest = widest_place(ball, n);
+      const auto widest = widest_ball(ball, n);
       EXPECT_GT(widest.radius(), 0.98 * radius);
       EXPECT_LE(widest.radius(), radius);
       EXPECT_LT((widest.center() - radius * Vector(1, -1, 0)).norm(), 0.02 * radius);
@@ -57,7 +57,7 @@ TEST(Widest_ball, of_a_ball_is_its_center)
 TEST(Widest_ball, of_a_slab_is_in_its_middle)
 {
   const Box_domain_3<> slab(Point(0, 0, 0), Point(10, 10, 0.5));
-  const auto widest = widest_place(slab, 1000);
+  const auto widest = widest_ball(slab, 1000);
   EXPECT_GT(widest.radius(), 0.98 * 0.25);
   EXPECT_LE(widest.radius(), 0.25);
 }
@@ -68,7 +68,7 @@ TEST(Widest_ball, of_a_mesh_is_found_past_its_thin_parts)
   soup = exact_surface::stretched(soup, 0, {0, 1, 1.5, 3.5}); // the second leg is wider
   soup = exact_surface::stretched(soup, 2, {0, 3});
   const Mesh_domain domain(meshes::to_mesh(soup));
-  const auto widest = widest_place(domain, 500);
+  const auto widest = widest_ball(domain, 500);
   EXPECT_GT(widest.center().x(), 1.5);
   EXPECT_GT(widest.radius(), 0.98);
   const Point center(widest.center().x(), widest.center().y(), widest.center().z());
@@ -79,7 +79,7 @@ TEST(Widest_ball, has_room_for_a_circle)
 {
   const exact_surface::Surface surface(exact_surface::corner_piece());
   const Mesh_domain domain(meshes::to_mesh(exact_surface::corner_piece()));
-  const auto widest = widest_place(domain, 500);
+  const auto widest = widest_ball(domain, 500);
   const Network circle(widest.circle(widest.radius(), 24));
   EXPECT_EQ(circle.number_of_components(), 1u);
   EXPECT_TRUE(circle.is_closed(0));
