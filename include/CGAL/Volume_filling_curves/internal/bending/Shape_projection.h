@@ -86,9 +86,9 @@ private:
     return m_paths.nodes()[i < path.end ? i : i - path.size()];
   }
 
-  void move(std::vector<Vector>& x, std::size_t v, const Vector& way) const
+  void move(std::vector<Vector>& x, std::size_t v, const Vector& shift) const
   {
-    x[v] += m_mobility[v] * way;
+    x[v] += m_mobility[v] * shift;
   }
 
   // The mean length of edges, without those between pinned nodes, as in the necks of ports: these
@@ -206,9 +206,9 @@ private:
     constexpr double n = apart, mean = (n - 1) / (2 * n + 1);
     move(x, v, (2 - mean) * sixth);
     for(std::size_t k = 1; k <= apart; ++k) {
-      const Vector way = (2 - mean - 3 * static_cast<double>(k) / n) * sixth;
-      move(x, nodes[apart - k], way);
-      move(x, nodes[apart + k], way);
+      const Vector shift = (2 - mean - 3 * static_cast<double>(k) / n) * sixth;
+      move(x, nodes[apart - k], shift);
+      move(x, nodes[apart + k], shift);
     }
   }
 

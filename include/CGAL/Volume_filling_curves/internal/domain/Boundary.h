@@ -161,14 +161,14 @@ private:
     const Vector start = to_vector(p);
     for(std::size_t l = 0; l < rays.size(); ++l) {
       const double length = rays.lengths[l];
-      double step = (std::max)(clear, 0.), way = step;
+      double step = (std::max)(clear, 0.), reached = step;
       for(int k = 1; k < max_steps && way < length && step > last_step * length; ++k) {
         const Vector x = start + way * rays.direction(l);
-        const double needed = m_layer + length - way;
+        const double needed = m_layer + length - reached;
         step = depth_up_to(*m_domain, Point_3(x.x(), x.y(), x.z()), needed) - m_layer;
-        way += (std::max)(step, 0.);
+        reached += (std::max)(step, 0.);
       }
-      rays.lengths[l] = (std::min)(way, length);
+      rays.lengths[l] = (std::min)(reached, length);
     }
   }
 

@@ -36,7 +36,7 @@ class Least_depth
 public:
   static constexpr std::size_t null = static_cast<std::size_t>(-1);
 
-  struct Place
+  struct Nearest_point
   {
     double distance = std::numeric_limits<double>::infinity();
     std::size_t edge = null;
@@ -49,17 +49,17 @@ public:
   {}
 
   // returns the nearest point; among equally near ones that on the first edge
-  Place operator()() const
+  Nearest_point operator()() const
   {
     const std::vector<std::size_t> near = near_edges();
-    std::vector<Place> places(near.size());
+    std::vector<Nearest_point> candidates(near.size());
     for_each_block<ConcurrencyTag>(near.size(), 1, m_watch, [&](std::size_t k, std::size_t) {
-      places[k] = place_on(near[k]);
+      candidates[k] = nearest_point_on(near[k]);
     });
-    const auto nearest =
-        std::min_element(places.begin(), places.end(),
-                         [](const Place& a, const Place& b) { return a.distance < b.distance; });
-    return nearest == places.end() ? Place() : *nearest;
+    const auto nearest = std::min_element(
+        candidates.begin(), candidates.end(),
+        [](const Nearest_point& a, const Nearest_point& b) { return a.distance < b.distance; });
+    return nearest == candidates.end() ? Nearest_point() : *nearest;
   }
 
 private:
@@ -100,16 +100,16 @@ private:
     return near;
   }
 
-  Place place_on(std::size_t e) const
+  Nearest_point nearest_point_on(std::size_t e) const
   {
     const Vector a = source(e), b = target(e);
     if constexpr(Measures_segments<Domain>::value) {
-      const auto [distance, place] = m_domain.distance_of_segment(m_curve.point(m_curve.source(e)),
-                                                                  m_curve.point(m_curve.target(e)));
-      return {distance, e, Vector(a + place * (b - a))};
+      const auto [distance, position] = m_domain.distance_of_segment(
+          m_curve.point(m_curve.source(e)), m_curve.point(m_curve.target(e)));
+      return {distance, e, Vector(a + position * (b - a))};
     } else {
       const double at_a = distance(a), at_b = distance(b);
-      Place nearest = at_b < at_a ? Place{at_b, e, b} : Place{at_a, e, a};
+      Nearest_point nearest = at_b < at_a ? Nearest_point{at_b, e, b} : Nearest_point{at_a, e, a};
       halve(a, at_a, b, at_b, precision * half_length(e), nearest);
       return nearest;
     }
@@ -122,7 +122,7 @@ private:
              const Vector& b,
              double at_b,
              double tolerance,
-             Place& nearest) const
+             Nearest_point& nearest) const
   {
     const double least = (at_a + at_b - (b - a).norm()) / 2;
     if(!(least < nearest.distance - (std::max)(tolerance, precision * nearest.distance))) return;
