@@ -162,8 +162,8 @@ private:
     for(std::size_t l = 0; l < rays.size(); ++l) {
       const double length = rays.lengths[l];
       double step = (std::max)(clear, 0.), reached = step;
-      for(int k = 1; k < max_steps && way < length && step > last_step * length; ++k) {
-        const Vector x = start + way * rays.direction(l);
+      for(int k = 1; k < max_steps && reached < length && step > last_step * length; ++k) {
+        const Vector x = start + reached * rays.direction(l);
         const double needed = m_layer + length - reached;
         step = depth_up_to(*m_domain, Point_3(x.x(), x.y(), x.z()), needed) - m_layer;
         reached += (std::max)(step, 0.);
