@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+#include <CGAL/Volume_filling_curves/internal/domain/depth_of_segment.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -25,9 +26,8 @@ namespace internal {
 
 // Least distance of a curve to the boundary of its domain, over whole edges. Distances are
 // 1-Lipschitz, hence an edge of length l whose middle is farther than l / 2 plus the best bound
-// cannot be the nearest. The remaining edges are measured along their length: by a mesh up to
-// rounding; in other domains an edge is halved until no point of it can be nearer by more than a
-// thousandth of the distance or of half of the edge. One bounded query per edge, and few others.
+// cannot be the nearest. The remaining edges are measured along their length. One bounded query per
+// edge, and few others.
 template <typename ConcurrencyTag, typename Network, typename Domain>
 class Least_depth
 {
@@ -65,7 +65,6 @@ public:
 private:
   static constexpr std::size_t stride = 64; // of the edges that give the first bound
   static constexpr std::size_t block = 256;
-  static constexpr double precision = 1e-3; // relative, in domains that only measure points
 
   Vector source(std::size_t e) const { return to_vector(m_curve.point(m_curve.source(e))); }
   Vector target(std::size_t e) const { return to_vector(m_curve.point(m_curve.target(e))); }
@@ -103,34 +102,9 @@ private:
   Nearest_point nearest_point_on(std::size_t e) const
   {
     const Vector a = source(e), b = target(e);
-    if constexpr(Measures_segments<Domain>::value) {
-      const auto [distance, position] = m_domain.distance_of_segment(
-          m_curve.point(m_curve.source(e)), m_curve.point(m_curve.target(e)));
-      return {distance, e, Vector(a + position * (b - a))};
-    } else {
-      const double at_a = distance(a), at_b = distance(b);
-      Nearest_point nearest = at_b < at_a ? Nearest_point{at_b, e, b} : Nearest_point{at_a, e, a};
-      halve(a, at_a, b, at_b, precision * half_length(e), nearest);
-      return nearest;
-    }
-  }
-
-  // No point of a segment is nearer than half of the sum of the distances of its ends minus its
-  // length.
-  void halve(const Vector& a,
-             double at_a,
-             const Vector& b,
-             double at_b,
-             double tolerance,
-             Nearest_point& nearest) const
-  {
-    const double least = (at_a + at_b - (b - a).norm()) / 2;
-    if(!(least < nearest.distance - (std::max)(tolerance, precision * nearest.distance))) return;
-    const Vector middle = (a + b) / 2;
-    const double at_middle = distance(middle);
-    if(at_middle < nearest.distance) nearest = {at_middle, nearest.edge, middle};
-    halve(a, at_a, middle, at_middle, tolerance, nearest);
-    halve(middle, at_middle, b, at_b, tolerance, nearest);
+    const auto [distance, position] = depth_of_segment(m_domain, m_curve.point(m_curve.source(e)),
+                                                       m_curve.point(m_curve.target(e)));
+    return {distance, e, Vector(a + position * (b - a))};
   }
 
   const Network& m_curve;

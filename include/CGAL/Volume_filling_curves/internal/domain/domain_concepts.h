@@ -57,6 +57,26 @@ struct Has_surface<
                 decltype(std::declval<const Domain&>().part_boxes())>> : std::true_type
 {};
 
+// a domain that stands for domains of several kinds
+template <typename Domain, typename = void>
+struct Stands_for_others : std::false_type
+{};
+
+template <typename Domain>
+struct Stands_for_others<Domain, std::void_t<decltype(std::declval<const Domain&>().has_surface())>>
+    : std::true_type
+{};
+
+// Returns whether a domain has a surface; one that stands for others knows it at run time only.
+template <typename Domain>
+bool has_surface([[maybe_unused]] const Domain& domain)
+{
+  if constexpr(Stands_for_others<Domain>::value)
+    return domain.has_surface();
+  else
+    return Has_surface<Domain>::value;
+}
+
 // a domain that measures the distance of whole segments to its boundary
 template <typename Domain, typename = void>
 struct Measures_segments : std::false_type

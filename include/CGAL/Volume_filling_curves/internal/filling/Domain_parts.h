@@ -55,9 +55,8 @@ public:
                Run_watch& watch)
       : m_samples(samples), m_watch(watch)
   {
-    if constexpr(Has_surface<Domain>::value) {
+    if(has_surface(samples.domain())) {
       ask_domain(distances.up_to_limit());
-      look_for_small_parts();
       find_widest(distances.limit());
     } else {
       link_samples(distances.up_to_limit());
@@ -79,12 +78,12 @@ public:
   // returns the part of a point inside, `widest_balls().size()` if it is unknown
   std::size_t part(const Point_3& p) const
   {
-    if constexpr(Has_surface<Domain>::value) {
-      const auto found = m_numbers.find(m_samples.domain().part(p));
-      return found == m_numbers.end() ? m_widest.size() : found->second;
-    } else {
-      return part_of_visible_sample(p);
-    }
+    if constexpr(Has_surface<Domain>::value)
+      if(has_surface(m_samples.domain())) {
+        const auto found = m_numbers.find(m_samples.domain().part(p));
+        return found == m_numbers.end() ? m_widest.size() : found->second;
+      }
+    return part_of_visible_sample(p);
   }
 
 private:
@@ -95,11 +94,14 @@ private:
     std::vector<double> distances;
   };
 
-  void ask_domain(const std::vector<double>& distances)
+  void ask_domain([[maybe_unused]] const std::vector<double>& distances)
   {
-    const std::vector<Point_3>& points = m_samples.points();
-    for(std::size_t k = 0; k < points.size(); ++k)
-      add(m_samples.domain().part(points[k]), points[k], distances[k]);
+    if constexpr(Has_surface<Domain>::value) {
+      const std::vector<Point_3>& points = m_samples.points();
+      for(std::size_t k = 0; k < points.size(); ++k)
+        add(m_samples.domain().part(points[k]), points[k], distances[k]);
+      look_for_small_parts();
+    }
   }
 
   void add(std::size_t label, const Point_3& p, double distance)

@@ -207,7 +207,7 @@ private:
   double sufficient_distance() const
   {
     const bool is_thickness_known = is_thickness_asked_for() && !m_thickness.varies();
-    if(!Has_surface<Domain>::value || !is_thickness_known || m_parameters.wall != Wall::COVER)
+    if(!has_surface(m_samples.domain()) || !is_thickness_known || m_parameters.wall != Wall::COVER)
       return Boundary_distances<Domain>::no_limit;
     return needed_width * (std::max)(m_thickness.number(), min_thickness_for(m_parameters));
   }
