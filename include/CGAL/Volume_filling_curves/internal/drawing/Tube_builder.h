@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/drawing/Tube_sections.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -43,6 +44,7 @@ public:
     if(!sections.is_closed()) add_cap(first, false);
     Ring last = first;
     for(std::size_t i = 1; i < sections.size(); ++i) {
+      check_run();
       Ring ring = add_ring(sections, radii, i);
       add_side(last, ring, 0);
       last = std::move(ring);

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -43,6 +44,7 @@ public:
   void tangle(std::size_t number_of_moves, double reach)
   {
     for(std::size_t k = 0; k < number_of_moves; ++k) {
+      check_run();
       const std::size_t v = m_random.index(m_curve.number_of_nodes());
       const Vector direction = m_random.direction(); // before the distance, with every compiler
       const Vector target =

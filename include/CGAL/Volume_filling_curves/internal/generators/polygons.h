@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -57,7 +58,9 @@ inline Polygon equally_spaced(const Polygon& polygon, std::size_t n)
   const double spacing = perimeter(polygon) / static_cast<double>(n);
   Polygon result(1, polygon.front());
   double walked = 0;
+  unsigned calls = 0;
   for(std::size_t i = 0; i < polygon.size() && result.size() < n; ++i) {
+    check_sometimes(nullptr, calls);
     const Vector &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const double length = (b - a).norm();
     for(double next = static_cast<double>(result.size()) * spacing;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cmath>
 #include <cstddef>
@@ -61,7 +62,9 @@ inline Polygons random_polygon(std::size_t number_of_nodes, std::uint64_t seed)
     edges.push_back(random.direction());
     edges.push_back(-edges.back());
   }
+  unsigned calls = 0;
   for(std::size_t k = 0; n > 3 && k < turns_per_edge * n; ++k) {
+    check_sometimes(nullptr, calls);
     const std::size_t i = random.index(n), j = random.index(n);
     if(i != j) turn_pair(edges[i], edges[j], random);
   }
