@@ -5,9 +5,10 @@
 """Writes the parts of the module that repeat the library's structs: its parameters, results and
 enumerations, with their documentation. The headers are the only source.
 
-make_interface.py FOLDER    writes enumerations.h, results.h, vfc/_results.py and vfc/_options.py
-                            into the folder"""
+make_interface.py FOLDER    writes enumerations.h, results.h, vfc/_results.py, vfc/_options.py and
+                            the stub vfc/__init__.pyi into the folder"""
 
+import ast
 import pathlib
 import re
 import sys
@@ -21,9 +22,13 @@ HEADERS = ROOT / "include/CGAL/Volume_filling_curves"
 RESULTS = {  # struct in C++: class in Python
     "Curve_flow_statistics": "FlowStatistics", "Untangling_result": "UntanglingResult",
     "Thickness_fit": "ThicknessFit", "Coverage": "Coverage", "Empty_region_3": "EmptyRegion",
-    "Shape_excess_3": "ShapeExcess", "Port_neck": "PortNeck", "Filling_result": "FillingResult", "Curve_measures": "CurveMeasures",
-    "Certificate_verdict": "Verdict", "Planar_diagram": "PlanarDiagram", "Link_identity": "LinkIdentity"}
-OF_POINTS = ("Empty_region_3", "Shape_excess_3", "Port_neck", "Filling_result")  # templates
+    "Shape_excess_3": "ShapeExcess", "Port_neck": "PortNeck", "Filling_result": "FillingResult",
+    "Curve_measures": "CurveMeasures",
+    "Certificate_verdict": "Verdict", "Arc_conflict": "ArcConflict", "Arc_spline_piece": "ArcPieces",
+    "Arc_spline_path": "ArcPath", "Arc_spline": "ArcSpline", "Planar_diagram": "PlanarDiagram", "Link_identity": "LinkIdentity"}
+OF_POINTS = ("Empty_region_3", "Shape_excess_3", "Port_neck", "Filling_result", "Arc_spline_piece",
+             "Arc_spline_path", "Arc_spline")  # templates
+IN_ARRAYS = ("Arc_spline_piece",)  # many of them are one result, whose members are arrays with a row each
 OPTIONS = {"untangle": "Untangle_signature", "fill": "Fill_signature", "simplify": "Simplify_signature"}
 NOT_IN_PYTHON = {"visitor", "progress", "certificate", "checkpoint", "resume_from", "build_name"}
 FIELD_TYPES = {
@@ -81,16 +86,27 @@ def summary(name):
     return re.split(r"(?<=\.) ", text)[0]
 
 
+def is_in_arrays(kind):
+    return kind.partition("<")[0] in IN_ARRAYS
+
+
 def python_type(kind):
     if kind in TYPES:
         return TYPES[kind]
     if kind in RESULTS:
         return RESULTS[kind]
     if inner := re.match(r"std::vector<(.*)>$", kind):
-        return f"list[{python_type(inner[1])}]"
+        item = python_type(inner[1])
+        return item if is_in_arrays(inner[1]) else f"list[{item}]"
     if inner := re.match(r"(\w+)<Point_3>$", kind):
         return RESULTS[inner[1]]
     return "np.ndarray" if "Point" in kind else "str"
+
+
+def guarded(name, lines):
+    """The lines of a header with an include guard."""
+    guard = f"VFC_PYTHON_{name}_H"
+    return [f"#ifndef {guard}\n#define {guard}\n", *lines, f"\n#endif // {guard}"]
 
 
 def enumerations_header():
@@ -121,8 +137,13 @@ def results_header():
     yield "namespace vfc_python {\n"
     for name in RESULTS:
         kind = f"VFC::{name}" + ("<Point>" if name in OF_POINTS else "")
-        yield f"inline py::dict to_python(const {kind}& value)\n{{\n  py::dict d;"
-        yield from (f'  d["{member}"] = to_python(value.{member});' for _, member, _ in members(name))
+        if name in IN_ARRAYS:
+            yield f"inline py::dict to_python(const std::vector<{kind}>& rows)\n{{\n  py::dict d;"
+            value = f"array_of(rows, &{kind}::%s)"
+        else:
+            yield f"inline py::dict to_python(const {kind}& value)\n{{\n  py::dict d;"
+            value = "to_python(value.%s)"
+        yield from (f'  d["{member}"] = {value % member};' for _, member, _ in members(name))
         yield "  return d;\n}\n"
     yield "} // namespace vfc_python"
 
@@ -142,26 +163,32 @@ def results_module():
             yield wrapped(f"{member}: {text}", "        ", "    ")
         yield '    """\n'
         for kind, member, _ in members(name):
-            yield f"    {member}: {python_type(kind)}"
+            yield f"    {member}: {'np.ndarray' if name in IN_ARRAYS else python_type(kind)}"
+        if ("bool", "is_valid") in [(kind, member) for kind, member, _ in members(name)]:
+            yield "\n    def __bool__(self) -> bool:\n        return self.is_valid"
         yield ""
     yield "\ndef with_classes(name, members):"
     yield '    """The members of a result, those that are results themselves as objects."""'
-    yield "    for member, wrap in NESTED[name].items():"
-    yield "        members[member] = wrap(members[member])"
+    yield "    for member, kind in NESTED[name].items():"
+    yield "        value = members[member]"
+    yield "        members[member] = ([made(kind, item) for item in value] if isinstance(value, list)"
+    yield "                           else made(kind, value))"
     yield "    return members\n\n"
+    yield "def made(name, members):"
+    yield '    """The result with these members."""'
+    yield "    return globals()[name](**with_classes(name, members))\n\n"
     yield "NESTED = {"
     for name, title in RESULTS.items():
-        wraps = [f'"{member}": {wrap}' for kind, member, _ in members(name) if (wrap := wrapping(kind))]
-        yield f'    "{title}": {{{", ".join(wraps)}}},'
+        nested = {member: inner[0] for kind, member, _ in members(name)
+                  if (inner := [title for title in RESULTS.values() if title in python_type(kind)])}
+        yield f'    "{title}": {nested},'
     yield "}"
 
 
-def wrapping(kind):
-    """The function that makes a member of a result an object, if it is a result itself."""
-    of_items = re.fullmatch(r"std::vector<(\w+)<Point_3>>", kind)
-    if of_items and of_items[1] in RESULTS:
-        return f"lambda items: [{RESULTS[of_items[1]]}(**item) for item in items]"
-    return f"lambda item: {RESULTS[kind]}(**item)" if kind in RESULTS else ""
+def words(kind):
+    """The type of an enumeration: its enumerators as words."""
+    values = enumerations().get(kind)
+    return "Literal[%s]" % ", ".join(repr(value.lower()) for value in values) if values else "str"
 
 
 def option_entries(function):
@@ -171,20 +198,15 @@ def option_entries(function):
             continue
         found = dict(re.findall(r"\\cgalParam(\w+?){(.*)}$", "\n".join(lines), re.M))
         kinds = [kind for kind in re.findall(r"`(.*?)`", found["Type"])]
-        types = [TYPES.get(kind) or FIELD_TYPES.get(kind, "str") for kind in kinds]
+        types = [TYPES.get(kind) or FIELD_TYPES.get(kind) or words(kind) for kind in kinds]
         limits = found.get("Precondition")
         text = plain(found["Description"]) + (f" Must be {limits}." if limits else "")
         yield name, " | ".join(dict.fromkeys(types)), plain(found["Default"]).strip("`'"), text
 
 
 def options_module():
-    yield '"""The keyword arguments that functions pass on to the library: their types and their texts."""\n'
-    yield "from __future__ import annotations\n\nfrom typing import Any, Callable, Sequence, TypedDict\n"
-    for function in OPTIONS:
-        yield f"\nclass {function.capitalize()}Options(TypedDict, total=False):"
-        yield from (f"    {name}: {kind}" for name, kind, _, _ in option_entries(function))
-        yield ""
-    yield "\nOPTIONS = {"
+    yield '"""What is said of the keyword arguments that functions pass on to the library."""\n'
+    yield "OPTIONS = {"
     for function in OPTIONS:
         yield f'    "{function}": """'
         for name, kind, default, text in option_entries(function):
@@ -194,10 +216,37 @@ def options_module():
     yield "}"
 
 
+def signature(function):
+    """The head of a function that passes options on, with each option by its name."""
+    head, body = ast.unparse(function).partition("**options: Any")[::2]
+    options = "".join(f",\n    {name}: {kind} = ..." for name, kind, *_ in option_entries(function.name))
+    return head.rstrip(", ") + options + body.partition(":\n")[0] + ": ..."
+
+
+def stub():
+    """What type checkers and editors read: the package, with all options of its functions."""
+    package = pathlib.Path(__file__).parent / "vfc"
+    imports = [node for node in ast.parse((package / "__init__.py").read_text()).body
+               if isinstance(node, ast.ImportFrom)]
+    yield "from typing import Any, Callable, Literal, Optional, Sequence\n"
+    yield "from .curves import Closed, Curves\nfrom .runs import Progress"
+    for node in imports:
+        for name in (alias.name for alias in node.names):
+            if node.module == "_vfc":
+                yield f"class {name}(RuntimeError): ..."
+            elif name not in OPTIONS:
+                yield f"from .{node.module} import {name} as {name}"
+    for node in ast.parse((package / "runs.py").read_text()).body:
+        if isinstance(node, ast.FunctionDef) and node.name in OPTIONS:
+            yield "\n" + signature(node)
+
+
 def main(folder):
     (folder / "vfc").mkdir(parents=True, exist_ok=True)
-    for file, lines in {"enumerations.h": enumerations_header(), "results.h": results_header(),
-                        "vfc/_results.py": results_module(), "vfc/_options.py": options_module()}.items():
+    for file, lines in {"enumerations.h": guarded("ENUMERATIONS", enumerations_header()),
+                        "results.h": guarded("RESULTS", results_header()),
+                        "vfc/_results.py": results_module(), "vfc/_options.py": options_module(),
+                        "vfc/__init__.pyi": stub()}.items():
         text = "\n".join(lines) + "\n"
         path = folder / file
         if not path.exists() or path.read_text() != text:

@@ -7,11 +7,16 @@
 #ifndef VFC_PYTHON_RUN_OBSERVER_H
 #define VFC_PYTHON_RUN_OBSERVER_H
 
+#include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <pybind11/pybind11.h>
 
 #include <chrono>
+#include <functional>
+#include <utility>
 
 namespace vfc_python {
 
@@ -63,6 +68,20 @@ private:
   VFC::Run_stage m_stage = VFC::Run_stage::VERIFYING;
   std::chrono::steady_clock::time_point m_next;
 };
+
+// Calls a function of a watch without the interpreter's lock; Ctrl-C ends it where it asks the watch,
+// or where the library asks the one of the thread.
+template <typename Function>
+auto interruptible(const Function& function, const py::object& progress = py::none())
+{
+  Run_observer observer(progress);
+  const py::gil_scoped_release unlock;
+  return VFC::internal::measured(VFC::parameters::progress(std::ref(observer)),
+                                 [&](VFC::internal::Run_watch* watch) {
+                                   const VFC::internal::Watched_scope scope(watch);
+                                   return function(watch);
+                                 });
+}
 
 } // namespace vfc_python
 

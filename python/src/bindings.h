@@ -12,7 +12,9 @@
 namespace vfc_python {
 
 // Each adds what its file binds to the module.
+void bind_arcs(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);
+void bind_domains(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_filling(pybind11::module_& module);
 void bind_generators(pybind11::module_& module);

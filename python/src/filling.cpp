@@ -4,32 +4,26 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "Domain.h"
 #include "bindings.h"
 #include "options.h"
 #include "results.h" // generated
 
 #include <CGAL/Volume_filling_curves/Mesh_fields_3.h>
+#include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <utility>
+#include <stdexcept>
+#include <variant>
 #include <vector>
 
 namespace vfc_python {
 
 namespace {
-
-// The inside of a closed mesh, and the mesh, for fields that are given at its vertices.
-struct Domain
-{
-  explicit Domain(Mesh m) : mesh(std::move(m)), inside(mesh) {}
-
-  Mesh mesh;
-  VFC::Triangle_mesh_domain_3<> inside;
-};
 
 // Takes an array out of the options.
 Doubles take_array(py::dict& options, const char* name)
@@ -50,14 +44,20 @@ auto function_of_field(const Mesh& mesh, const Values& values)
 }
 
 // Fields that are arrays, with a row per vertex of the mesh.
-void set_fields(VFC::Filling_parameters<Point>& parameters, py::dict& options, const Mesh& mesh)
+void set_fields(VFC::Filling_parameters<Point>& parameters, py::dict& options, const Domain& domain)
 {
-  if(const Doubles values = take_array(options, "thickness"); values.size() > 0)
+  const Doubles thickness = take_array(options, "thickness");
+  const Doubles directions = take_array(options, "direction_field");
+  if(thickness.size() + directions.size() > 0 && !domain.mesh)
+    throw std::invalid_argument(
+        "an array of thicknesses or directions has a row per vertex of a mesh, but the domain is no "
+        "mesh; a function of a point can be given");
+  if(thickness.size() > 0)
     parameters.thickness_field = function_of_field<VFC::Mesh_thickness_field_3<>>(
-        mesh, values.cast<std::vector<double>>());
-  if(const Doubles values = take_array(options, "direction_field"); values.size() > 0)
+        *domain.mesh, thickness.cast<std::vector<double>>());
+  if(directions.size() > 0)
     parameters.direction_field = function_of_field<VFC::Mesh_direction_field_3<>>(
-        mesh, values.cast<std::vector<std::array<double, 3>>>());
+        *domain.mesh, directions.cast<std::vector<std::array<double, 3>>>());
 }
 
 // Replaces the curve, which may be empty, by the result.
@@ -69,7 +69,7 @@ py::dict fill(Curve& curve,
 {
   py::dict options(given.attr("copy")());
   VFC::Filling_parameters<Point> fields;
-  set_fields(fields, options, domain.mesh);
+  set_fields(fields, options, domain);
   auto parameters = parameters_of<VFC::Filling_parameters<Point>>(options);
   if(fields.thickness_field) parameters.thickness_field = fields.thickness_field;
   if(fields.direction_field) parameters.direction_field = fields.direction_field;
@@ -79,49 +79,68 @@ py::dict fill(Curve& curve,
   VFC::Filling_result<Point> result;
   {
     const py::gil_scoped_release unlock;
-    result = VFC::fill<CGAL::Parallel_if_available_tag>(curve, domain.inside, parameters);
+    result = std::visit(
+        [&](const auto& inside) {
+          return VFC::fill<CGAL::Parallel_if_available_tag>(curve, inside, parameters);
+        },
+        domain.inside);
   }
   return to_python(result);
 }
 
 // The curve's nodes and edges that are not strictly inside.
-py::tuple outside(const Curve& curve, const Domain& domain)
+py::tuple outside(const Curve& curve, const Domain& domain, const py::object& progress)
 {
-  VFC::Containment result;
-  {
-    const py::gil_scoped_release unlock;
-    result = VFC::containment(curve, domain.inside);
-  }
+  const auto find = [&](internal::Run_watch* watch) {
+    return std::visit(
+        [&](const auto& inside) { return internal::find_containment(curve, inside, watch); },
+        domain.inside);
+  };
+  const VFC::Containment result = interruptible(find, progress);
   return py::make_tuple(result.outside_nodes, result.outside_edges);
+}
+
+template <typename Inside>
+VFC::Coverage coverage_of(const Curve& curve,
+                          const Inside& inside,
+                          double thickness,
+                          std::size_t number_of_samples,
+                          std::size_t seed,
+                          internal::Run_watch& watch)
+{
+  const auto go_further = [&] {
+    watch.check();
+    return true;
+  };
+  const VFC::Domain_samples_3<Curve::Traits, Inside> samples(inside, number_of_samples, seed,
+                                                             Curve::Traits(), go_further);
+  return VFC::coverage(
+      samples,
+      internal::sample_distances<CGAL::Parallel_if_available_tag>(curve, samples, &watch),
+      thickness);
 }
 
 py::dict coverage(const Curve& curve,
                   const Domain& domain,
                   double thickness,
                   std::size_t number_of_samples,
-                  std::size_t seed)
+                  std::size_t seed,
+                  const py::object& progress)
 {
-  VFC::Coverage result;
-  {
-    const py::gil_scoped_release unlock;
-    const VFC::Domain_samples_3<Curve::Traits, VFC::Triangle_mesh_domain_3<>> samples(
-        domain.inside, number_of_samples, seed);
-    result = VFC::coverage(
-        samples, VFC::sample_distances<CGAL::Parallel_if_available_tag>(curve, samples), thickness);
-  }
-  return to_python(result);
+  const auto measure = [&](internal::Run_watch* watch) {
+    return std::visit(
+        [&](const auto& inside) {
+          return coverage_of(curve, inside, thickness, number_of_samples, seed, *watch);
+        },
+        domain.inside);
+  };
+  return to_python(interruptible(measure, progress));
 }
 
 } // namespace
 
 void bind_filling(py::module_& module)
 {
-  py::class_<Domain>(module, "Domain")
-      .def(py::init([](const Doubles& vertices, const Integers& faces) {
-        Mesh mesh = mesh_of(vertices, faces);
-        const py::gil_scoped_release unlock;
-        return Domain(std::move(mesh));
-      }));
   module.def("fill", &fill);
   module.def("outside", &outside);
   module.def("coverage", &coverage);

@@ -8,7 +8,6 @@
 #include "bindings.h"
 #include "results.h" // generated
 
-#include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/tube_mesh.h>
 
@@ -33,9 +32,11 @@ py::dict measure(const Curve& curve, double r, const py::object& progress)
 // The vertices and the faces of the surface.
 py::tuple tube(const Curve& curve, double radius, std::size_t number_of_sides)
 {
-  Mesh mesh;
-  VFC::tube_mesh(curve, radius, mesh, VFC::parameters::number_of_sides(number_of_sides));
-  return arrays_of(mesh);
+  return arrays_of(interruptible([&](auto*) {
+    Mesh mesh;
+    VFC::tube_mesh(curve, radius, mesh, VFC::parameters::number_of_sides(number_of_sides));
+    return mesh;
+  }));
 }
 
 } // namespace

@@ -13,7 +13,9 @@ PYBIND11_MODULE(_vfc, module)
   using CGAL::Volume_filling_curves::Run_interrupted;
   pybind11::register_exception<Run_interrupted>(module, "Interrupted", PyExc_RuntimeError);
   module.doc() = "The compiled part of vfc.";
+  vfc_python::bind_arcs(module);
   vfc_python::bind_curves(module);
+  vfc_python::bind_domains(module);
   vfc_python::bind_files(module);
   vfc_python::bind_filling(module);
   vfc_python::bind_generators(module);

@@ -8,6 +8,7 @@
 #define VFC_PYTHON_OPTIONS_H
 
 #include "Run_observer.h"
+#include "Shared_function.h"
 #include "arrays.h"
 #include "enumerations.h" // generated
 
@@ -19,7 +20,6 @@
 
 #include <array>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -41,30 +41,6 @@ template <>
 inline constexpr bool is_set_elsewhere<std::function<bool(const VFC::Run_progress&)>> = true;
 template <>
 inline constexpr bool is_set_elsewhere<std::function<void(const VFC::Run_checkpoint&)>> = true;
-
-// A function of Python that is called from any thread, and let go with the interpreter's lock.
-class Shared_function
-{
-public:
-  explicit Shared_function(const py::object& function)
-      : m_function(new py::object(function), [](py::object* f) {
-          const py::gil_scoped_acquire lock;
-          delete f;
-        })
-  {}
-
-  template <typename Result>
-  Result call(const Point& p) const
-  {
-    const py::gil_scoped_acquire lock;
-    const py::object point = py::module_::import("numpy").attr("array")(
-        py::make_tuple(p.x(), p.y(), p.z()));
-    return (*m_function)(point).template cast<Result>();
-  }
-
-private:
-  std::shared_ptr<py::object> m_function;
-};
 
 template <typename Value>
 struct From_python

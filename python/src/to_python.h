@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/fill.h>
+#include <CGAL/Volume_filling_curves/internal/arcs/Arc_spline.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identity.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -67,9 +69,29 @@ py::object to_python(Value value)
   return py::str(VFC::to_string(value));
 }
 
+// One member of each of many structs, as an array with a row for each.
+template <typename Row, typename Member>
+py::object array_of(const std::vector<Row>& rows, Member Row::*member)
+{
+  if constexpr(std::is_same_v<Member, Point>) {
+    std::vector<Point> points;
+    for(const Row& row : rows) points.push_back(row.*member);
+    return array_of(points);
+  } else {
+    using Number = std::conditional_t<std::is_integral_v<Member>, std::int64_t, Member>;
+    py::array_t<Number> numbers(static_cast<py::ssize_t>(rows.size()));
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      numbers.mutable_at(static_cast<py::ssize_t>(i)) = static_cast<Number>(rows[i].*member);
+    return numbers;
+  }
+}
+
 py::dict to_python(const VFC::Empty_region_3<Point>& value);
 py::dict to_python(const VFC::Shape_excess_3<Point>& value);
 py::dict to_python(const VFC::Port_neck<Point>& value);
+py::dict to_python(const std::vector<VFC::Arc_spline_piece<Point>>& rows);
+py::dict to_python(const VFC::Arc_spline_path<Point>& value);
+py::dict to_python(const VFC::Arc_conflict& value);
 
 template <typename Value>
 py::list to_python(const std::vector<Value>& values)

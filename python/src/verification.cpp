@@ -4,6 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "Domain.h"
 #include "Run_observer.h"
 #include "bindings.h"
 #include "results.h" // generated
@@ -12,24 +13,40 @@
 
 #include <functional>
 #include <string>
+#include <variant>
 
 namespace vfc_python {
 
 namespace {
 
+// Of a mesh the faces count, which the verifier searches by code of its own.
+template <typename NamedParameters>
+VFC::Certificate_verdict verdict(const VFC::Isotopy_certificate& certificate,
+                                 const Curve& start,
+                                 const Curve& end,
+                                 const Domain* domain,
+                                 const NamedParameters& np)
+{
+  if(domain == nullptr) return VFC::verify_certificate(certificate, start, end, np);
+  if(domain->mesh) return VFC::verify_certificate(certificate, start, end, *domain->mesh, np);
+  return std::visit(
+      [&](const auto& in) { return VFC::verify_certificate(certificate, start, end, in, np); },
+      domain->inside);
+}
+
 py::dict verify(const VFC::Isotopy_certificate& certificate,
                 const Curve& start,
                 const Curve& end,
+                const Domain* domain,
                 const py::object& progress)
 {
   Run_observer observer(progress);
-  VFC::Certificate_verdict verdict;
+  VFC::Certificate_verdict result;
   {
     const py::gil_scoped_release unlock;
-    verdict = VFC::verify_certificate(certificate, start, end,
-                                      VFC::parameters::progress(std::ref(observer)));
+    result = verdict(certificate, start, end, domain, VFC::parameters::progress(std::ref(observer)));
   }
-  return to_python(verdict);
+  return to_python(result);
 }
 
 } // namespace

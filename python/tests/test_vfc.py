@@ -3,21 +3,25 @@
 # Author(s) : The Volume_filling_curves authors
 """Tests of the Python module: python3 -m unittest, with the built package on the path."""
 
+import ast
 import concurrent.futures
 import os
 import pathlib
+import re
 import resource
 import signal
 import tempfile
 import threading
 import time
 import unittest
+import weakref
 
 import numpy as np
 
 import vfc
 
 CUBE_VERTICES = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
 CUBE_FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 7, 5], [4, 6, 7], [0, 5, 1], [0, 4, 5],
                        [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
 
@@ -87,6 +91,10 @@ class Untangling(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "'fast' is none of flow, search, auto"):
             vfc.untangle(trefoil, strategy="fast")
 
+    def test_a_verdict_is_true_if_it_is_valid(self):
+        self.assertTrue(vfc.Verdict(True, 0, "", 3, False))
+        self.assertFalse(vfc.Verdict(False, 2, "a strand is met", 3, False))
+
     def test_a_wrong_option_is_named(self):
         with self.assertRaisesRegex(TypeError, "thicknes"):
             vfc.untangle(circle(), thicknes=1)
@@ -151,11 +159,25 @@ class Interruption(unittest.TestCase):
         polygon = vfc.random_polygon(20000)
         tangle = vfc.random_polygon(4000)
         record = vfc.simplify(polygon, certificate=True)
-        domain = vfc.Domain(CUBE_VERTICES, CUBE_FACES)
+        chain = np.cumsum(np.random.default_rng(0).normal(size=(400000, 3)), axis=0)
+        tube = vfc.tube(chain[:40000], 1e-9, closed=False)
+        cube = vfc.Mesh(CUBE_VERTICES, CUBE_FACES)
+        half_space = vfc.Implicit(lambda p: p[0], (-1, -1, -1), (1, 1, 1))
         for call in [lambda: vfc.untangle(tangle), lambda: vfc.untangle(tangle, strategy="flow"),
                      lambda: vfc.simplify(polygon), lambda: vfc.measure(polygon),
                      lambda: vfc.verify(record.certificate, polygon, record.curves),
-                     lambda: vfc.fill(domain, thickness=0.01)]:
+                     lambda: vfc.fill(cube, thickness=0.01), lambda: vfc.identify(tangle),
+                     lambda: vfc.fill(half_space, thickness=0.05),
+                     lambda: vfc.fill(vfc.Polygons(SQUARE), thickness=1e-3),
+                     lambda: vfc.coverage(circle(), vfc.Ball((0, 0, 0), 2), 0.1, samples=10**8),
+                     lambda: vfc.coverage(polygon, cube, 0.1, samples=10**7),
+                     lambda: vfc.outside(polygon, half_space),
+                     lambda: vfc.hard_unknot(1000, 10**8), lambda: vfc.random_polygon(10**6),
+                     lambda: vfc.torus_knot(2, 3, 10**6),
+                     lambda: vfc.closed_braid([1, -2] * 99, 10**6),
+                     lambda: vfc.arc_spline(chain, closed=False),
+                     lambda: vfc.tube(chain, 0.1, closed=False),
+                     lambda: vfc.Mesh(*tube)]:
             self.assertLess(self.interrupted_after(call, 0.1), 2)  # on a busy machine
 
 
@@ -164,8 +186,81 @@ class Filling(unittest.TestCase):
         result = vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=0.1, certificate=True)
         self.assertEqual(result.status, "converged")
         self.assertGreater(result.coverage.fraction_within_r, 0.7)
-        self.assertEqual(vfc.outside(result.curves, vfc.Domain(CUBE_VERTICES, CUBE_FACES)), ([], []))
-        self.assertTrue(vfc.verify(result.certificate, result.start, result.curves).is_valid)
+        self.assertEqual(vfc.outside(result.curves, vfc.Mesh(CUBE_VERTICES, CUBE_FACES)), ([], []))
+        self.assertTrue(vfc.verify(result.certificate, result.start, result.curves))
+
+    def test_each_kind_of_domain_is_filled_and_the_record_proves_that_it_was_not_left(self):
+        sphere = vfc.Implicit(lambda p: np.linalg.norm(p) - 1, (-1, -1, -1), (1, 1, 1))
+        for domain, thickness in [(vfc.Mesh(CUBE_VERTICES, CUBE_FACES), 0.2),
+                                  (vfc.Box((0, 0, 0), (1, 1, 2)), 0.3),
+                                  (vfc.Ball((0, 0, 5), 1), 0.3), (sphere, 0.4),
+                                  (vfc.Polygons([SQUARE, 0.4 + 0.2 * SQUARE], SQUARE + 2), 0.1)]:
+            result = vfc.fill(domain, thickness=thickness, certificate=True)
+            self.assertIn(result.status, ("converged", "partial"), domain)
+            self.assertGreater(result.coverage.fraction_within_r, 0.6, domain)
+            self.assertEqual(vfc.outside(result.curves, domain), ([], []))
+            verdict = vfc.verify(result.certificate, result.start, result.curves, domain=domain)
+            self.assertTrue(verdict, verdict.message)
+            self.assertTrue(verdict.has_domain)
+            measured = vfc.coverage(result.curves, domain, result.thickness)
+            self.assertAlmostEqual(measured.p50, result.coverage.p50, delta=0.05)
+
+    def test_polygons_are_filled_in_their_plane_and_each_gets_a_curve(self):
+        result = vfc.fill(vfc.Polygons(SQUARE, SQUARE + 2), thickness=0.1)
+        self.assertEqual([np.abs(curve[:, 2]).max() for curve in result.curves], [0, 0])
+
+    def test_parts_of_an_implicit_domain_get_a_curve_each(self):
+        def two_balls(p):
+            return min(np.linalg.norm(p), np.linalg.norm(p - [3, 0, 0])) - 1
+        result = vfc.fill(vfc.Implicit(two_balls, (-1, -1, -1), (4, 1, 1)), thickness=0.5)
+        self.assertEqual(len(result.curves), 2)
+
+    def test_a_record_that_leaves_a_domain_is_rejected(self):
+        knot = vfc.hard_unknot(random_seed=3)
+        record = vfc.untangle(knot, certificate=True)
+        self.assertTrue(vfc.verify(record.certificate, knot, record.curves))
+        self.assertFalse(vfc.verify(record.certificate, knot, record.curves,
+                                    domain=vfc.Box((-1, -1, -1), (1, 1, 0.01))))
+
+    def test_fields_of_domains_without_vertices_are_functions(self):
+        result = vfc.fill(vfc.Ball((0, 0, 0), 1), thickness=lambda p: 0.3 + 0.1 * p[2],
+                          direction_field=lambda p: (0, 0, 1))
+        self.assertEqual(result.status, "converged")
+        with self.assertRaisesRegex(ValueError, "the domain is no mesh"):
+            vfc.fill(vfc.Ball((0, 0, 0), 1), thickness=[1, 2, 3])
+
+    def test_fillings_in_threads_give_the_bits_of_fillings_in_turn(self):
+        def filling(seed):
+            return np.concatenate(vfc.fill(vfc.Box((0, 0, 0), (1, 1, 1)), thickness=0.2,
+                                           random_seed=seed).curves)
+        in_turn = [filling(seed) for seed in range(4)]
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            self.assertTrue(all(map(np.array_equal, in_turn, pool.map(filling, range(4)))))
+
+    def test_a_function_is_let_go_with_its_domain(self):
+        def inside(p):
+            return np.linalg.norm(p) - 1
+        domain, function = vfc.Implicit(inside, (-1, -1, -1), (1, 1, 1)), weakref.ref(inside)
+        vfc.coverage(circle(radius=0.5), domain, 0.1, samples=100)
+        del inside, domain
+        self.assertIsNone(function())
+
+    def test_an_exception_of_a_domain_comes_out(self):
+        def fail(p):
+            raise ZeroDivisionError("of the domain")
+        with self.assertRaisesRegex(ZeroDivisionError, "of the domain"):
+            vfc.fill(vfc.Implicit(fail, (0, 0, 0), (1, 1, 1)), thickness=0.2)
+
+    def test_what_is_wrong_with_a_domain_is_a_value_error(self):
+        for make, message in [(lambda: vfc.Ball((0, 0, 0), -1), "positive"),
+                              (lambda: vfc.Box((0, 0, 0), (1, 1, 0)), "flat"),
+                              (lambda: vfc.Box((0, 0), (1, 1)), "three coordinates"),
+                              (lambda: vfc.Polygons([SQUARE, SQUARE + 2]), "hole"),
+                              (lambda: vfc.Polygons(np.zeros((4, 3))), r"\(n, 2\)")]:
+            with self.assertRaisesRegex(ValueError, message):
+                make()
+        with self.assertRaisesRegex(TypeError, "a Domain"):
+            vfc.fill(CUBE_VERTICES, thickness=0.1)
 
     def test_the_thickness_can_vary(self):
         by_function = vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=lambda p: 0.1 + 0.05 * p[2])
@@ -197,10 +292,27 @@ class Measures(unittest.TestCase):
         self.assertRegex(trefoil.knottedness, "^knotted by ")
         self.assertEqual(len(trefoil.diagram.crossings), 3)
 
+    def test_arcs_are_tangent_to_the_middles_of_edges(self):
+        spline = vfc.arc_spline(circle(32), vfc.Ball((0, 0, 0), 1.1))
+        pieces = spline.paths[0].pieces
+        self.assertTrue(spline.is_certified)
+        self.assertEqual(pieces.start.shape, (32, 3))
+        self.assertTrue(np.allclose(np.linalg.norm(pieces.start, axis=1), np.cos(np.pi / 32)))
+        self.assertTrue(np.allclose(pieces.radius, np.cos(np.pi / 32)))
+        self.assertAlmostEqual(spline.length, pieces.length.sum())
+        with self.assertRaisesRegex(ValueError, "node 0 is not inside the domain"):
+            vfc.arc_spline(circle(), vfc.Ball((0, 0, 0), 0.9))
+
+    def test_an_arc_in_the_way_of_a_strand_is_a_conflict(self):
+        corner = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]
+        needle = [[0.95, 0.05, -1], [0.95, 0.05, 1]]
+        spline = vfc.arc_spline([corner, needle], closed=False)
+        self.assertEqual([(c.node, c.obstacle) for c in spline.conflicts], [(1, "strand")])
+
     def test_a_tube_is_a_closed_mesh(self):
         vertices, faces = vfc.tube(circle(), 0.1, sides=6)
         self.assertEqual((vertices.shape, faces.shape), ((96, 3), (192, 3)))
-        vfc.Domain(vertices, faces)
+        vfc.Mesh(vertices, faces)
 
 
 class Files(unittest.TestCase):
@@ -223,6 +335,27 @@ class Documentation(unittest.TestCase):
             self.assertIn("progress : function", function.__doc__)
         self.assertIn("lower_ropelength : bool, default", vfc.untangle.__doc__)
         self.assertIn("unfilled_fraction:", vfc.Filled.__doc__)
+
+    def test_the_stub_has_every_name_and_every_option(self):
+        stub = ast.parse(pathlib.Path(vfc.__file__).with_suffix(".pyi").read_text())
+        functions = {node.name: {arg.arg for arg in node.args.args + node.args.kwonlyargs}
+                     for node in stub.body if isinstance(node, ast.FunctionDef)}
+        named = {alias.asname for node in stub.body if isinstance(node, ast.ImportFrom)
+                 for alias in node.names} | set(functions)
+        public = {name for name, value in vars(vfc).items()
+                  if callable(value) and name != "Interrupted"}
+        self.assertLessEqual(public, named)
+        for name, parameters in functions.items():
+            described = set(re.findall(r"^    (\w+) : ", getattr(vfc, name).__doc__, re.M))
+            self.assertLessEqual(described - {"faces"}, parameters | {"domain"}, name)
+            self.assertGreater(len(described), 4)
+
+    def test_a_repr_says_what_it_is(self):
+        result = vfc.untangle(vfc.hard_unknot(random_seed=3))
+        self.assertRegex(repr(result), r"^<Untangled: unknotted, \d+ iterations, \d+ points>$")
+        self.assertEqual(repr(vfc.Ball((0, 0, 0), 2)), "Ball([0, 0, 0], 2)")
+        self.assertEqual(repr(vfc.Polygons(SQUARE)), "Polygons(1 polygons, 0 holes)")
+        self.assertEqual(repr(vfc.Network(circle(), [[0, 1]])), "<Network: 16 points, 1 edges>")
 
 
 if __name__ == "__main__":

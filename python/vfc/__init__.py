@@ -11,12 +11,13 @@ No strand ever passes through another one: every change of a curve is certified 
 predicates. The same input gives the same bits, whatever the number of threads.
 """
 
-from ._results import (Coverage, CurveMeasures, EmptyRegion, FillingResult, FlowStatistics,
-                       LinkIdentity, PlanarDiagram, PortNeck, ShapeExcess, ThicknessFit,
-                       UntanglingResult, Verdict)
+from ._results import (ArcConflict, ArcPath, ArcPieces, ArcSpline, Coverage, CurveMeasures,
+                       EmptyRegion, FillingResult, FlowStatistics, LinkIdentity, PlanarDiagram,
+                       PortNeck, ShapeExcess, ThicknessFit, UntanglingResult, Verdict)
 from ._vfc import Interrupted
 from .curves import Network
+from .domains import Ball, Box, Domain, Implicit, Mesh, Polygons
 from .files import read, write
 from .generators import closed_braid, hard_unknot, random_polygon, torus_knot
-from .measures import coverage, identify, length, measure, outside, tube
-from .runs import Domain, Filled, Simplified, Untangled, fill, simplify, untangle, verify
+from .measures import arc_spline, coverage, identify, length, measure, outside, tube
+from .runs import Filled, Simplified, Untangled, fill, simplify, untangle, verify

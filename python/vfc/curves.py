@@ -13,7 +13,7 @@ import numpy as np
 from . import _vfc
 
 
-@dataclass
+@dataclass(repr=False)
 class Network:
     """Curves with junctions: points, and edges that join them.
 
@@ -24,6 +24,9 @@ class Network:
 
     points: np.ndarray
     edges: np.ndarray
+
+    def __repr__(self) -> str:
+        return f"<Network: {len(self.points)} points, {len(self.edges)} edges>"
 
 
 Curves = Union[np.ndarray, Sequence[Any], Network]
@@ -80,6 +83,15 @@ def from_core(core: _vfc.Curve, like: Curves) -> Curves:
         return Network(core.points(), core.edges())
     parts = _split(core.points(), core)
     return parts[0] if _is_one(like) else parts
+
+
+def size(curves: Curves) -> str:
+    """The numbers of curves and points, for a `repr`."""
+    if isinstance(curves, Network):
+        return repr(curves)[1:-1]
+    parts = [curves] if _is_one(curves) else curves
+    number = f"{len(parts)} curves, " if len(parts) != 1 else ""
+    return f"{number}{sum(map(len, parts))} points"
 
 
 def origins(core: _vfc.Curve, like: Curves) -> Any:

@@ -5,11 +5,14 @@
 
 from __future__ import annotations
 
+from typing import Optional
+
 import numpy as np
 
 from . import _results, _vfc
 from .curves import Closed, Curves, to_core
-from .runs import Domain, Progress
+from .domains import Domain
+from .runs import Progress
 
 
 def length(curves: Curves, *, closed: Closed = True) -> float:
@@ -38,20 +41,39 @@ def identify(curves: Curves, *, progress: Progress = None) -> _results.LinkIdent
         curves: the curves
         progress: a function of a dictionary; if it returns False, `Interrupted` is raised
     """
-    result = _vfc.identify(to_core(curves), progress)
-    return _results.LinkIdentity(**_results.with_classes("LinkIdentity", result))
+    return _results.made("LinkIdentity", _vfc.identify(to_core(curves), progress))
 
 
 def coverage(curves: Curves, domain: Domain, thickness: float, *, closed: Closed = True,
-             samples: int = 20000, random_seed: int = 0) -> _results.Coverage:
+             samples: int = 20000, random_seed: int = 0,
+             progress: Progress = None) -> _results.Coverage:
     """Statistics of the distances of uniform samples of the domain to the curves, in thicknesses."""
     core = to_core(curves, closed)
-    return _results.Coverage(**_vfc.coverage(core, domain._core, thickness, samples, random_seed))
+    return _results.Coverage(
+        **_vfc.coverage(core, domain._core, thickness, samples, random_seed, progress))
 
 
-def outside(curves: Curves, domain: Domain, *, closed: Closed = True) -> tuple[list, list]:
+def outside(curves: Curves, domain: Domain, *, closed: Closed = True,
+            progress: Progress = None) -> tuple[list, list]:
     """The points, and the edges, that are not strictly inside the domain; decided exactly."""
-    return _vfc.outside(to_core(curves, closed), domain._core)
+    return _vfc.outside(to_core(curves, closed), domain._core, progress)
+
+
+def arc_spline(curves: Curves, domain: Optional[Domain] = None, *, closed: Closed = True,
+               progress: Progress = None) -> _results.ArcSpline:
+    """The smooth curves of arcs and segments that round the corners of curves, for CAD and machines.
+
+    Args:
+        curves: the curves
+        domain: the domain that the arcs must not leave
+        closed: whether the curves are closed
+        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+
+    Returns:
+        an `ArcSpline`, which says whether it is certified to be ambient isotopic to the curves
+    """
+    result = _vfc.arc_spline(to_core(curves, closed), domain and domain._core, progress)
+    return _results.made("ArcSpline", result)
 
 
 def tube(curves: Curves, radius: float, *, closed: Closed = True,

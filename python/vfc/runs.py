@@ -5,21 +5,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Callable, Optional
-
-import numpy as np
+from dataclasses import dataclass
+from typing import Any, Callable, Optional
 
 from . import _options, _results, _vfc
-from .curves import Closed, Curves, from_core, origins, to_core
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
+from .curves import Closed, Curves, from_core, origins, size, to_core
+from .domains import Domain, Mesh
 
 Progress = Optional[Callable[[dict], Any]]
 
 
-@dataclass
+@dataclass(repr=False)
 class Untangled(_results.UntanglingResult):
     __doc__ = _results.UntanglingResult.__doc__ + """
         curves: the result, in the form of the input
@@ -27,12 +23,15 @@ class Untangled(_results.UntanglingResult):
         certificate: the record of the run, if it was asked for
     """
 
-    curves: Curves = field(repr=False)
-    origin: Any = field(repr=False)
-    certificate: Optional[bytes] = field(repr=False)
+    curves: Curves
+    origin: Any
+    certificate: Optional[bytes]
+
+    def __repr__(self) -> str:
+        return f"<Untangled: {self.status}, {self.statistics.iterations} iterations, {size(self.curves)}>"
 
 
-@dataclass
+@dataclass(repr=False)
 class Filled(_results.FillingResult):
     __doc__ = _results.FillingResult.__doc__ + """
         curves: a list of curves, or the result in the form of the curves that were given
@@ -40,12 +39,16 @@ class Filled(_results.FillingResult):
         certificate: the record of the run, if it was asked for
     """
 
-    curves: Curves = field(repr=False)
-    closed: list = field(repr=False)
-    certificate: Optional[bytes] = field(repr=False)
+    curves: Curves
+    closed: list
+    certificate: Optional[bytes]
+
+    def __repr__(self) -> str:
+        return (f"<Filled: {self.status}, {100 * self.coverage.fraction_within_r:.0f} % within "
+                f"r = {self.thickness:.4g}, {size(self.curves)}>")
 
 
-@dataclass
+@dataclass(repr=False)
 class Simplified:
     """The result of `simplify()`.
 
@@ -57,24 +60,12 @@ class Simplified:
     """
 
     removed_nodes: int
-    curves: Curves = field(repr=False)
-    origin: Any = field(repr=False)
-    certificate: Optional[bytes] = field(repr=False)
+    curves: Curves
+    origin: Any
+    certificate: Optional[bytes]
 
-
-class Domain:
-    """The inside of a closed triangle mesh, to be filled more than once.
-
-    Args:
-        vertices: array of shape (n, 3)
-        faces: integer array of shape (m, 3), of indices of vertices
-
-    Raises:
-        ValueError: if the mesh is not closed or intersects itself
-    """
-
-    def __init__(self, vertices: Any, faces: Any):
-        self._core = _vfc.Domain(np.asarray(vertices, float), np.asarray(faces))
+    def __repr__(self) -> str:
+        return f"<Simplified: {self.removed_nodes} points removed, {size(self.curves)}>"
 
 
 def _record(is_wanted: bool) -> Optional[_vfc.Certificate]:
@@ -86,7 +77,7 @@ def _bytes(record: Optional[_vfc.Certificate]) -> Optional[bytes]:
 
 
 def untangle(curves: Curves, *, closed: Closed = True, pin: Any = None, certificate: bool = False,
-             progress: Progress = None, **options: Unpack[_options.UntangleOptions]) -> Untangled:
+             progress: Progress = None, **options: Any) -> Untangled:
     core = to_core(curves, closed, pin)
     record = _record(certificate)
     result = _vfc.untangle(core, options, record, progress)
@@ -97,9 +88,9 @@ def untangle(curves: Curves, *, closed: Closed = True, pin: Any = None, certific
 
 def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, closed: Closed = True,
          pin: Any = None, certificate: bool = False, progress: Progress = None,
-         **options: Unpack[_options.FillOptions]) -> Filled:
+         **options: Any) -> Filled:
     if faces is not None:
-        domain = Domain(domain, faces)
+        domain = Mesh(domain, faces)
     if not isinstance(domain, Domain):
         raise TypeError("fill() takes vertices and faces, or a Domain")
     given = [] if curves is None else curves
@@ -112,21 +103,22 @@ def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, clo
 
 
 def simplify(curves: Curves, *, closed: Closed = True, pin: Any = None, certificate: bool = False,
-             progress: Progress = None, **options: Unpack[_options.SimplifyOptions]) -> Simplified:
+             progress: Progress = None, **options: Any) -> Simplified:
     core = to_core(curves, closed, pin)
     record = _record(certificate)
     removed = _vfc.simplify(core, options, record, progress)
     return Simplified(removed, from_core(core, curves), origins(core, curves), _bytes(record))
 
 
-def verify(certificate: bytes, start: Curves, end: Curves, *, closed: Closed = True,
-           progress: Progress = None) -> _results.Verdict:
+def verify(certificate: bytes, start: Curves, end: Curves, *, domain: Optional[Domain] = None,
+           closed: Closed = True, progress: Progress = None) -> _results.Verdict:
     """Replays the record of a run, with code that shares nothing with the run and rational numbers.
 
     Args:
         certificate: the record, from `untangle()`, `fill()` or `simplify()`
         start: the input of the run; of a filling without curves, `Filled.start`
         end: the result of the run
+        domain: the domain that the curves must not have left
         closed: whether the curves are closed, or a list with a value for each
         progress: a function of a dictionary; if it returns False, `Interrupted` is raised
 
@@ -134,7 +126,8 @@ def verify(certificate: bytes, start: Curves, end: Curves, *, closed: Closed = T
         a `Verdict`, which is true if the record proves that the curves are ambient isotopic
     """
     core = _vfc.Certificate(bytes(certificate))
-    result = _vfc.verify(core, to_core(start, closed), to_core(end, closed), progress)
+    result = _vfc.verify(core, to_core(start, closed), to_core(end, closed), domain and domain._core,
+                         progress)
     return _results.Verdict(**result)
 
 
@@ -175,13 +168,14 @@ _describe(untangle, """Moves curves to a short and simple shape, without ever pa
     ----------
     curves : array of shape (n, 3), list of such arrays, or Network
         The curves, in any unit of length.""")
-_describe(fill, """Fills the inside of a closed mesh evenly with curves, which never touch it or one another.
+_describe(fill, """Fills a domain evenly with curves, which never leave it and never touch one another.
 
     Parameters
     ----------
     domain, faces : array of shape (n, 3), integer array of shape (m, 3)
         Vertices and faces of a closed triangle mesh; or a `Domain` alone. The options `thickness`
-        and `direction_field` also take an array with a row per vertex, or a function of a point.
+        and `direction_field` also take a function of a point or, in a mesh, an array with a row per
+        vertex.
     curves : curves inside the domain, default None
         The start. By default each connected part of the inside gets a curve.""")
 _describe(simplify, """Removes every point that can be removed without changing the knot type.

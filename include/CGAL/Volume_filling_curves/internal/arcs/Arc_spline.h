@@ -74,6 +74,22 @@ enum class Arc_obstacle
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/arc_spline.h
 ///
+/// returns the reason as a word.
+inline const char* to_string(Arc_obstacle obstacle)
+{
+  switch(obstacle) {
+  case Arc_obstacle::STRAND:
+    return "strand";
+  case Arc_obstacle::BOUNDARY:
+    return "boundary";
+  default:
+    return "rounding";
+  }
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/arc_spline.h
+///
 /// An arc that cannot be certified.
 struct Arc_conflict
 {

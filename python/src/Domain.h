@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_PYTHON_DOMAIN_H
+#define VFC_PYTHON_DOMAIN_H
+
+#include "Any_domain.h"
+
+#include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
+
+#include <memory>
+#include <variant>
+
+namespace vfc_python {
+
+using Planar_domain = VFC::Polygon_domain_3<Curve::Traits>;
+
+// A domain as Python holds it.
+struct Domain
+{
+  std::variant<Any_domain, Planar_domain> inside; // the dimension is known when it is compiled
+  std::shared_ptr<const Mesh> mesh; // that bounds it, for fields at its vertices; may be null
+};
+
+} // namespace vfc_python
+
+#endif // VFC_PYTHON_DOMAIN_H

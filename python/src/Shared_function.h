@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_PYTHON_SHARED_FUNCTION_H
+#define VFC_PYTHON_SHARED_FUNCTION_H
+
+#include "arrays.h"
+
+#include <memory>
+
+namespace vfc_python {
+
+// A function of Python that is called from any thread, and let go with the interpreter's lock.
+class Shared_function
+{
+public:
+  explicit Shared_function(const py::object& function)
+      : m_function(new py::object(function), [](py::object* f) {
+          const py::gil_scoped_acquire lock;
+          delete f;
+        })
+  {}
+
+  template <typename Result>
+  Result call(const Point& p) const
+  {
+    const py::gil_scoped_acquire lock;
+    const py::object point = py::module_::import("numpy").attr("array")(
+        py::make_tuple(p.x(), p.y(), p.z()));
+    return (*m_function)(point).template cast<Result>();
+  }
+
+private:
+  std::shared_ptr<py::object> m_function;
+};
+
+} // namespace vfc_python
+
+#endif // VFC_PYTHON_SHARED_FUNCTION_H

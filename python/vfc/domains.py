@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+"""Domains, which curves fill or must not leave."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Sequence
+
+import numpy as np
+
+from . import _vfc
+
+
+class Domain:
+    """A domain: a `Mesh`, `Polygons`, a `Box`, a `Ball` or an `Implicit` one."""
+
+    def __init__(self, core: _vfc.Domain, description: str):
+        self._core = core
+        self._description = description
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self._description})"
+
+
+class Mesh(Domain):
+    """The inside of a closed triangle mesh.
+
+    Args:
+        vertices: array of shape (n, 3)
+        faces: integer array of shape (m, 3), of indices of vertices
+
+    Raises:
+        ValueError: if the mesh is not closed or intersects itself
+    """
+
+    def __init__(self, vertices: Any, faces: Any):
+        super().__init__(_vfc.inside_of_mesh(np.asarray(vertices, float), np.asarray(faces)),
+                         f"{len(vertices)} vertices, {len(faces)} faces")
+
+
+class Polygons(Domain):
+    """The inside of polygons in the plane z = 0, which a curve fills without leaving the plane.
+
+    Args:
+        polygons: each is its corners, an array of shape (n, 2), or a list of such arrays: first the
+            outer boundary, then the holes
+
+    Raises:
+        ValueError: if boundaries touch themselves or one another, or holes are outside
+    """
+
+    def __init__(self, *polygons: Any):
+        rings = [[polygon] if np.ndim(polygon[0]) == 1 else list(polygon) for polygon in polygons]
+        super().__init__(
+            _vfc.inside_of_polygons([[np.asarray(ring, float) for ring in part] for part in rings]),
+            f"{len(rings)} polygons, {sum(len(part) - 1 for part in rings)} holes")
+
+
+class Box(Domain):
+    """A box with sides parallel to the axes, between two opposite corners."""
+
+    def __init__(self, low: Sequence[float], high: Sequence[float]):
+        super().__init__(_vfc.inside_of_box(low, high), f"{list(low)}, {list(high)}")
+
+
+class Ball(Domain):
+    """A ball."""
+
+    def __init__(self, center: Sequence[float], radius: float):
+        super().__init__(_vfc.inside_of_ball(center, radius), f"{list(center)}, {radius}")
+
+
+class Implicit(Domain):
+    """Where a function of a point is negative, for example a signed distance.
+
+    The function takes an array of shape (3,) and returns a number. It is called often, which takes
+    the interpreter's lock each time: filling a mesh is some hundred times as fast.
+
+    Args:
+        function: the function
+        low, high: opposite corners of a box, outside of which the function is nowhere negative
+        lipschitz_bound: by how much the function changes at most per unit of length; with a smaller
+            number than that a curve could leave the domain
+    """
+
+    def __init__(self, function: Callable[[np.ndarray], float], low: Sequence[float],
+                 high: Sequence[float], *, lipschitz_bound: float = 1):
+        super().__init__(_vfc.where_negative(function, low, high, lipschitz_bound),
+                         f"{function!r}, {list(low)}, {list(high)}")
