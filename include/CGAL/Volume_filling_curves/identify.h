@@ -10,20 +10,29 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identification.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identity.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/is_planar_diagram.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/simplified_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/identification/Chain_identification.h>
 #include <CGAL/Volume_filling_curves/internal/identification/Curve_identification.h>
+#include <CGAL/Volume_filling_curves/internal/identification/chain_closures.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_identity.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/assertions.h>
 
+#include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -122,6 +131,85 @@ template <typename Polylines,
   const auto given = internal::get_parameters<internal::Measure_polylines_signature>(np);
   return identify(internal::network_of_polylines_t<Polylines, NamedParameters>(polylines, np),
                   parameters::progress(given.progress));
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesKnots
+ *
+ * \brief names the knots that an open chain, such as a protein, forms when it is closed.
+ *
+ * An open chain has no knot type, but each closure has. The chain is closed by extending both ends
+ * along one direction to infinity, for many directions spread evenly on the sphere; the result
+ * lists the knots with their frequencies. Further closures are the segment between the ends and the
+ * minimally interfering one. Each closure is exact, and named as by `identify()`; the frequencies
+ * are estimates.
+ *
+ * If wanted, the core of the knot and the knots of all sections (the fingerprint), with slipknots,
+ * follow. A closure of a protein of 331 residues takes 0.4 ms, and one of its sections 0.07 ms on
+ * average; the core takes 20 times as long as the chain.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param curves the curves
+ * \param component the number of the component that is the chain
+ * \param np \vfcNamedParams{Chain_signature}
+ *
+ * \pre the network has no garbage
+ *
+ * \throws std::invalid_argument if the curves are not embedded, the component does not exist, is
+ * closed or branches, or a parameter is out of its range
+ * \throws Run_interrupted if `progress` returns `false`
+ */
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] Chain_identity identify_chain(
+    const Curve_network_3<Traits>& curves,
+    std::size_t component,
+    const NamedParameters& np = parameters::default_values())
+{
+  CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
+  const auto given = internal::get_parameters<internal::Chain_signature>(np);
+  internal::check_parameters(given);
+  internal::check_embedded(curves);
+  auto chain = internal::points_of_chain(curves, component);
+  return internal::measured(parameters::progress(given.progress), [&](internal::Run_watch* watch) {
+    return internal::Chain_identification(std::move(chain), given, *watch)();
+  });
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesKnots
+ *
+ * names the knots that an open polyline forms when it is closed. See the overload for
+ * `Curve_network_3`.
+ *
+ * \tparam Polyline a range of points
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param polyline the polyline
+ * \param np \vfcNamedParams{Chain_polyline_signature}
+ *
+ * \throws std::invalid_argument as that overload and that constructor
+ * \throws Run_interrupted if `progress` returns `false`
+ */
+template <typename Polyline,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::is_range_of_items<Polyline>, int> = 0
+#endif
+          >
+[[nodiscard]] Chain_identity identify_chain(
+    const Polyline& polyline, const NamedParameters& np = parameters::default_values())
+{
+  const auto given = internal::get_parameters<internal::Chain_polyline_signature>(np);
+  return identify_chain(internal::network_of_polylines_t<Polyline, NamedParameters>(polyline, np),
+                        0,
+                        parameters::closures(given.closures)
+                            .random_seed(given.random_seed)
+                            .find_core(given.find_core)
+                            .stride(given.stride)
+                            .progress(given.progress));
 }
 
 } // namespace Volume_filling_curves

@@ -51,13 +51,19 @@ struct Closed_polygons
 class Polygon_projection
 {
 public:
+  static constexpr std::size_t none = ~std::size_t(0);
+
+  // The edges from `lifted` on pass above all others, as if they were lifted towards the viewer.
+  // They must not cross each other.
   Polygon_projection(const Closed_polygons& polygons,
                      const Viewing_direction& direction,
-                     Run_watch* watch = nullptr)
+                     Run_watch* watch = nullptr,
+                     std::size_t lifted = none)
       : m_polygons(polygons),
         m_predicates(polygons.points, direction),
         m_next(polygons.points.size()),
-        m_watch(watch)
+        m_watch(watch),
+        m_lifted(lifted)
   {
     for(std::size_t v = 0, c = 0; v < m_next.size(); ++v) {
       while(v == polygons.ends[c]) ++c;
@@ -78,8 +84,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = ~std::size_t(0);
-
   // Edge v leads from node v to the next one.
   struct Pass
   {
@@ -154,7 +158,9 @@ private:
   bool cross(std::size_t e, std::size_t f, bool is_leftwards)
   {
     const std::size_t p = e, q = m_next[e], r = f, s = m_next[f];
-    const Sign sign = m_predicates.orientation(p, q, r, s);
+    const bool is_lifted = (std::max)(e, f) >= m_lifted;
+    const Sign sign = is_lifted ? ((e >= m_lifted) == is_leftwards ? POSITIVE : NEGATIVE)
+                                : m_predicates.orientation(p, q, r, s);
     if(sign == ZERO) return false; // the edges meet
     const bool is_over = (sign == POSITIVE) == is_leftwards;
     m_passes.push_back({e, f, m_signs.size(), m_predicates.approximate_place(p, q, r, s), is_over});
@@ -247,7 +253,8 @@ private:
   const Closed_polygons& m_polygons;
   const Projection_predicates m_predicates;
   std::vector<std::size_t> m_next;
-  Run_watch* m_watch;   // none if null
+  Run_watch* m_watch; // none if null
+  const std::size_t m_lifted;
   Vector m_right, m_up; // span the image
   std::vector<Pass> m_passes;
   std::vector<Sign> m_signs; // of the crossings

@@ -53,12 +53,11 @@ inline Viewing_direction viewing_direction(std::size_t k)
 }
 
 // Diagram with the fewest crossings among several directions, or that of the first direction if it
-// has very many.
-// \throws std::invalid_argument if the polygons meet, and hence no direction is generic
+// has very many; none if the polygons meet, and hence no direction is generic.
 // \throws Run_stopped if a watch requests it
-inline Planar_diagram best_diagram(const Closed_polygons& polygons,
-                                   std::size_t number_of_directions,
-                                   Run_watch* watch = nullptr)
+inline std::optional<Planar_diagram> find_diagram(const Closed_polygons& polygons,
+                                                  std::size_t number_of_directions,
+                                                  Run_watch* watch = nullptr)
 {
   // Of 10,000 directions, none is refused for an embedded curve, on a lattice or not.
   constexpr std::size_t max_refused = 20;
@@ -70,9 +69,19 @@ inline Planar_diagram best_diagram(const Closed_polygons& polygons,
       ++seen;
       if(!best || diagram->crossings.size() < best->crossings.size()) best = std::move(diagram);
     } else if(++refused == max_refused)
-      throw std::invalid_argument("the curve has no generic projection: it meets itself");
+      return std::nullopt;
   }
-  return std::move(*best);
+  return best;
+}
+
+// The same. \throws std::invalid_argument if the polygons meet
+inline Planar_diagram best_diagram(const Closed_polygons& polygons,
+                                   std::size_t number_of_directions,
+                                   Run_watch* watch = nullptr)
+{
+  auto diagram = find_diagram(polygons, number_of_directions, watch);
+  if(!diagram) throw std::invalid_argument("the curve has no generic projection: it meets itself");
+  return std::move(*diagram);
 }
 
 } // namespace internal

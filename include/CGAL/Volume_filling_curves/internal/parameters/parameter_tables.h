@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -141,6 +142,16 @@ constexpr auto parameter_table(const Simplification_parameters*)
   return std::make_tuple(parameter<max_distance_t>(&P::max_distance, Range::NOT_NEGATIVE_OR_NEVER),
                          parameter<clearance_t>(&P::clearance, Range::NOT_NEGATIVE),
                          parameter<certificate_t>(&P::certificate),
+                         parameter<progress_t>(&P::progress));
+}
+
+constexpr auto parameter_table(const Chain_parameters*)
+{
+  using namespace internal_np;
+  using P = Chain_parameters;
+  return std::make_tuple(parameter<closures_t>(&P::closures, Range::POSITIVE),
+                         parameter<random_seed_t>(&P::random_seed),
+                         parameter<find_core_t>(&P::find_core), parameter<stride_t>(&P::stride),
                          parameter<progress_t>(&P::progress));
 }
 

@@ -23,6 +23,9 @@ using Progress_signature = Signature<Progress_parameters>;
 using Measure_tags = Tag_list<internal_np::point_map_t, internal_np::closure_t>;
 using Measure_polylines_signature = Signature<Progress_parameters, Measure_tags>;
 
+using Chain_signature = Signature<Chain_parameters>;
+using Chain_polyline_signature = Signature<Chain_parameters, Measure_tags>;
+
 // Progress for functions without a status: calls f(watch), where the watch calls the named
 // parameter `progress`, and returns the result. \throws Run_interrupted if `progress` returns false
 template <typename NamedParameters, typename Function>

@@ -28,9 +28,11 @@
   X(checkpoint)                    \
   X(clearance)                     \
   X(closure)                       \
+  X(closures)                      \
   X(coupling)                      \
   X(direction_field)               \
   X(direction_weight)              \
+  X(find_core)                     \
   X(junctions)                     \
   X(keep_length)                   \
   X(length)                        \
@@ -54,6 +56,7 @@
   X(stop_at_proof)                 \
   X(strand_distance)               \
   X(strategy)                      \
+  X(stride)                        \
   X(thickness)                     \
   X(time_limit)                    \
   X(time_step)                     \
