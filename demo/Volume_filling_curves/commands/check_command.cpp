@@ -182,9 +182,10 @@ void add_check_command(Command_line& command_line)
   CLI::App& command =
       command_line.add_command("check", "list every defect of a curve or a mesh",
                                [options](Session& session) { return check(session, *options); });
-  add_file(command, "FILE", options->file,
-           "a curve, .obj, .ply or .vtp with lines, .polylines.txt, .vect, .xyz, .txt, .dat or "
-           ".pdb, a surface, .off, .obj, .ply or .vtp with faces, or .stl, or polygons, .wkt")
+  add_file(
+      command, "FILE", options->file,
+      "a curve, .obj, .ply or .vtp with lines, .polylines.txt, .vect, .xyz, .txt, .dat, "
+      ".pdb or .cif, a surface, .off, .obj, .ply or .vtp with faces, or .stl, or polygons, .wkt")
       .required();
   add_mesh(command, options->mesh)
       .description("a surface, or polygons (.wkt); the curve FILE must lie strictly inside");

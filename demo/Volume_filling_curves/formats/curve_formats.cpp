@@ -24,7 +24,9 @@ const std::vector<Curve_format>& curve_formats()
     formats.push_back({{".vect", read_vect, to_vect}});
     for(const char* extension : {".xyz", ".txt", ".dat"})
       formats.push_back({{extension, read_point_list, to_point_list}});
-    formats.push_back({{".pdb", read_pdb, nullptr}});
+    for(const char* extension : {".pdb", ".ent"})
+      formats.push_back({{extension, read_pdb, nullptr}});
+    formats.push_back({{".cif", read_mmcif, nullptr}});
     return formats;
   }();
   return all;

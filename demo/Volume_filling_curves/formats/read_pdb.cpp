@@ -4,48 +4,40 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "formats/Backbones.h"
 #include "formats/readers.h"
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
-#include <CGAL/Volume_filling_curves/internal/curve_files/Polylines_to_curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace vfc {
 namespace {
 
 namespace files = CGAL::Volume_filling_curves::internal;
-using CGAL::Volume_filling_curves::Closure;
 using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
 
-// Reads backbones from a file of the Protein Data Bank (format 3.3): for each chain of the first
-// model an arc through the C-alpha atoms of a protein, or the P atoms of RNA and DNA. The first
-// atom of either kind decides, since proteins may hold phosphorus. Fields have fixed columns. Of a
-// residue with alternate locations the first is taken; residues that are no standard ones count
-// until their chain ends. Coordinates are in Angstrom. Linear time.
+// Reads backbones of the first model in a file of the Protein Data Bank (format 3.3). Fields have
+// fixed columns. Residues that are no standard ones count until their chain ends. Linear time.
 class Pdb_reader
 {
 public:
   Pdb_reader(std::string_view text, Junctions junctions)
-      : m_readable(text), m_rest(m_readable.text()), m_polylines(junctions, Closure::OPEN)
+      : m_readable(text), m_rest(m_readable.text()), m_backbones(junctions)
   {}
 
   Curve_draft run()
   {
     while(!m_rest.empty() && read_record(next_line())) {
     }
-    end_chain();
-    Curve_draft& file = m_polylines.draft();
+    m_backbones.end_chain();
+    Curve_draft& file = m_backbones.draft();
     file.is_complete = m_readable.is_complete();
     if(!file.is_complete)
       file.defects.add({Kind::BINARY_DATA, m_readable.complaint(), m_line + 1});
@@ -57,9 +49,6 @@ public:
 
 private:
   static constexpr std::string_view c_alpha = " CA ", phosphorus = " P  ";
-
-  // C-alpha atoms of neighbors in a chain are 3.8 Angstrom apart, or 2.9; P atoms 5 to 7.5.
-  double longest_step() const { return m_kind == c_alpha ? 4.5 : 8; }
 
   std::string_view next_line()
   {
@@ -93,7 +82,7 @@ private:
     if(name == "ENDMDL" || name == "END") return false;
     if(name == "TER") {
       m_ended_chains += m_last_chain;
-      end_chain();
+      m_backbones.end_chain();
     }
     const bool is_standard = name == "ATOM";
     if(!is_standard && name != "HETATM") return true;
@@ -107,56 +96,24 @@ private:
 
   void add_atom(std::string_view line, std::string_view kind, bool is_standard)
   {
-    const std::string_view chain = m_last_chain, residue = columns(line, 23, 27);
-    if(chain != m_chain) end_chain();
-    if(m_atoms.empty() && kind == phosphorus && !is_standard) return;        // of another molecule
-    if(!m_atoms.empty() && (residue == m_residue || kind != m_kind)) return; // elsewhere, or aside
-    m_kind = kind;
-    m_chain = chain;
-    m_residue = residue;
-    files::Polylines_to_curve_draft::Point atom;
-    atom.line = m_line;
-    const std::string_view words[] = {field(line, 31, 38), field(line, 39, 46),
-                                      field(line, 47, 54)};
-    for(std::size_t k = 0; k < 3; ++k) {
-      if(files::parse_number(words[k], atom.point[k])) continue;
-      atom.unparsable_word = words[k].empty() ? " " : words[k];
-      atom.point[k] = std::numeric_limits<double>::quiet_NaN();
-    }
-    m_atoms.push_back(atom);
-  }
-
-  void end_chain()
-  {
-    if(!m_atoms.empty()) {
-      warn_of_gaps();
-      m_polylines.add(m_atoms, m_atoms.front().line);
-    }
-    m_atoms.clear();
-    m_chain = {};
-  }
-
-  void warn_of_gaps()
-  {
-    const std::size_t first = m_polylines.draft().points.size();
-    for(std::size_t i = 1; i < m_atoms.size(); ++i) {
-      const auto &p = m_atoms[i - 1].point, &q = m_atoms[i].point;
-      if(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > longest_step())
-        m_polylines.draft().defects.add(
-            {Kind::CHAIN_GAP,
-             "residues are missing in a chain; a straight edge replaces them",
-             m_atoms[i].line,
-             {Curve_draft::number(first + i - 1), Curve_draft::number(first + i)}});
-    }
+    if(m_last_chain != m_chain) m_backbones.end_chain();
+    m_chain = m_last_chain;
+    const bool is_phosphorus = kind == phosphorus;
+    if(!m_backbones.has_open_chain() && is_phosphorus && !is_standard) return; // another molecule
+    m_backbones.add({is_phosphorus ? Backbones::Kind::PHOSPHORUS : Backbones::Kind::C_ALPHA,
+                     m_chain,
+                     columns(line, 23, 27),
+                     std::string(m_chain) + ' ' + std::string(field(line, 23, 27)),
+                     {field(line, 31, 38), field(line, 39, 46), field(line, 47, 54)},
+                     m_line});
   }
 
   files::Readable_text m_readable;
   std::string_view m_rest; // what is not read yet
   std::size_t m_line = 0;
-  files::Polylines_to_curve_draft m_polylines;
-  std::vector<files::Polylines_to_curve_draft::Point> m_atoms; // of the chain
-  std::string_view m_kind, m_chain, m_residue, m_last_chain;   // the last one of any atom
-  std::string m_ended_chains; // their letters; what follows of them are other molecules
+  Backbones m_backbones;
+  std::string_view m_chain, m_last_chain; // of the last atom of a backbone, and of any atom
+  std::string m_ended_chains;             // their letters; what follows of them are other molecules
 };
 
 } // namespace

@@ -39,8 +39,9 @@ Curve_draft read_vect(std::string_view text, Junctions junctions);
 // Lists of points, one per line, without information whether they are closed.
 Curve_draft read_point_list(std::string_view text, Junctions junctions);
 
-// The backbones of the Protein Data Bank, in Angstrom.
+// The backbones of the Protein Data Bank, in Angstrom: in its old format, and in mmCIF.
 Curve_draft read_pdb(std::string_view text, Junctions junctions);
+Curve_draft read_mmcif(std::string_view text, Junctions junctions);
 
 // The faces of a surface, as indices of vertices; strips are cut into triangles.
 using Polygons = std::vector<std::vector<std::size_t>>;

@@ -107,6 +107,8 @@ TEST(Pdb_reader, says_where_a_file_is_wrong_and_where_residues_are_missing)
   EXPECT_EQ(gap.defects[0].kind, Curve_defect_kind::CHAIN_GAP);
   EXPECT_EQ(gap.defects[0].line, 2u);
   EXPECT_EQ(gap.defects[0].nodes, (std::vector<std::size_t>{1, 2}));
+  EXPECT_NE(gap.defects[0].message.find("between A 1000 and A 1005"), std::string::npos)
+      << gap.defects[0].message;
 }
 
 } // namespace test_pdb_reader

@@ -212,12 +212,34 @@ const Words words_of_pdb = {"ATOM      1  CA  GLY A   1    ",
                             "END\n",
                             " "};
 
+const Words words_of_mmcif = {"loop_\n",
+                              "_atom_site.label_atom_id\n",
+                              "_atom_site.label_asym_id\n",
+                              "_atom_site.label_seq_id\n",
+                              "_atom_site.Cartn_x\n",
+                              "_atom_site.Cartn_y\n",
+                              "_atom_site.Cartn_z\n",
+                              "_atom_site.auth_seq_id\n",
+                              "_atom_site.pdbx_PDB_model_num\n",
+                              "data_\n",
+                              " CA A 1 0 0 0",
+                              " CA A 2 1 0 0",
+                              " 'P' B 3 0 1 0",
+                              "\n;",
+                              "\n",
+                              " \"",
+                              "'",
+                              " # ",
+                              " .",
+                              " 7"};
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   run({reinterpret_cast<const char*>(data), size});
-  for(const Words& choice : {words_of_lists, words_of_ply, words_of_vtp, words_of_pdb})
+  for(const Words& choice :
+      {words_of_lists, words_of_ply, words_of_vtp, words_of_pdb, words_of_mmcif})
     run(words(choice, data, size));
   return 0;
 }

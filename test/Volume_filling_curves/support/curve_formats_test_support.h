@@ -35,6 +35,11 @@ inline Reading read_pdb(const std::string& text)
   return read(vfc::read_pdb(text, Junctions::FORBIDDEN), Junctions::FORBIDDEN);
 }
 
+inline Reading read_mmcif(const std::string& text)
+{
+  return read(vfc::read_mmcif(text, Junctions::FORBIDDEN), Junctions::FORBIDDEN);
+}
+
 inline Reading read_ply(const std::string& text, Junctions junctions = Junctions::FORBIDDEN)
 {
   return read(vfc::read_ply(text, junctions), junctions);
