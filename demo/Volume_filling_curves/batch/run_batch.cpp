@@ -16,7 +16,6 @@
 #include "session/run_command.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -49,12 +48,6 @@ void remove_unfinished(const std::string& file)
 {
   std::error_code ignored;
   for(std::size_t i = 0; fs::remove(file + ".tmp" + std::to_string(i), ignored); ++i) continue;
-}
-
-int gravity(int exit_status)
-{
-  constexpr std::array order = {GOAL_REACHED, LIMIT_REACHED, STALLED, INVALID_INPUT, FAILURE};
-  return static_cast<int>(std::find(order.begin(), order.end(), exit_status) - order.begin());
 }
 
 // The requested extensions of other files; empty for those not requested.
@@ -151,7 +144,7 @@ private:
     for(const Batch_item& item : m_items) {
       const Results::Outcome& outcome = *results.find(item.input);
       ++number_with_status[outcome.status];
-      if(gravity(outcome.exit_status) > gravity(exit_status)) exit_status = outcome.exit_status;
+      exit_status = more_severe(exit_status, outcome.exit_status);
     }
     std::string text = "runs " + std::to_string(m_items.size());
     for(const auto& [status, number] : number_with_status)

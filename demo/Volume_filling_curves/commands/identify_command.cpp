@@ -4,93 +4,40 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// vfc identify: what knot or link closed curves form.
+// vfc identify: the knots and links that closed curves and open chains form.
 
 #include "commands/commands.h"
 #include "files/curve_files.h"
+#include "identification/identify_curves.h"
 #include "options/Command_line.h"
 #include "options/shared_options.h"
-#include "reports/knot_report.h"
+#include "reports/chain_report.h"
 #include "reports/report_rows.h"
 #include "session/Exit_status.h"
-#include "session/No_result.h"
-#include "session/Patience.h"
 #include "session/errors.h"
-#include "session/interruption.h"
-
-#include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/identify.h>
-#include <CGAL/Volume_filling_curves/knot_diagram.h>
+#include "session/run_command.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vfc {
 namespace {
 
-namespace curves = CGAL::Volume_filling_curves;
-
-struct Identify_options
+bool is_open_everywhere(const Curve& curve)
 {
-  std::string file;
-  std::vector<std::string> codes;
-  Curve_reading reading;
-};
-
-std::string diagram_code(const std::string& kind, const curves::Planar_diagram& diagram)
-{
-  if(kind == "pd") return curves::pd_code(diagram);
-  return kind == "gauss" ? curves::gauss_code(diagram) : curves::dt_code(diagram);
-}
-
-// \throws Input_error unless all components are closed
-void check_closed(const Curve& curve, const std::string& file)
-{
-  Defects defects;
   for(std::size_t c = 0; c < curve.number_of_components(); ++c)
-    if(!curve.is_closed(c))
-      defects.emplace_back("open component", file, std::vector<std::size_t>{}, c + 1,
-                           "component " + std::to_string(c + 1) + " is not a closed curve");
-  if(!defects.empty()) throw Input_error(std::move(defects), "a knot or link");
-}
-
-// \throws Input_error if a link is to have a code that only knots have
-void check_codes(const Curve& curve, const Identify_options& options)
-{
-  const auto& codes = options.codes;
-  const bool needs_knot = std::find(codes.begin(), codes.end(), "dt") != codes.end();
-  if(!needs_knot || curve.number_of_components() == 1) return;
-  constexpr std::size_t second = 2; // component
-  const Defect defect("several components", options.file, {}, second,
-                      "only a knot has a Dowker-Thistlethwaite code");
-  throw Input_error({defect}, "a knot");
-}
-
-curves::Link_identity identify_input(Session& session, const Identify_options& options)
-{
-  const Curve curve = read_curve(session, options.file, options.reading);
-  check_closed(curve, options.file);
-  check_codes(curve, options);
-  session.report()["components"] = curve.number_of_components();
-  poll_interruptions();
-  try {
-    const Patience patience;
-    session.report()["linking_matrix"] =
-        curves::linking_matrix(curve, curves::parameters::progress(patience));
-    return curves::identify(curve, curves::parameters::progress(patience));
-  } catch(const curves::Run_interrupted&) {
-    throw No_result(INTERRUPTED, options.file + ": interrupted, while it was identified");
-  }
+    if(curve.is_closed(c)) return false;
+  return curve.number_of_components() > 0 && !curve.has_junction();
 }
 
 void print_details(const Session& session, const Report& report)
 {
+  for(const Report::Json& chain : report["chains"]) session.print_result(chain_details(chain));
+  if(!report["chains"].is_null()) return;
   for(const std::string key :
       {"components", "knottedness", "crossings", "writhe", "determinant", "signature",
        "alexander_polynomial", "homfly_polynomial", "jones_polynomial"})
@@ -100,21 +47,69 @@ void print_details(const Session& session, const Report& report)
   for(const auto& [kind, code] : report["codes"].items()) session.print_result(row(kind, code));
 }
 
-int run(Session& session, const Identify_options& options)
+// Identifies a file, and returns the lines with the names.
+std::string identify_file(Session& session,
+                          const std::string& file,
+                          const Identify_options& options)
 {
+  session.report()["input"] = file;
+  const Curve curve = read_curve(session, file, options.reading);
+  const auto identify = is_open_everywhere(curve) ? identify_chains : identify_link;
+  const std::string names = identify(session, curve, file, options);
+  session.report()["status"] = "done";
+  return names;
+}
+
+// Identifies each file in a session of its own, whose report is an item of the report: a file with
+// a fault does not keep the others from being identified. Returns the most severe exit status.
+int identify_each(Session& session, Common_options common, const Identify_options& options)
+{
+  if(!options.fingerprint.empty()) throw Usage_error("--fingerprint: is for a single CURVE");
+  common.report.clear();
   Report& report = session.report();
-  report["input"] = options.file;
-  session.add_input(options.file);
-  const curves::Link_identity identity = identify_input(session, options);
+  report["curves"] = Report::Json::array();
+  int status = GOAL_REACHED;
+  for(const std::string& file : options.files) {
+    Session single("identify", common);
+    single.promise_report();
+    const int own_status = run_command(single, [&](Session& own) {
+      session.print_result(identify_file(own, file, options));
+      return GOAL_REACHED;
+    });
+    report["curves"].push_back(Report::Json::parse(single.report().to_line()));
+    status = more_severe(status, own_status);
+    if(own_status == INTERRUPTED) break;
+  }
   session.end_stage("identifying");
-  report_identity(report, identity);
-  for(const std::string& kind : options.codes)
-    report["codes"][kind] = diagram_code(kind, identity.diagram);
-  session.end_stage("measuring");
-  report["status"] = "done";
-  session.print_result(options.file + ": " + identity_text(identity) + '\n');
-  print_details(session, report);
+  report["status"] = status == INTERRUPTED ? "interrupted" : "done";
+  return status;
+}
+
+int run(Session& session, const Common_options& common, const Identify_options& options)
+{
+  if(!options.fingerprint.empty()) check_fingerprint(options.fingerprint);
+  for(const std::string& file : options.files) session.add_input(file);
+  session.outputs().add("--fingerprint", options.fingerprint);
+  if(options.files.size() > 1) return identify_each(session, common, options);
+  session.print_result(identify_file(session, options.files[0], options));
+  print_details(session, session.report());
   return GOAL_REACHED;
+}
+
+void add_chain_options(CLI::App& command, Identify_options& options)
+{
+  constexpr std::size_t max_closures = 1000000;
+  add_whole_number(command, "--closures", options.chain.closures,
+                   "directions in which an open chain is closed", 1, max_closures)
+      .capture_default_str();
+  command.add_flag("--core", options.chain.find_core,
+                   "look for the core: a shortest section with the knot of the chain");
+  add_file(command, "--fingerprint", options.fingerprint,
+           "the knots of all sections of the chain, .svg, .png or .csv; finds slipknots");
+  add_whole_number(command, "--stride", options.chain.stride,
+                   "edges between the ends of the sections; default: a 60th of the chain", 1)
+      .needs(command.get_option("--fingerprint"));
+  add_seed_option(command, options.chain.random_seed, "of the directions");
 }
 
 } // namespace
@@ -122,17 +117,22 @@ int run(Session& session, const Identify_options& options)
 void add_identify_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Identify_options>();
-  CLI::App& command =
-      command_line.add_command("identify", "what knot or link closed curves form",
-                               [options](Session& session) { return run(session, *options); });
-  add_curve(command, options->file);
+  const Common_options& common = command_line.options;
+  CLI::App& command = command_line.add_command(
+      "identify", "what knots or links closed curves and open chains form",
+      [options, &common](Session& session) { return run(session, common, *options); });
+  add_curves(command, options->files);
   command
       .add_option("--codes", options->codes,
                   "write the diagram: pd, gauss or dt, or several of them with commas")
       ->delimiter(',')
       ->check(CLI::IsMember({"pd", "gauss", "dt"}).description(""))
       ->type_name("NAMES");
+  add_number(command, "--time-limit", options->time_limit,
+             "of each file, which ends without a result then; default: none", not_negative)
+      .type_name("SECONDS");
   add_reading_flags(command, options->reading);
+  add_chain_options(command, *options);
   command.footer(
       "Prints the name of the knot, (proved) or consistent with its polynomials; then keys of the\n"
       "report, - for what is not known. All of them are exact: they are those of a diagram that\n"
@@ -142,7 +142,15 @@ void add_identify_command(Command_line& command_line)
       "  crossings             of the diagram; the knot has no more\n"
       "  signature             -2 for the right-handed trefoil\n"
       "  alexander_polynomial  coefficients from the lowest power on, of at most 300 crossings\n"
-      "  dt                    leaves the mirror image open; of a link it is an error, status 4");
+      "  dt                    leaves the mirror image open; of a link it is an error, status 4\n"
+      "\n"
+      "An open chain is closed in many directions; the name is that of the most frequent knot:\n"
+      "  share_of_NAME         of the closures, with the standard error of N random ones\n"
+      "  direct                the knot if a segment joins the ends\n"
+      "  least_interfering     likewise, or paths out of the convex hull, if these are shorter\n"
+      "  core                  the first and the last node, counted along the chain from 1\n"
+      "  slipknot              section with another knot than the chain, in most closures\n"
+      "Of several CURVEs only the names are printed; the report has the list curves of reports.");
 }
 
 } // namespace vfc

@@ -25,7 +25,7 @@ constexpr char jobs[] =
 
 constexpr char examples[] =
     "Lengths are in the unit of the input. Curves are .obj (v and l), .polylines.txt, .ply\n"
-    "and .vtp with lines, .vect, .xyz, .txt, .dat or (for reading) .pdb files.\n"
+    "and .vtp with lines, .vect, .xyz, .txt, .dat or (for reading) .pdb, .ent, .cif files.\n"
     "\n"
     "Exit status: 0 goal reached, 1 wrong options or files, 2 a limit was reached, 3 stalled,\n"
     "4 invalid input, 5 interrupted.\n"
@@ -36,6 +36,9 @@ constexpr char examples[] =
     "  vfc draw tight.obj -o tight.svg\n"
     "  vfc fill mesh.off --thickness 0.05 -o curve.obj --report curve.json\n"
     "  vfc measure curve.obj mesh.off --thickness 0.05";
+
+const std::string extensions_of_curves =
+    ".obj, .polylines.txt, .ply, .vtp, .vect, .xyz, .txt, .dat, .pdb, .ent or .cif";
 
 constexpr std::size_t text_column = 34, page_width = 100;
 
@@ -171,9 +174,15 @@ CLI::Option& add_file(CLI::App& command,
 
 CLI::Option& add_curve(CLI::App& command, std::string& file)
 {
-  return *add_file(command, "CURVE", file,
-                   "the curve, .obj, .polylines.txt, .ply, .vtp, .vect, .xyz, .txt, .dat or .pdb")
-              .required();
+  return *add_file(command, "CURVE", file, "the curve, " + extensions_of_curves).required();
+}
+
+CLI::Option& add_curves(CLI::App& command, std::vector<std::string>& files)
+{
+  return *command.add_option("CURVE", files, "the curve, or several, " + extensions_of_curves)
+              ->check(file_check())
+              ->type_name("FILE")
+              ->required();
 }
 
 CLI::Option& add_mesh(CLI::App& command, std::string& file)
@@ -195,9 +204,10 @@ CLI::Option& add_obstacle_option(CLI::App& command, std::vector<std::string>& fi
 
 CLI::Option& add_curve_output(CLI::App& command, std::string& file)
 {
-  return add_file(command, "-o,--output", file,
-                  "the result, in a format of curves other than .pdb; .ply and .vtp contain for "
-                  "each node its origin, component, curvature and, if r is known, medial radius");
+  return add_file(
+      command, "-o,--output", file,
+      "the result, in a format of curves other than .pdb and .cif; .ply and .vtp contain for "
+      "each node its origin, component, curvature and, if r is known, medial radius");
 }
 
 void add_reading_flags(CLI::App& command, Curve_reading& reading)

@@ -47,6 +47,7 @@ CLI::Option& add_file(CLI::App& command,
                       std::string& file,
                       const std::string& description);
 CLI::Option& add_curve(CLI::App& command, std::string& file);
+CLI::Option& add_curves(CLI::App& command, std::vector<std::string>& files);
 CLI::Option& add_mesh(CLI::App& command, std::string& file);
 CLI::Option& add_obstacle_option(CLI::App& command, std::vector<std::string>& files);
 CLI::Option& add_curve_output(CLI::App& command, std::string& file);

@@ -7,6 +7,9 @@
 #ifndef VFC_EXIT_STATUS_H
 #define VFC_EXIT_STATUS_H
 
+#include <algorithm>
+#include <array>
+
 namespace vfc {
 
 // Exit statuses of the program; scripts rely on the numbers.
@@ -19,6 +22,14 @@ enum Exit_status
   INVALID_INPUT = 4,
   INTERRUPTED = 5
 };
+
+// Returns the more severe of two statuses of runs that were not interrupted.
+inline int more_severe(int a, int b)
+{
+  constexpr std::array order = {GOAL_REACHED, LIMIT_REACHED, STALLED, INVALID_INPUT, FAILURE};
+  const auto gravity = [&](int status) { return std::find(order.begin(), order.end(), status); };
+  return gravity(a) < gravity(b) ? b : a;
+}
 
 } // namespace vfc
 
