@@ -25,6 +25,7 @@
 #include "reports/fill_report.h"
 #include "reports/untangle_report.h"
 #include "session/Flow_observer.h"
+#include "symmetry/sector.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/fill.h>
@@ -102,7 +103,7 @@ Filling_result fill(Session& session,
   curves::Filling_parameters<> parameters = options.parameters;
   // the rest after reading and mending
   parameters.time_limit = (std::max)(0., parameters.time_limit - session.seconds());
-  parameters.ports = read_ports(options.ports);
+  if(!options.ports.empty()) parameters.ports = read_ports(options.ports);
   parameters.thickness_field = field;
   parameters.direction_field = directions;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
@@ -152,6 +153,29 @@ void write_result(const Fill_options& options, const Curve& curve, double thickn
     write_curve(options.output, curve, thickness);
 }
 
+// Writes and reports a curve that fills a domain.
+template <typename Domain>
+int finish(Session& session,
+           const Fill_options& options,
+           const Curve& curve,
+           const Domain& domain,
+           const Direction_field& directions,
+           const Filling_result& result)
+{
+  note_thickness(session, options, result);
+  report_stages(session, result.statistics);
+  write_result(options, curve, result.thickness);
+  write_map(options.film.map, options.output, curve);
+  session.end_stage("writing");
+  const bool is_out_of_time = session.seconds() >= options.parameters.time_limit;
+  if(session.has_report()) report_filling(session.report(), curve, domain, result, is_out_of_time);
+  if(directions && !is_out_of_time)
+    session.report()["alignment"] = curves::alignment(curve, directions);
+  session.end_stage("measuring");
+  session.print_summary(summary(session, curve, result));
+  return exit_status(result.status);
+}
+
 template <typename Domain>
 int fill_domain(Session& session,
                 const Domain& domain,
@@ -165,21 +189,33 @@ int fill_domain(Session& session,
   poll_interruptions();
   const Filling_result result =
       fill(session, curve, domain, field, directions, options, state, certificate);
-  note_thickness(session, options, result);
-  report_stages(session, result.statistics);
   // the certificate first: no curve comes out of a run that was to be certified without one
   if(!options.certificate.empty()) write_certificate(options.certificate, certificate);
   if(!file_of_circles(options).empty()) write_curve(file_of_circles(options), Curve(result.start));
-  write_result(options, curve, result.thickness);
-  write_map(options.film.map, options.output, curve);
-  session.end_stage("writing");
-  const bool is_out_of_time = session.seconds() >= options.parameters.time_limit;
-  if(session.has_report()) report_filling(session.report(), curve, domain, result, is_out_of_time);
-  if(directions && !is_out_of_time)
-    session.report()["alignment"] = curves::alignment(curve, directions);
-  session.end_stage("measuring");
-  session.print_summary(summary(session, curve, result));
-  return exit_status(result.status);
+  return finish(session, options, curve, domain, directions, result);
+}
+
+// Fills one sector of a mesh, and closes the arc up with its images.
+int fill_sector(Session& session,
+                const Mesh& walls,
+                const Direction_field& directions,
+                const Fill_options& options,
+                const curves::Run_state& state)
+{
+  const Domain whole(walls, examined);
+  const Symmetry symmetry(options.symmetry, whole.bbox());
+  const double r = options.parameters.thickness;
+  const Sector sector = sector_of(walls, whole, symmetry, r, options.mesh);
+  Fill_options of_sector = options;
+  of_sector.parameters.ports = sector.ports;
+  Curve arc;
+  curves::Isotopy_certificate none;
+  poll_interruptions();
+  Filling_result result =
+      fill(session, arc, Domain(sector.mesh), {}, directions, of_sector, state, none);
+  const Curve curve = closed_up(arc, sector.ports, symmetry, whole, options.mesh);
+  measure_again(result, curve, whole);
+  return finish(session, options, curve, whole, directions, result);
 }
 
 // Options that are for meshes: files with values at their vertices, and what changes them.
@@ -187,6 +223,7 @@ void refuse_options_of_meshes(const Fill_options& options)
 {
   const std::string reason = " is for meshes, but " + options.mesh + " holds polygons";
   if(options.may_repair) throw Usage_error("--repair" + reason);
+  if(!options.symmetry.empty()) throw Usage_error("--symmetry" + reason);
   if(!options.obstacles.empty()) throw Usage_error("--obstacle" + reason + ", which have holes");
   if(!options.thickness_field.empty()) throw Usage_error("--thickness-field" + reason);
   if(!options.direction_field.empty() && !is_vector(options.direction_field))
@@ -216,6 +253,7 @@ int fill_mesh(Session& session, const Fill_options& options, const curves::Run_s
   Mesh walls = mesh.mesh;
   const auto add = options.may_repair ? add_or_cut_out_obstacles : add_obstacles;
   add(session, walls, options.obstacles);
+  if(!options.symmetry.empty()) return fill_sector(session, walls, directions, options, state);
   return fill_domain(session, Domain(walls, examined), field, directions, options, state);
 }
 

@@ -49,6 +49,19 @@ void add_shape_options(CLI::App& command, Fill_options& options)
       .type_name("D");
 }
 
+// A curve with the symmetry of its domain.
+void add_symmetry_option(CLI::App& command, Fill_options& options)
+{
+  CLI::Option& symmetry = *command.add_option(
+      "--symmetry", options.symmetry,
+      "fill one sector of MESH, and close the arc up with its images: mirror, in a plane with a "
+      "point and a normal, or rotation:K, by K-ths of a turn about an axis with a point and a "
+      "direction; default: through the middle of the box, with the normal x or the direction z");
+  symmetry.type_name("mirror|rotation:K[:X,Y,Z,NX,NY,NZ]")->needs("--thickness");
+  for(const char* other : {"--curve", "--port", "--certificate"})
+    symmetry.excludes(command.get_option(other));
+}
+
 void add_direction_options(CLI::App& command, Fill_options& options)
 {
   CLI::Option& field = *command.add_option(
@@ -100,6 +113,7 @@ void add_fill_options(CLI::App& command, Fill_options& options)
   add_checkpoint_options(command, options.saving);
   add_start_options(command, options);
   add_density_options(command, options);
+  add_symmetry_option(command, options);
   add_shape_options(command, options);
   add_direction_options(command, options);
   add_choice(command, "--wall", options.parameters.wall,

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "symmetry/Symmetry.h"
+
+#include "meshes/vertex_values.h"
+#include "session/errors.h"
+
+#include <array>
+#include <cmath>
+
+namespace vfc {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+constexpr std::size_t max_order = 1000;
+
+[[noreturn]] void complain(const std::string& text)
+{
+  throw Usage_error("--symmetry: " + text +
+                    ": is neither mirror[:X,Y,Z,NX,NY,NZ] nor rotation:K[:X,Y,Z,AX,AY,AZ] with K "
+                    "from 2 to " +
+                    std::to_string(max_order));
+}
+
+std::size_t comma_of_direction(const std::string& text)
+{
+  std::size_t k = text.find(',');
+  for(int n = 1; n < 3 && k != std::string::npos; ++n) k = text.find(',', k + 1);
+  return k;
+}
+
+Symmetry::Vector unit(const Symmetry::Vector& v)
+{
+  return v / std::sqrt(v.squared_length());
+}
+
+} // namespace
+
+Symmetry::Symmetry(const std::string& text, const CGAL::Bbox_3& box)
+{
+  const std::string rotation = "rotation:";
+  std::string rest;
+  m_is_mirror = text.compare(0, 6, "mirror") == 0;
+  if(m_is_mirror) {
+    rest = text.substr(6);
+  } else {
+    std::size_t end = rotation.size();
+    while(end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
+    const std::string order = text.substr(0, end).substr((std::min)(end, rotation.size()));
+    if(text.compare(0, rotation.size(), rotation) != 0 || order.empty() || order.size() > 4)
+      complain(text);
+    m_order = std::stoul(order);
+    if(m_order < 2 || m_order > max_order) complain(text);
+    rest = text.substr(end);
+  }
+  std::array<double, 3> p{(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                          (box.zmin() + box.zmax()) / 2};
+  std::array<double, 3> d{m_is_mirror ? 1. : 0., 0, m_is_mirror ? 0. : 1.};
+  if(!rest.empty()) {
+    const std::size_t end = comma_of_direction(rest);
+    if(rest[0] != ':' || end == std::string::npos || !parse_vector(rest.substr(1, end - 1), p) ||
+       !parse_vector(rest.substr(end + 1), d))
+      complain(text);
+  }
+  m_origin = Point(p[0], p[1], p[2]);
+  const Vector direction(d[0], d[1], d[2]);
+  if(!(direction.squared_length() > 0)) complain(text);
+  m_direction = unit(direction);
+  // the coordinate axis that is the least parallel to the direction
+  const Vector axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Vector across = axes[0];
+  for(const Vector& axis : axes)
+    if(std::abs(axis * m_direction) < std::abs(across * m_direction)) across = axis;
+  m_across = unit(across - (across * m_direction) * m_direction);
+  m_sideways = CGAL::cross_product(m_direction, m_across);
+}
+
+Symmetry::Point Symmetry::image(const Point& p, std::size_t k) const
+{
+  if(k == 0) return p;
+  const Vector v = p - m_origin;
+  if(m_is_mirror) return p - 2 * (v * m_direction) * m_direction;
+  return m_origin + rotated(v, static_cast<double>(k) * angle_of_sector());
+}
+
+std::vector<Symmetry::Side> Symmetry::sides() const
+{
+  if(m_is_mirror) return {{m_origin, m_direction}};
+  std::vector<Side> sides{{m_origin, m_sideways}};
+  if(m_order > 2) sides.push_back({m_origin, -rotated(m_sideways, angle_of_sector())});
+  return sides;
+}
+
+Symmetry::Point Symmetry::point_of_cut(double s, double t) const
+{
+  return m_origin + s * m_across + t * (m_is_mirror ? m_sideways : m_direction);
+}
+
+// Rodrigues' formula; exact for half a turn about a coordinate axis.
+Symmetry::Vector Symmetry::rotated(const Vector& v, double angle) const
+{
+  const Vector along = (v * m_direction) * m_direction;
+  if(m_order == 2 && angle == pi) return 2 * along - v;
+  return along + std::cos(angle) * (v - along) +
+         std::sin(angle) * CGAL::cross_product(m_direction, v);
+}
+
+double Symmetry::angle_of_sector() const
+{
+  return 2 * pi / static_cast<double>(m_order);
+}
+
+} // namespace vfc

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "symmetry/sector.h"
+
+#include "options/numbers.h"
+#include "reports/containment.h"
+
+#include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
+
+#include <CGAL/Polygon_mesh_processing/clip.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace vfc {
+namespace {
+
+namespace curves = CGAL::Volume_filling_curves;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+using Point = Symmetry::Point;
+
+// In units of the thickness.
+constexpr double cut_distance = 0.8; // from the planes of the symmetry
+constexpr double min_depth = 1.5;    // of a port, below the surface
+constexpr double max_asymmetry = 0.01;
+
+Input_error fault(const std::string& file, const std::string& text, const std::string& expected)
+{
+  return Input_error({Defect("symmetry", true, file, {}, text)}, expected);
+}
+
+void require_symmetric(const Mesh& mesh,
+                       const Symmetry& symmetry,
+                       double thickness,
+                       const std::string& file)
+{
+  std::vector<Point> images;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    images.push_back(symmetry.image(mesh.point(v), 1));
+  const double distance = PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(images, mesh);
+  if(distance > max_asymmetry * thickness)
+    throw fault(file,
+                "is not symmetric: it and its image are up to " + to_text(distance) + " apart",
+                "a mesh that --symmetry maps onto itself within r / 100");
+}
+
+void cut(Mesh& mesh, const Symmetry& symmetry, double distance, const std::string& file)
+{
+  for(const Symmetry::Side& side : symmetry.sides()) {
+    const Kernel::Plane_3 plane(side.origin + distance * side.normal, -side.normal);
+    const bool is_manifold = PMP::clip(mesh, plane, CGAL::parameters::clip_volume(true));
+    if(!is_manifold || mesh.is_empty() || !CGAL::is_closed(mesh))
+      throw fault(file, "cannot be cut into sectors", "a mesh that the planes of --symmetry cross");
+  }
+  mesh.collect_garbage();
+}
+
+// Searches the plane, or half-plane, where a sector begins for places to enter it.
+class Port_search
+{
+public:
+  Port_search(const Domain& domain, const Symmetry& symmetry) : m_symmetry(symmetry)
+  {
+    const CGAL::Bbox_3 box = domain.bbox();
+    const double size = std::sqrt(CGAL::squared_distance(
+        Point(box.xmin(), box.ymin(), box.zmin()), Point(box.xmax(), box.ymax(), box.zmax())));
+    const Point middle = CGAL::midpoint(Point(box.xmin(), box.ymin(), box.zmin()),
+                                        Point(box.xmax(), box.ymax(), box.zmax()));
+    const Point origin = symmetry.point_of_cut(0, 0);
+    const double s0 = (middle - origin) * (symmetry.point_of_cut(1, 0) - origin);
+    const double t0 = (middle - origin) * (symmetry.point_of_cut(0, 1) - origin);
+    for(int i = 0; i <= cells; ++i)
+      for(int j = 0; j <= cells; ++j) {
+        const double s = s0 + size * (static_cast<double>(i) / cells - 0.5);
+        const double t = t0 + size * (static_cast<double>(j) / cells - 0.5);
+        const Point p = symmetry.point_of_cut(s, t);
+        if((!symmetry.is_mirror() && s <= 0) || !domain.is_inside(p)) continue;
+        m_places.push_back(
+            {p, symmetry.is_mirror() ? domain.distance(p) : (std::min)(domain.distance(p), s / 2)});
+      }
+  }
+
+  // The deepest place, and for a mirror image another one that is deep and far from it.
+  std::vector<Point> operator()(double depth_of_port) const
+  {
+    std::vector<Point> ports;
+    for(std::size_t k = 0; k < (m_symmetry.is_mirror() ? 2u : 1u); ++k) {
+      double best = depth_of_port;
+      const Place* found = nullptr;
+      for(const Place& place : m_places) {
+        double depth = place.depth;
+        for(const Point& p : ports)
+          depth = (std::min)(depth, std::sqrt(CGAL::squared_distance(p, place.point)) / 2);
+        if(!(depth > best)) continue;
+        best = depth;
+        found = &place;
+      }
+      if(!found) return {};
+      ports.push_back(found->point);
+    }
+    return ports;
+  }
+
+private:
+  static constexpr int cells = 200; // along the diagonal of the box
+
+  struct Place
+  {
+    Point point;
+    double depth;
+  };
+
+  const Symmetry& m_symmetry;
+  std::vector<Place> m_places;
+};
+
+Ports ports_of(const Symmetry& symmetry, const std::vector<Point>& places, double distance)
+{
+  Ports ports;
+  const auto add = [&](const Point& p, const Symmetry::Vector& n) {
+    ports.push_back({p + distance * n, {n.x(), n.y(), n.z()}});
+  };
+  const auto sides = symmetry.sides();
+  for(const Point& p : places) add(p, sides.front().normal);
+  if(!symmetry.is_mirror()) add(symmetry.image(places[0], 1), sides.back().normal);
+  return ports;
+}
+
+} // namespace
+
+Sector sector_of(const Mesh& mesh,
+                 const Domain& domain,
+                 const Symmetry& symmetry,
+                 double thickness,
+                 const std::string& file)
+{
+  require_symmetric(mesh, symmetry, thickness, file);
+  const auto places = Port_search(domain, symmetry)(min_depth * thickness);
+  if(places.empty())
+    throw fault(file, "has no room for strands where --symmetry cuts it",
+                "a cut whose points lie up to " + to_text(min_depth * thickness) +
+                    " below the surface");
+  Sector sector{mesh, ports_of(symmetry, places, cut_distance * thickness)};
+  cut(sector.mesh, symmetry, cut_distance * thickness, file);
+  return sector;
+}
+
+Curve closed_up(const Curve& arc,
+                const Ports& ports,
+                const Symmetry& symmetry,
+                const Domain& domain,
+                const std::string& file)
+{
+  std::vector<Point> nodes(arc.points().begin(), arc.points().end()), loop;
+  if(CGAL::squared_distance(nodes.front(), ports.front().point) >
+     CGAL::squared_distance(nodes.back(), ports.front().point))
+    std::reverse(nodes.begin(), nodes.end());
+  for(std::size_t k = 0; k < symmetry.order(); ++k) {
+    for(const Point& p : nodes) loop.push_back(symmetry.image(p, k));
+    if(symmetry.is_mirror() && k == 1)
+      std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(nodes.size()), loop.end());
+  }
+  loop.push_back(loop.front());
+  Curve curve(std::vector<std::vector<Point>>{std::move(loop)});
+  Defects outside = to_defects(containment(curve, domain), curve, file);
+  if(!outside.empty()) throw Input_error(std::move(outside), "a symmetric mesh around all images");
+  if(!is_embedded(curve)) throw std::runtime_error("the images of the arc meet");
+  return curve;
+}
+
+void measure_again(Filling_result& result, const Curve& curve, const Domain& domain)
+{
+  using Concurrency = CGAL::Parallel_if_available_tag;
+  const curves::Domain_samples_3<Curve::Traits, Domain> samples(domain);
+  const auto distances = curves::sample_distances<Concurrency>(curve, samples);
+  result.coverage = curves::coverage(samples, distances, result.thickness);
+  result.uncovered_fraction = curves::unfilled_fraction(samples, distances, result.thickness);
+  result.are_empty_regions_known = false;
+  result.empty_regions.clear();
+  result.necks.clear();
+  const auto bend = curves::tightest_bend(curve);
+  result.min_bend_radius = bend.radius;
+  result.tightest_node = bend.node;
+  const auto strands = curves::min_strand_distance(curve, result.thickness);
+  result.min_strand_distance = strands.distance;
+  result.closest_points = strands.points;
+  const auto wall = curves::min_wall_distance<Concurrency>(curve, domain);
+  result.min_wall_distance = wall.distance;
+  result.point_nearest_to_wall = wall.point;
+  result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness);
+}
+
+} // namespace vfc

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// A sector of a symmetric mesh, which an arc fills, and the curve of that arc and its images.
+
+#ifndef VFC_SECTOR_H
+#define VFC_SECTOR_H
+
+#include "files/curve_files.h"
+#include "files/mesh_files.h"
+#include "options/ports.h"
+#include "reports/fill_report.h"
+#include "symmetry/Symmetry.h"
+
+#include <string>
+
+namespace vfc {
+
+struct Sector
+{
+  Mesh mesh;
+  Ports ports; // where an arc enters and leaves
+};
+
+// Cuts the inside of a mesh into sectors and returns one. The cuts keep 0.8 r from the planes, so
+// that strands at both sides are 1.6 r apart, as everywhere. The ports are the deepest places of
+// the cuts.
+// \throws Input_error with the name of the file if the mesh is not symmetric up to r / 100, or no
+// cut is wide enough for a port
+Sector sector_of(const Mesh& mesh,
+                 const Domain& domain,
+                 const Symmetry& symmetry,
+                 double thickness,
+                 const std::string& file);
+
+// Joins an arc that fills the sector with its images.
+// \throws Input_error if that curve leaves the domain, in which the file's mesh is
+Curve closed_up(const Curve& arc,
+                const Ports& ports,
+                const Symmetry& symmetry,
+                const Domain& domain,
+                const std::string& file);
+
+// Measures the curve of all images, for a result of the arc in its sector. Empty regions are not
+// searched again.
+void measure_again(Filling_result& result, const Curve& curve, const Domain& domain);
+
+} // namespace vfc
+
+#endif // VFC_SECTOR_H

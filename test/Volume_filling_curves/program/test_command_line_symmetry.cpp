@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// Symmetric fillings by the program vfc.
+
+#include <gtest/gtest.h>
+
+#if __has_include(<nlohmann/json.hpp>) && !defined(_WIN32)
+
+#include "support/program_test_support.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace test_command_line_symmetry {
+
+using program_test::Finished;
+using program_test::Json;
+
+class Command_line_symmetry : public program_test::Program_test
+{
+protected:
+  void SetUp() override
+  {
+    Program_test::SetUp();
+    if(IsSkipped()) return;
+    write("box.off", "OFF\n8 12 0\n-2 -1 -1\n2 -1 -1\n2 1 -1\n-2 1 -1\n-2 -1 1\n2 -1 1\n2 1 1\n"
+                     "-2 1 1\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n"
+                     "3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  }
+
+  // Verifies what holds of each filling of the box, and returns its nodes.
+  std::vector<Point> filling(const std::string& symmetry)
+  {
+    const Finished fill = run("fill box.off --thickness .25 --symmetry " + symmetry +
+                              " -o c.obj --force --report r.json");
+    EXPECT_EQ(fill.status, 0) << fill.err;
+    const Json report = json("r.json");
+    EXPECT_EQ(report["components"], 1);
+    EXPECT_EQ(report["outside_segments"], 0);
+    EXPECT_GT(report["coverage"]["fraction_within_r"], .7);
+    EXPECT_LT(report["coverage"]["p99"], 1.6);
+    EXPECT_EQ(run("check c.obj box.off").status, 0);
+    return points("c.obj");
+  }
+};
+
+TEST_F(Command_line_symmetry, mirror_images_agree_in_all_bits)
+{
+  const std::vector<Point> nodes = filling("mirror");
+  const std::size_t n = nodes.size();
+  ASSERT_EQ(n % 2, 0u);
+  for(std::size_t k = 0; k < n / 2; ++k) {
+    const Point &p = nodes[k], &q = nodes[n - 1 - k];
+    EXPECT_EQ(q, (Point{-p[0], p[1], p[2]}));
+    EXPECT_GT(p[0], 0);
+  }
+}
+
+TEST_F(Command_line_symmetry, half_a_turn_maps_the_curve_onto_itself)
+{
+  const std::vector<Point> nodes = filling("rotation:2");
+  const std::size_t n = nodes.size();
+  ASSERT_EQ(n % 2, 0u);
+  for(std::size_t k = 0; k < n / 2; ++k) {
+    const Point &p = nodes[k], &q = nodes[k + n / 2];
+    EXPECT_EQ(q, (Point{-p[0], -p[1], p[2]}));
+  }
+}
+
+TEST_F(Command_line_symmetry, planes_and_axes_may_lie_anywhere)
+{
+  filling("mirror:0,0,0,0,0,2");
+  const std::vector<Point> nodes = filling("rotation:2:0,0,0,1,0,0");
+  EXPECT_EQ(nodes[nodes.size() / 2], (Point{nodes[0][0], -nodes[0][1], -nodes[0][2]}));
+}
+
+TEST_F(Command_line_symmetry, thirds_of_a_torus_are_alike)
+{
+  const Finished fill =
+      run("fill '" VFC_DATA_DIR "/torus.off' --thickness .2 --symmetry rotation:3 "
+          "-o c.obj --report r.json");
+  ASSERT_EQ(fill.status, 0) << fill.err;
+  EXPECT_EQ(json("r.json")["components"], 1);
+  const std::vector<Point> nodes = points("c.obj");
+  const std::size_t n = nodes.size() / 3;
+  ASSERT_EQ(nodes.size(), 3 * n);
+  const double c = std::cos(2 * 3.141592653589793 / 3), s = std::sin(2 * 3.141592653589793 / 3);
+  for(std::size_t k = 0; k < 2 * n; ++k) {
+    const Point &p = nodes[k], &q = nodes[k + n];
+    EXPECT_NEAR(q[0], c * p[0] - s * p[1], 1e-12);
+    EXPECT_NEAR(q[1], s * p[0] + c * p[1], 1e-12);
+    EXPECT_NEAR(q[2], p[2], 1e-12);
+  }
+}
+
+TEST_F(Command_line_symmetry, refuses_what_is_not_symmetric)
+{
+  const Finished third = run("fill box.off --thickness .25 --symmetry rotation:3 -o c.obj");
+  EXPECT_EQ(third.status, 4);
+  EXPECT_NE(third.err.find("box.off: is not symmetric"), std::string::npos) << third.err;
+  EXPECT_FALSE(exists("c.obj"));
+  const Finished shifted =
+      run("fill box.off --thickness .25 --symmetry mirror:.1,0,0,1,0,0 -o c.obj");
+  EXPECT_EQ(shifted.status, 4);
+  for(const char* text : {"mirrors", "rotation", "rotation:1", "rotation:1001", "mirror:1,2,3",
+                          "mirror:0,0,0,0,0,0", "rotation:4x", "mirror0,0,0,1,0,0"}) {
+    const Finished wrong =
+        run("fill box.off --thickness .25 -o c.obj --symmetry " + std::string(text));
+    EXPECT_EQ(wrong.status, 1) << text;
+    EXPECT_NE(wrong.err.find(text), std::string::npos) << wrong.err;
+  }
+  EXPECT_EQ(run("fill box.off --symmetry mirror -o c.obj").status, 1) << "without a thickness";
+}
+
+} // namespace test_command_line_symmetry
+
+#endif
