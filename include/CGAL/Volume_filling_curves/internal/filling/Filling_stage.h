@@ -127,15 +127,15 @@ struct Filling_stage
     stage.coupling = 0;
     stage.max_radius = 4;
     stage.max_displacement = 0.3 / stage.thickness;
-    stage.cooling = 0.95;
+    stage.cooling = 0.83;
     stage.spacing = coarse_spacing / stage.thickness;
     stage.directions = few_directions;
-    stage.window = 60;
+    stage.window = 16;
     stage.change_of_length = any_change;
     return stage;
   }
 
-  // Projections alone, until the limits are kept: 10 to 20 motions on six domains, five per step.
+  // Projections alone, until the limits are kept: 5 to 15 motions on ten domains, five per step.
   static Filling_stage polishing()
   {
     Filling_stage stage;

@@ -161,12 +161,8 @@ private:
 
   void remesh()
   {
-    constexpr std::size_t bends_per_remeshing = 3;
     if(m_shape_phase == Shape_phase::POLISHING) return;
-    if(m_shape_phase == Shape_phase::BENDING) {
-      if(m_shaped_steps % bends_per_remeshing == 0) remesh_until_even();
-      return;
-    }
+    if(m_shape_phase == Shape_phase::BENDING) return remesh_until_even();
     const Stage_timer stage(m_statistics.seconds_remeshing);
     Remesher remesher = make_remesher();
     remesher.collapse_short_edges();
