@@ -92,7 +92,7 @@ std::string complaint(Curve curve, double wall_distance)
 TEST(Wall_distance, is_refused_if_it_leaves_no_room_or_the_curve_is_nearer)
 {
   const std::string no_room = complaint(Curve(), 0.6);
-  EXPECT_EQ(no_room.substr(0, 77),
+  EXPECT_EQ(no_room.substr(0, 78),
             "wall_distance is 0.6, but no point was found that is farther from the boundary");
   const Curve start = polyline({Point(0.5, 0.5, 0.5), Point(1.5, 0.5, 0.5), Point(1.5, 0.8, 0.5)});
   EXPECT_EQ(complaint(start, 0.3),

@@ -133,7 +133,7 @@ TEST_F(Command_line_fill, keeps_a_distance_from_the_wall_that_check_verifies)
   EXPECT_EQ(run("check c.obj --wall-distance 2").status, 1);
   const Finished no_room = run("fill cube.off -o d.obj --thickness 0.6 --wall-distance 3");
   EXPECT_EQ(no_room.status, 1);
-  EXPECT_NE(no_room.err.find("wall_distance is 3, but no place"), std::string::npos) << no_room.err;
+  EXPECT_NE(no_room.err.find("wall_distance is 3, but no point"), std::string::npos) << no_room.err;
 }
 
 // A run in the cube was not one in its lower half.
