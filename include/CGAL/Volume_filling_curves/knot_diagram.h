@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Gauss_code_reader.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Goeritz_form.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Knottedness.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Pd_code_reader.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/alexander_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/diagram_codes.h>
@@ -162,7 +163,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 /// \throws std::invalid_argument if the code is invalid; the message gives the reason
 [[nodiscard]] inline Planar_diagram diagram_of_pd_code(const std::string& text)
 {
-  return internal::diagram_of_pd_code(text);
+  return internal::Pd_code_reader(text)();
 }
 
 /// returns the diagram with a signed Gauss code, as written by `gauss_code()`.

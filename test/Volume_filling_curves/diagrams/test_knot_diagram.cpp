@@ -49,8 +49,9 @@ TEST(Knot_diagram, Codes_of_the_trefoil)
 TEST(Knot_diagram, Other_notations_of_planar_diagram_codes_are_read)
 {
   const Planar_diagram diagram = VFC::diagram_of_pd_code(left_trefoil);
-  for(const std::string text : {"[[1,4,2,5],[3,6,4,1],[5,2,6,3]]", "(0,3,1,4) (2,5,3,0) (4,1,5,2)",
-                                "X_{1,4,2,5} X_{3,6,4,1} X_{5,2,6,3}"})
+  for(const std::string text :
+      {"[[1,4,2,5],[3,6,4,1],[5,2,6,3]]", "1 4 2 5 3 6 4 1 5 2 6 3",
+       "(0,3,1,4) (2,5,3,0) (4,1,5,2)", "X_{1,4,2,5} X_{3,6,4,1} X_{5,2,6,3}"})
     EXPECT_EQ(VFC::diagram_of_pd_code(text).crossings, diagram.crossings) << text;
   EXPECT_EQ(VFC::diagram_of_pd_code("PD[Loop[1], Loop[2]]").number_of_free_loops, 2u);
 }
@@ -100,13 +101,37 @@ TEST(Knot_diagram, Bad_codes_are_refused_with_a_reason)
   const auto pd = [](const std::string& text) {
     return message_of([&] { return VFC::diagram_of_pd_code(text); });
   };
-  EXPECT_EQ(pd("[1, 2, 3]"), "3 arcs are not four for each crossing");
+  const std::string no_item = " is not part of a planar diagram code",
+                    no_crossings = " is not a list of crossings with four arcs each",
+                    no_code = "the crossings are no planar diagram code: ";
+  EXPECT_EQ(pd("hello"), "'hello'" + no_item);
+  EXPECT_EQ(pd("PD[Y[1, 4, 2, 5]]"), "'Y'" + no_item);
+  EXPECT_EQ(pd("[1, -4, 2, 5]"), "'-'" + no_item);
+  EXPECT_EQ(pd(" \n"), "the planar diagram code is empty");
+  EXPECT_EQ(pd("[1, 2, 3]"), "'[1, 2, 3]'" + no_crossings);
+  EXPECT_EQ(pd("X[1, 4, 2], X[5, 3, 6, 4, 1]"), "'[1, 4, 2]'" + no_crossings);
+  EXPECT_EQ(pd("[1, 1, 2, 2)"), "'[1, 1, 2, 2)'" + no_crossings);
+  EXPECT_EQ(pd("PD[X[1, 1, 2, 2]"), "'[' is not closed");
+  EXPECT_EQ(pd("X[1, 1, 2, 2]]"), "']' closes a bracket that is not open");
+  EXPECT_EQ(pd("1 2 3"), "3 arcs are not four for each crossing");
+  EXPECT_EQ(pd("PD[Loop]"), "'[Loop]'" + no_crossings);
+  EXPECT_EQ(pd("Loop"), "the last 'Loop' has no number");
+  EXPECT_EQ(pd("Loop X[1, 1, 2, 2]"), "'X' stands where a 'Loop' must have its number");
   EXPECT_NE(pd("[1, 2, 3, 99999999999]").find("above"), std::string::npos);
-  EXPECT_NE(pd("[1, 2, 3, 4]").find("planar"), std::string::npos);
-  EXPECT_NE(pd("[1, 3, 2, 4], [2, 4, 3, 1]").find("planar"), std::string::npos);
+  EXPECT_EQ(pd("[1, 2, 3, 4]"), no_code + "arc 3 is above the last one, arc 2");
+  EXPECT_EQ(pd("[0, 0, 1, 0]"), no_code + "arc 0 has more than two ends");
+  EXPECT_EQ(pd("[1, 5, 2, 4], [3, 6, 5, 1], [4, 2, 6, 3]"),
+            no_code + "the arcs from arc 1 on are not numbered along their component, in the "
+                      "direction of its lower strands");
+  EXPECT_NE(pd("[1, 3, 2, 4], [2, 4, 3, 1]").find("virtual link"), std::string::npos);
   const auto gauss = [](const std::string& text) {
     return message_of([&] { return VFC::diagram_of_gauss_code(text); });
   };
+  EXPECT_EQ(gauss("hello"), "'h' is not part of a Gauss code");
+  EXPECT_EQ(gauss("O1+U1+ /"), "component 2 of the Gauss code is empty");
+  EXPECT_EQ(gauss("/ -"), "component 1 of the Gauss code is empty");
+  for(const std::string text : {"--", "O1+U1+-", "-O1+U1+"})
+    EXPECT_NE(gauss(text).find("component 1 has passes or a second '-'"), std::string::npos);
   EXPECT_EQ(gauss("O1"), "'O1' is not a pass with a sign, like O1+");
   EXPECT_EQ(gauss("O1+"), "crossing 1 has one pass only");
   EXPECT_EQ(gauss("O1+U1-"), "crossing 1 has two signs");
@@ -120,7 +145,7 @@ TEST(Knot_diagram, Bad_codes_are_refused_with_a_reason)
   EXPECT_EQ(message_of([] {
               return VFC::signature({{{0, 1, 2, 3}}, 0});
             }),
-            "the crossings are no planar diagram code");
+            no_code + "arc 2 is above the last one, arc 1");
 }
 
 TEST(Knot_diagram, Knots_are_proved_to_be_knotted_or_not)

@@ -37,16 +37,13 @@ public:
   Planar_diagram operator()()
   {
     bool has_component = false;
-    for(std::size_t i = 0; i < m_text.size();) {
-      const char c = m_text[i];
-      has_component = has_component || !std::isspace(static_cast<unsigned char>(c));
-      if(c == 'O' || c == 'U')
-        read_pass(i);
-      else if(c == '/')
-        end_component();
-      else if(!std::isspace(static_cast<unsigned char>(c)) && !(c == '-' && m_passes.empty()))
-        throw std::invalid_argument(std::string("'") + c + "' is not part of a Gauss code");
-      if(c != 'O' && c != 'U') ++i;
+    while(m_position < m_text.size()) {
+      const char c = m_text[m_position];
+      if(!std::isspace(static_cast<unsigned char>(c))) {
+        has_component = true;
+        read_item(c);
+      } else
+        ++m_position;
     }
     if(has_component) end_component();
     check();
@@ -59,6 +56,26 @@ private:
     std::size_t crossing;
     bool is_over;
   };
+
+  void read_item(char c)
+  {
+    const bool is_pass = c == 'O' || c == 'U';
+    if((is_pass && m_is_loop) || (c == '-' && (m_is_loop || !m_passes.empty())))
+      throw std::invalid_argument("component " + std::to_string(m_component) +
+                                  " has passes or a second '-' beside the '-' of a component "
+                                  "without crossings");
+    if(is_pass) {
+      read_pass(m_position);
+      return;
+    }
+    ++m_position;
+    if(c == '-')
+      m_is_loop = true;
+    else if(c == '/')
+      end_component();
+    else
+      throw std::invalid_argument(std::string("'") + c + "' is not part of a Gauss code");
+  }
 
   // The crossing with its level and sign, like "O1+"
   void read_pass(std::size_t& i)
@@ -91,7 +108,10 @@ private:
   void end_component()
   {
     const auto n = static_cast<std::uint32_t>(m_passes.size());
-    if(n == 0) ++m_diagram.number_of_free_loops;
+    if(n == 0 && !m_is_loop)
+      throw std::invalid_argument("component " + std::to_string(m_component) +
+                                  " of the Gauss code is empty");
+    if(m_is_loop) ++m_diagram.number_of_free_loops;
     // a component of two arcs above all others begins at the smaller crossing, see Diagram_strands
     if(n == 2 && m_passes[0].is_over && m_passes[1].is_over &&
        m_passes[0].crossing > m_passes[1].crossing)
@@ -105,6 +125,8 @@ private:
     }
     m_arc += n;
     m_passes.clear();
+    m_is_loop = false;
+    ++m_component;
   }
 
   void check() const
@@ -117,6 +139,9 @@ private:
   }
 
   const std::string& m_text;
+  std::size_t m_position = 0;
+  std::size_t m_component = 1; // its number
+  bool m_is_loop = false;      // whether the component is a '-'
   Planar_diagram m_diagram;
   std::map<std::uint32_t, std::size_t> m_numbers; // of the crossings, by their names
   std::vector<char> m_signs;

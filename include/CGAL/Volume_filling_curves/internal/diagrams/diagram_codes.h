@@ -10,9 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/is_planar_diagram.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
@@ -91,44 +89,11 @@ inline std::uint32_t read_number(const std::string& text, std::size_t& position)
   for(; position < text.size() && std::isdigit(static_cast<unsigned char>(text[position]));
       ++position) {
     number = 10 * number + static_cast<std::uint32_t>(text[position] - '0');
-    if(number > max_number) throw std::invalid_argument("a number of a code is above 10^8");
+    if(number > max_number)
+      throw std::invalid_argument("the code has a number above 10^8, which begins with " +
+                                  std::to_string(number));
   }
   return number;
-}
-
-// A planar diagram code read back, in the form of pd_code() or in any other with four arcs for each
-// crossing and the word "Loop" for each component without. Arcs may be numbered from 0 on.
-// \throws std::invalid_argument with the reason
-inline Planar_diagram diagram_of_pd_code(const std::string& text)
-{
-  Planar_diagram diagram;
-  std::vector<std::uint32_t> arcs;
-  bool is_loop = false; // whether the next number belongs to a component without crossings
-  for(std::size_t i = 0; i < text.size();) {
-    if(text.compare(i, 4, "Loop") == 0) {
-      ++diagram.number_of_free_loops;
-      is_loop = true;
-      i += 4;
-    } else if(std::isdigit(static_cast<unsigned char>(text[i]))) {
-      const std::uint32_t arc = read_number(text, i);
-      if(!is_loop) arcs.push_back(arc);
-      is_loop = false;
-    } else
-      ++i;
-  }
-  if(arcs.size() % 4 != 0)
-    throw std::invalid_argument(std::to_string(arcs.size()) +
-                                " arcs are not four for each crossing");
-  const bool is_from_zero = std::find(arcs.begin(), arcs.end(), 0u) != arcs.end();
-  for(std::size_t k = 0; k < arcs.size(); k += 4) {
-    diagram.crossings.emplace_back();
-    for(std::size_t i = 0; i < 4; ++i)
-      diagram.crossings.back()[i] = arcs[k + i] - (is_from_zero ? 0 : 1);
-  }
-  if(!is_planar_diagram(diagram))
-    throw std::invalid_argument("the crossings do not form a planar diagram whose arcs are "
-                                "numbered along each component");
-  return diagram;
 }
 
 } // namespace internal

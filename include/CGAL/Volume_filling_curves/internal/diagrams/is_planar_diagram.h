@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -27,12 +28,19 @@ namespace internal {
 class Planar_diagram_check
 {
 public:
-  explicit Planar_diagram_check(const Planar_diagram& diagram) : m_crossings(diagram.crossings) {}
+  // The arcs are called by their numbers in the diagram plus `first_number`.
+  explicit Planar_diagram_check(const Planar_diagram& diagram, std::size_t first_number = 0)
+      : m_crossings(diagram.crossings), m_first_number(first_number)
+  {}
 
-  bool operator()()
+  // Returns the reason why the crossings are no such code; empty if they are.
+  std::string fault()
   {
-    if(!find_ends()) return false;
-    return are_numbered_in_order() && has_euler_number();
+    std::string fault = fault_of_ends();
+    if(fault.empty()) fault = fault_of_order();
+    if(fault.empty() && !has_euler_number())
+      fault = "the crossings are those of a virtual link, not of a diagram in the plane";
+    return fault;
   }
 
 private:
@@ -47,26 +55,32 @@ private:
   }
   static Slot rotated(Slot slot, std::size_t by) { return slot - slot % 4 + (slot + by) % 4; }
 
-  bool find_ends()
+  std::string name(std::size_t arc) const { return "arc " + std::to_string(arc + m_first_number); }
+
+  std::string fault_of_ends()
   {
     m_ends.assign(2 * m_crossings.size(), {none, none});
     for(Slot slot = 0; slot < 4 * m_crossings.size(); ++slot) {
-      if(arc(slot) >= m_ends.size()) return false;
+      if(arc(slot) >= m_ends.size())
+        return name(arc(slot)) + " is above the last one, " + name(m_ends.size() - 1);
       auto& ends = m_ends[arc(slot)];
-      if(ends[1] != none) return false;
+      if(ends[1] != none) return name(arc(slot)) + " has more than two ends";
       ends[ends[0] == none ? 0 : 1] = slot;
     }
-    return true; // as many ends as arcs can have
+    return ""; // as many ends as arcs can have
   }
 
-  // Whether each component, followed from its first arc, is numbered in order.
-  bool are_numbered_in_order() const
+  // Follows each component from its first arc.
+  std::string fault_of_order() const
   {
     for(std::size_t first = 0, end; first < m_ends.size(); first = end) {
       end = first;
-      if(!walk(first, m_ends[first][0], end) && !walk(first, m_ends[first][1], end)) return false;
+      if(!walk(first, m_ends[first][0], end) && !walk(first, m_ends[first][1], end))
+        return "the arcs from " + name(first) +
+               " on are not numbered along their component, in the direction of its lower "
+               "strands";
     }
-    return true;
+    return "";
   }
 
   // Whether the component that leaves arc `first` at a slot is numbered in order; `end` is then
@@ -120,19 +134,22 @@ private:
   }
 
   const std::vector<std::array<std::uint32_t, 4>>& m_crossings;
+  const std::size_t m_first_number;
   std::vector<std::array<Slot, 2>> m_ends; // of each arc
 };
 
 inline bool is_planar_diagram(const Planar_diagram& diagram)
 {
-  return Planar_diagram_check(diagram)();
+  return Planar_diagram_check(diagram).fault().empty();
 }
 
-// \throws std::invalid_argument unless it is one
-inline void check_planar_diagram(const Planar_diagram& diagram)
+// \throws std::invalid_argument with the reason, where arcs are numbered from `first_number` on,
+// unless it is one
+inline void check_planar_diagram(const Planar_diagram& diagram, std::size_t first_number = 0)
 {
-  if(!is_planar_diagram(diagram))
-    throw std::invalid_argument("the crossings are no planar diagram code");
+  const std::string fault = Planar_diagram_check(diagram, first_number).fault();
+  if(!fault.empty())
+    throw std::invalid_argument("the crossings are no planar diagram code: " + fault);
 }
 
 } // namespace internal
