@@ -147,10 +147,34 @@ TEST(Identify, Links_have_a_linking_matrix_and_polynomials)
   EXPECT_EQ(hopf.homfly_polynomial, "v z^-1 + v z - v^3 z^-1");
   EXPECT_EQ(hopf.jones_polynomial, "-s - s^5");
   EXPECT_EQ(hopf.knottedness, VFC::Knottedness::LINKED_BY_LINKING_NUMBER);
-  EXPECT_EQ(hopf.name, "");
+  EXPECT_EQ(hopf.name, "2^2_1");
   const Link_identity whitehead = VFC::identify(closure(braid({1, -2, 1, -2, -2})));
   EXPECT_EQ(whitehead.linking_matrix, (std::vector<std::vector<int>>{{0, 0}, {0, 0}}));
   EXPECT_TRUE(is_knotted(whitehead));
+}
+
+TEST(Identify, All_prime_links_up_to_6_crossings_are_named_after_random_moves)
+{
+  std::mt19937 random(1);
+  for(const auto& [name, word] : prime_knots(VFC_DATA_DIR "/prime_links.txt"))
+    for(const bool is_mirror : {false, true}) {
+      const bool is_amphichiral = name == "2^2_1" || name == "6^2_2" || name == "6^3_2";
+      const auto moved = with_random_moves(is_mirror ? mirrored(word) : word, 10, random);
+      const Link_identity identity = VFC::identify(closure(moved));
+      EXPECT_EQ(identity.name, is_mirror && !is_amphichiral ? name + '*' : name);
+      EXPECT_TRUE(identity.is_proved) << name;
+      EXPECT_EQ(identity.chirality,
+                is_amphichiral ? Knot_chirality::AMPHICHIRAL : Knot_chirality::CHIRAL);
+    }
+}
+
+TEST(Identify, Sums_and_other_links_have_no_name)
+{
+  for(const Braid& link : {braid({1, 1, 2, 2}), braid({1, 1, 2, 2, 2}), braid(Braid_word(8, 1))}) {
+    const Link_identity identity = VFC::identify(closure(link));
+    EXPECT_EQ(identity.name, "");
+    EXPECT_FALSE(identity.is_proved);
+  }
 }
 
 TEST(Identify, Knots_beyond_the_table_are_knotted_without_a_name)

@@ -21,6 +21,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -80,17 +81,27 @@ TEST_F(Identify_shared_curves, Links_have_the_polynomials_and_linking_numbers_of
 {
   const auto curves = shared_curves::known_curves({"links"});
   ASSERT_FALSE(curves.empty());
+  std::size_t number_of_names = 0;
+  const std::map<std::string, std::string> names{
+      {"hopf.obj", "2^2_1"}, {"whitehead.obj", "5^2_1"}, {"borromean.obj", "6^3_2"}};
   for(const auto& known : curves) {
     VFC::Curve_network_3<> curve;
     ASSERT_TRUE(CGAL::IO::read_curve_network(known.path(), curve)) << known.file;
     const Link_identity identity = VFC::identify(curve);
     EXPECT_EQ(identity.number_of_components, curve.number_of_components());
     EXPECT_EQ(jones(identity.diagram), known.jones) << known.file;
+    const auto named = names.find(std::filesystem::path(known.file).filename().string());
+    if(named != names.end()) {
+      ++number_of_names;
+      EXPECT_EQ(identity.name.substr(0, identity.name.find('*')), named->second);
+      EXPECT_TRUE(identity.is_proved) << known.file;
+    }
     EXPECT_EQ(sorted_entries(identity.linking_matrix), sorted_entries(known.linking_matrix))
         << known.file;
     EXPECT_NE(identity.knottedness, VFC::Knottedness::UNKNOTTED) << known.file;
     EXPECT_NE(identity.knottedness, VFC::Knottedness::UNKNOWN) << known.file;
   }
+  EXPECT_EQ(number_of_names, names.size());
 }
 
 TEST(Identify_census, Each_knot_of_regina_has_a_name_of_its_own)

@@ -108,14 +108,14 @@ TEST_F(Command_line_identify, reports_linking_numbers_and_polynomials_of_links)
 {
   ASSERT_EQ(run("generate braid --word '1 1' -o hopf.obj").status, 0);
   const Finished hopf = run("identify hopf.obj --report hopf.json");
-  EXPECT_EQ(hopf.out.rfind("hopf.obj: link of 2 components, nontrivial (proved)\n", 0), 0u)
-      << hopf.out;
+  EXPECT_EQ(hopf.out.rfind("hopf.obj: 2^2_1, amphichiral (proved)\n", 0), 0u) << hopf.out;
   const Json report = json("hopf.json");
   EXPECT_EQ(report["linking_matrix"], Json::parse("[[0, 1], [1, 0]]"));
   EXPECT_EQ(report["homfly_polynomial"], "v z^-1 + v z - v^3 z^-1");
   EXPECT_EQ(report["jones_polynomial"], "-s - s^5");
   EXPECT_EQ(report["knotted"], "knotted");
-  EXPECT_TRUE(report["name"].is_null());
+  EXPECT_EQ(report["name"], "2^2_1");
+  EXPECT_EQ(report["is_proved"], true);
   ASSERT_EQ(run("generate braid --word '1 -1' -o unlink.obj").status, 0);
   EXPECT_EQ(
       run("identify unlink.obj").out.rfind("unlink.obj: unlink of 2 components (proved)\n", 0), 0u);

@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Value of a polynomial of a knot at a point, modulo two primes: of P(v, z) J_2(t), or of J_c(t).
+// Value of a polynomial of a knot at a point, modulo two primes: of P(v, z) J_2(t), J_c(t), or
+// P(v, z), also of a link.
 // These polynomials are multiplicative, and so is the key: the key of a connected sum is the
 // product. A test shows that keys of different knots of up to 10 crossings, composite ones
 // included, differ.
@@ -33,7 +34,12 @@ public:
 
   static Knot_key of(const Laurent_polynomial_2& homfly, const Laurent_polynomial& jones)
   {
-    return of(jones) * Knot_key([&](const Prime_field& field) { return value(homfly, field); });
+    return of(jones) * of(homfly);
+  }
+
+  static Knot_key of(const Laurent_polynomial_2& homfly)
+  {
+    return Knot_key([&](const Prime_field& field) { return value(homfly, field); });
   }
 
   static Knot_key of(const Laurent_polynomial& jones)

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identity.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Prime_knot.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Prime_link.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/colored_jones_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
@@ -34,7 +35,8 @@ namespace internal {
 // The link of a diagram, by its polynomials. A diagram of at most 10 crossings is one of a knot of
 // the classical tables, which Tait, Little and Perko made and Burton (2020) computed again, or of
 // a connected sum of some; since their keys differ, equal keys are a proof. So the name of a
-// connected sum is proved if each piece of its diagram has at most 10 crossings.
+// connected sum is proved if each piece of its diagram has at most 10 crossings. Likewise for the
+// links of at most 6 crossings (Conway 1970, Rolfsen 1976), which HOMFLY-PT suffices to distinguish.
 class Link_identification
 {
 public:
@@ -56,6 +58,8 @@ public:
       name_trivial_link();
     else if(m_identity.number_of_components == 1)
       name_knot();
+    else
+      name_link();
     return std::move(m_identity);
   }
 
@@ -109,6 +113,25 @@ private:
     else if(!is_chiral && are_proved)
       m_identity.chirality = Knot_chirality::AMPHICHIRAL;
     if(are_proved && factors.empty()) m_identity.knottedness = Knottedness::UNKNOTTED;
+  }
+
+  // A prime link by its polynomial. Only a proved name tells whether it is chiral: a link may have
+  // the polynomial of a chiral one for some orientations of its components, and not for others.
+  void name_link()
+  {
+    const std::size_t crossings = m_identity.diagram.crossings.size();
+    const auto pieces = diagram_pieces(m_identity.diagram);
+    if(!m_homfly || pieces.diagrams.size() > 1 || pieces.number_of_splits > 0) return;
+    const auto link = Prime_link::of(Knot_key::of(*m_homfly));
+    if(!link || link->components != m_identity.number_of_components || link->crossings > crossings)
+      return;
+    m_identity.name = link->name();
+    m_identity.is_proved = crossings <= Prime_link::max_crossings;
+    if(m_identity.is_proved)
+      m_identity.chirality =
+          link->is_amphichiral() ? Knot_chirality::AMPHICHIRAL : Knot_chirality::CHIRAL;
+    else
+      m_can_be_proved = true;
   }
 
   struct Piece_name

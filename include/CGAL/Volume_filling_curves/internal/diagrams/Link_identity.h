@@ -23,10 +23,10 @@ namespace Volume_filling_curves {
 /// \ingroup PkgVolumeFillingCurvesKnots
 /// \headerfile CGAL/Volume_filling_curves/identify.h
 ///
-/// Whether a knot is isotopic to its mirror image, for either orientation.
+/// Whether a knot or link is isotopic to its mirror image, for any orientation of its components.
 enum class Knot_chirality
 {
-  UNKNOWN,    ///< no proof, or the knot has no name
+  UNKNOWN,    ///< no proof, or no name
   CHIRAL,     ///< it is not; the name distinguishes the two
   AMPHICHIRAL ///< it is
 };
@@ -65,18 +65,21 @@ struct Link_identity
   /// a connected sum of such knots, such as "3_1#3_1*"; "0_1" for the unknot, and
   /// "unlink of 2 components". The knot without asterisk is the closure of its braid word in
   /// KnotInfo, read such that letter 1 is a positive crossing: "3_1" is the right-handed trefoil.
-  /// Empty if no such knot has the same polynomials, or they exceed the limits, and for links.
+  /// A prime link of up to 6 crossings likewise, such as "6^3_2" for the Borromean rings, for any
+  /// orientation of its components; without asterisk it is the closure of a braid word in
+  /// `data/prime_links.txt`. Empty if no such knot or link has the same polynomials, or they exceed
+  /// the limits.
   std::string name;
 
-  /// Whether the name is a theorem: no piece of the diagram has more than 10 crossings. Otherwise
-  /// the knot has the polynomials of the one with that name.
+  /// Whether the name is a theorem: no piece of the diagram has more than 10 crossings, or 6 for
+  /// several components. Otherwise it has the polynomials of the knot or link with that name.
   bool is_proved = false;
 
   /// Whether the knot or link is proved to be trivial or not, whatever its name.
   Knottedness knottedness = Knottedness::UNKNOWN;
 
-  /// The chirality of a knot with a name. Without a proof of the name it is never amphichiral:
-  /// polynomials only prove that a knot is chiral.
+  /// The chirality of a knot or link with a name. Without a proof of the name it is never
+  /// amphichiral, and unknown for links: polynomials only prove that a knot is chiral.
   Knot_chirality chirality = Knot_chirality::UNKNOWN;
 
   std::size_t number_of_components = 0; ///< of the link
