@@ -141,6 +141,19 @@ TEST(Simplified_diagram, Large_diagrams_shrink_in_a_second)
   EXPECT_TRUE(is_planar_diagram(simple));
 }
 
+TEST(Simplified_diagram, Random_moves_end_in_diagrams_with_large_faces)
+{
+  std::string word;
+  for(int k = 0; k < 2001; ++k) word += "1 ";
+  Diagram_simplification simplification(braid_diagram(word));
+  simplification.shorten_strands();
+  EXPECT_FALSE(simplification.is_work_done());
+  Random_source random(0);
+  simplification.shake(1000, random); // would take a minute
+  EXPECT_TRUE(simplification.is_work_done());
+  EXPECT_EQ(simplification.number_of_crossings(), 2001u);
+}
+
 using Shared_knots = shared_curves::Shared_data_test;
 
 TEST_F(Shared_knots, Come_to_at_most_ten_crossings)

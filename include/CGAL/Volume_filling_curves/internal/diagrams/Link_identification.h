@@ -36,7 +36,7 @@ namespace internal {
 // the classical tables, which Tait, Little and Perko made and Burton (2020) computed again, or of
 // a connected sum of some; since their keys differ, equal keys are a proof. So the name of a
 // connected sum is proved if each piece of its diagram has at most 10 crossings. Likewise for the
-// links of at most 6 crossings (Conway 1970, Rolfsen 1976), which HOMFLY-PT suffices to distinguish.
+// links of at most 6 crossings (Conway 1970, Rolfsen 1976), which HOMFLY-PT alone distinguishes.
 class Link_identification
 {
 public:

@@ -34,6 +34,9 @@ class Strand_rerouting
 public:
   explicit Strand_rerouting(Editable_diagram& diagram) : m_diagram(diagram) {}
 
+  // The work so far: the arcs that the searches for paths saw along faces.
+  std::size_t number_of_seen_arcs() const { return m_number_of_seen_arcs; }
+
   // Moves a strand to a path with fewer crossings, and returns whether there was one. The strand
   // leaves from a slot and ends before its level changes, or after `max_length` crossings.
   bool shorten(Slot start, std::size_t max_length)
@@ -136,6 +139,7 @@ private:
     bool is_end = false;
     Slot s = step.into;
     do {
+      ++m_number_of_seen_arcs;
       m_stamps[s] = m_stamp;
       const Slot other = m_diagram.mate(s);
       is_end = is_end || s == m_end || other == m_end;
@@ -181,6 +185,7 @@ private:
   std::vector<Step> m_current, m_next;
   std::vector<std::uint32_t> m_stamps, m_strand_stamps; // of the search that saw a slot last
   std::uint32_t m_stamp = 0;
+  std::size_t m_number_of_seen_arcs = 0;
 };
 
 } // namespace internal
