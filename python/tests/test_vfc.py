@@ -31,6 +31,15 @@ def circle(points=16, at=(0, 0, 0), radius=1.0):
     return radius * np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]) + at
 
 
+def growth_of_memory(call):
+    """By how many KiB the memory grows from the 20th to the 100th call."""
+    sizes = []
+    for _ in range(100):
+        call()
+        sizes.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+    return sizes[-1] - sizes[20]
+
+
 class Curves(unittest.TestCase):
     def test_an_array_comes_back_as_an_array_and_a_list_as_a_list(self):
         one = vfc.simplify(circle())
@@ -127,11 +136,9 @@ class Untangling(unittest.TestCase):
 
     def test_memory_stays_constant(self):
         knot = vfc.torus_knot(2, 3, 100)
-        sizes = []
-        for _ in range(100):
-            vfc.untangle(knot, certificate=True, number_of_iterations=3)
-            sizes.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
-        self.assertLess(sizes[-1] - sizes[20], 4096)  # KiB
+        grown = growth_of_memory(
+            lambda: vfc.untangle(knot, certificate=True, number_of_iterations=3))
+        self.assertLess(grown, 4096)
 
 
 class Interruption(unittest.TestCase):
@@ -236,6 +243,13 @@ class Filling(unittest.TestCase):
         in_turn = [filling(seed) for seed in range(4)]
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             self.assertTrue(all(map(np.array_equal, in_turn, pool.map(filling, range(4)))))
+
+    def test_memory_stays_constant(self):
+        def thickness(p):
+            return 0.3 + 0.05 * p[2]
+        grown = growth_of_memory(lambda: vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=thickness,
+                                                  certificate=True, number_of_iterations=3))
+        self.assertLess(grown, 4096)
 
     def test_a_function_is_let_go_with_its_domain(self):
         def inside(p):
