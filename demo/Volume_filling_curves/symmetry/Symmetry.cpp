@@ -9,7 +9,9 @@
 #include "meshes/vertex_values.h"
 #include "session/errors.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 namespace vfc {
@@ -24,6 +26,16 @@ constexpr std::size_t max_order = 1000;
                     ": is neither mirror[:X,Y,Z,NX,NY,NZ] nor rotation:K[:X,Y,Z,AX,AY,AZ] with K "
                     "from 2 to " +
                     std::to_string(max_order));
+}
+
+// 0 if the text is not a number from 2 to the largest order
+std::size_t parsed_order(const std::string& text)
+{
+  const bool are_digits =
+      std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
+  if(text.empty() || text.size() > 4 || !are_digits) return 0;
+  const std::size_t order = std::stoul(text);
+  return order < 2 || order > max_order ? 0 : order;
 }
 
 std::size_t comma_of_direction(const std::string& text)
@@ -42,19 +54,16 @@ Symmetry::Vector unit(const Symmetry::Vector& v)
 
 Symmetry::Symmetry(const std::string& text, const CGAL::Bbox_3& box)
 {
-  const std::string rotation = "rotation:";
+  const std::string mirror = "mirror", rotation = "rotation:";
   std::string rest;
-  m_is_mirror = text.compare(0, 6, "mirror") == 0;
+  m_is_mirror = text.compare(0, mirror.size(), mirror) == 0;
   if(m_is_mirror) {
-    rest = text.substr(6);
+    rest = text.substr(mirror.size());
   } else {
-    std::size_t end = rotation.size();
-    while(end < text.size() && std::isdigit(static_cast<unsigned char>(text[end]))) ++end;
-    const std::string order = text.substr(0, end).substr((std::min)(end, rotation.size()));
-    if(text.compare(0, rotation.size(), rotation) != 0 || order.empty() || order.size() > 4)
-      complain(text);
-    m_order = std::stoul(order);
-    if(m_order < 2 || m_order > max_order) complain(text);
+    if(text.compare(0, rotation.size(), rotation) != 0) complain(text);
+    const std::size_t end = (std::min)(text.find(':', rotation.size()), text.size());
+    m_order = parsed_order(text.substr(rotation.size(), end - rotation.size()));
+    if(m_order == 0) complain(text);
     rest = text.substr(end);
   }
   std::array<double, 3> p{(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
