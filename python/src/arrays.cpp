@@ -115,15 +115,22 @@ void pin(Curve& curve, const std::vector<std::size_t>& points)
   }
 }
 
+Triangles triangles_of(const Doubles& vertices, const Integers& faces)
+{
+  Triangles triangles;
+  triangles.points = points_of_rows(vertices, "vertices");
+  triangles.faces = indices_of_rows<3>(faces, triangles.points.size(), "faces");
+  return triangles;
+}
+
 Mesh mesh_of(const Doubles& vertices, const Integers& faces)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  const std::vector<Point> points = points_of_rows(vertices, "vertices");
-  const auto triangles = indices_of_rows<3>(faces, points.size(), "faces");
-  if(!PMP::is_polygon_soup_a_polygon_mesh(triangles))
+  const Triangles triangles = triangles_of(vertices, faces);
+  if(!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces))
     throw std::invalid_argument("faces: they are no oriented manifold; repair() mends such meshes");
   Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  PMP::polygon_soup_to_polygon_mesh(triangles.points, triangles.faces, mesh);
   return mesh;
 }
 

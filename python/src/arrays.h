@@ -15,6 +15,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,6 +46,15 @@ Curve curve_of_edges(const Doubles& points, const Integers& edges);
 
 // Pins the points with these indices in the input.
 void pin(Curve& curve, const std::vector<std::size_t>& points);
+
+// Triangles, which need not bound anything.
+struct Triangles
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> faces;
+};
+
+Triangles triangles_of(const Doubles& vertices, const Integers& faces);
 
 // A closed triangle mesh; std::invalid_argument if the faces are no oriented manifold.
 Mesh mesh_of(const Doubles& vertices, const Integers& faces);

@@ -20,6 +20,7 @@ void bind_filling(pybind11::module_& module);
 void bind_generators(pybind11::module_& module);
 void bind_identification(pybind11::module_& module);
 void bind_measures(pybind11::module_& module);
+void bind_meshes(pybind11::module_& module);
 void bind_simplification(pybind11::module_& module);
 void bind_untangling(pybind11::module_& module);
 void bind_verification(pybind11::module_& module);

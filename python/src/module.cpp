@@ -21,6 +21,7 @@ PYBIND11_MODULE(_vfc, module)
   vfc_python::bind_generators(module);
   vfc_python::bind_identification(module);
   vfc_python::bind_measures(module);
+  vfc_python::bind_meshes(module);
   vfc_python::bind_simplification(module);
   vfc_python::bind_untangling(module);
   vfc_python::bind_verification(module);

@@ -4,24 +4,40 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "Domain.h"
 #include "bindings.h"
 #include "options.h"
 #include "results.h" // generated
 
-#include <CGAL/Volume_filling_curves/untangle.h>
+#include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 
 #include <functional>
+#include <stdexcept>
+#include <variant>
 
 namespace vfc_python {
 
 namespace {
 
+// The domain may be none.
+VFC::Untangling_result result_in(Curve& curve,
+                                 const Domain* domain,
+                                 const VFC::Untangling_parameters& parameters)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  if(domain == nullptr) return VFC::untangle<Tag>(curve, parameters);
+  return VFC::untangle<Tag>(curve, std::get<Any_domain>(domain->inside), parameters);
+}
+
 // Replaces the curve by the result.
 py::dict untangle(Curve& curve,
+                  const Domain* domain,
                   const py::dict& options,
                   VFC::Isotopy_certificate* certificate,
                   const py::object& progress)
 {
+  if(domain != nullptr && !std::holds_alternative<Any_domain>(domain->inside))
+    throw std::invalid_argument("curves are untangled in domains in space, not in polygons");
   auto parameters = parameters_of<VFC::Untangling_parameters>(options);
   Run_observer observer(progress);
   parameters.progress = std::ref(observer);
@@ -29,7 +45,7 @@ py::dict untangle(Curve& curve,
   VFC::Untangling_result result;
   {
     const py::gil_scoped_release unlock;
-    result = VFC::untangle<CGAL::Parallel_if_available_tag>(curve, parameters);
+    result = result_in(curve, domain, parameters);
   }
   return to_python(result);
 }

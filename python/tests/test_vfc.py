@@ -140,6 +140,23 @@ class Untangling(unittest.TestCase):
             lambda: vfc.untangle(knot, certificate=True, number_of_iterations=3))
         self.assertLess(grown, 4096)
 
+    def test_curves_stay_in_a_domain(self):
+        ring = circle(32, radius=0.9)
+        cavity = 0.25 + 0.5 * CUBE_VERTICES - 0.5
+        outer = 4 * CUBE_VERTICES - 2
+        domain = vfc.Mesh(np.vstack([outer, cavity]), np.vstack([CUBE_FACES, CUBE_FACES[:, ::-1] + 8]))
+        result = vfc.untangle(ring, domain=domain, certificate=True, stop_at_proof=False,
+                              thickness=0.1)
+        self.assertEqual(vfc.outside(result.curves, domain), ([], []))
+        self.assertLess(vfc.length(result.curves), vfc.length(ring))
+        self.assertTrue(vfc.verify(result.certificate, ring, result.curves, domain=domain).has_domain)
+
+    def test_a_domain_that_does_not_fit_is_a_value_error(self):
+        with self.assertRaisesRegex(ValueError, "inside the domain"):
+            vfc.untangle(circle(), domain=vfc.Ball((0, 0, 0), 0.5))
+        with self.assertRaisesRegex(ValueError, "not in polygons"):
+            vfc.untangle(circle(), domain=vfc.Polygons(SQUARE))
+
 
 class Interruption(unittest.TestCase):
     def setUp(self):
@@ -184,7 +201,8 @@ class Interruption(unittest.TestCase):
                      lambda: vfc.closed_braid([1, -2] * 99, 10**6),
                      lambda: vfc.arc_spline(chain, closed=False),
                      lambda: vfc.tube(chain, 0.1, closed=False),
-                     lambda: vfc.Mesh(*tube)]:
+                     lambda: vfc.Mesh(*tube), lambda: vfc.check_mesh(*tube),
+                     lambda: vfc.repair(tube[0], tube[1][1:])]:
             self.assertLess(self.interrupted_after(call, 0.1), 2)  # on a busy machine
 
 
@@ -292,6 +310,51 @@ class Filling(unittest.TestCase):
             vfc.fill(CUBE_VERTICES, CUBE_FACES[1:], thickness=0.1)
         with self.assertRaisesRegex(ValueError, "row 0 has the index 9"):
             vfc.fill(CUBE_VERTICES, [[0, 1, 9]], thickness=0.1)
+
+
+class Meshes(unittest.TestCase):
+    def test_a_sound_mesh_has_no_defects_and_is_not_changed(self):
+        self.assertEqual(vfc.check_mesh(CUBE_VERTICES, CUBE_FACES), [])
+        mended = vfc.repair(CUBE_VERTICES, CUBE_FACES)
+        self.assertEqual((mended.steps, mended.distance_from_input), ([], 0))
+        self.assertTrue(np.array_equal(mended.vertices, CUBE_VERTICES))
+        self.assertEqual(len(mended.faces), 12)
+
+    def test_defects_have_the_indices_of_the_arrays(self):
+        hole, = vfc.check_mesh(CUBE_VERTICES, CUBE_FACES[1:])
+        self.assertEqual((hole.kind, hole.is_error), ("open boundary", True))
+        self.assertEqual(sorted(hole.vertices), sorted(CUBE_FACES[0]))
+        repeated, = vfc.check_mesh(CUBE_VERTICES, np.vstack([CUBE_FACES, CUBE_FACES[:1]]))[:1]
+        self.assertEqual((repeated.kind, list(repeated.faces)), ("duplicate face", [0, 12]))
+
+    def test_what_is_mended_can_be_filled(self):
+        two = (np.vstack([CUBE_VERTICES, CUBE_VERTICES + 0.5]), np.vstack([CUBE_FACES, CUBE_FACES + 8]))
+        for vertices, faces, volume in [(CUBE_VERTICES, CUBE_FACES[1:], 1), (*two, 2 - 0.125)]:
+            self.assertTrue(any(defect.is_error for defect in vfc.check_mesh(vertices, faces)))
+            mended = vfc.repair(vertices, faces)
+            self.assertNotEqual(mended.steps, [])
+            self.assertEqual(vfc.check_mesh(mended.vertices, mended.faces), [])
+            a, b, c = mended.vertices[mended.faces].transpose(1, 0, 2)
+            self.assertAlmostEqual(np.einsum("ij,ij", a, np.cross(b, c)) / 6, volume)
+            vfc.Mesh(mended.vertices, mended.faces)
+
+    def test_what_cannot_be_mended_is_a_value_error(self):
+        for vertices, faces, message in [(CUBE_VERTICES * np.nan, CUBE_FACES, "not finite, vertex 0"),
+                                         (CUBE_VERTICES, [[0, 1, 9]], "row 0 has the index 9"),
+                                         (CUBE_VERTICES, [[0, 0, 1]], "area"),
+                                         (CUBE_VERTICES, np.zeros((0, 3), int), "no faces")]:
+            with self.assertRaisesRegex(ValueError, message):
+                vfc.repair(vertices, faces)
+        with self.assertRaisesRegex(ValueError, "alpha"):
+            vfc.repair(CUBE_VERTICES, CUBE_FACES, alpha=-1)
+
+    def test_progress_can_end_a_repair_and_its_exceptions_come_out(self):
+        def fail(progress):
+            raise KeyError(progress["stage"])
+        with self.assertRaises(KeyError):
+            vfc.repair(CUBE_VERTICES, CUBE_FACES[1:], progress=fail)
+        with self.assertRaises(vfc.Interrupted):
+            vfc.repair(CUBE_VERTICES, CUBE_FACES[1:], progress=lambda p: p["stage"] == "checking")
 
 
 class Measures(unittest.TestCase):

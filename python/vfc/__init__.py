@@ -20,4 +20,5 @@ from .domains import Ball, Box, Domain, Implicit, Mesh, Polygons
 from .files import read, write
 from .generators import closed_braid, hard_unknot, random_polygon, torus_knot
 from .measures import arc_spline, coverage, identify, length, measure, outside, tube
+from .meshes import MeshDefect, RepairedMesh, check_mesh, repair
 from .runs import Filled, Simplified, Untangled, fill, simplify, untangle, verify

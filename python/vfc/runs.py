@@ -76,11 +76,12 @@ def _bytes(record: Optional[_vfc.Certificate]) -> Optional[bytes]:
     return record.bytes() if record else None
 
 
-def untangle(curves: Curves, *, closed: Closed = True, pin: Any = None, certificate: bool = False,
-             progress: Progress = None, **options: Any) -> Untangled:
+def untangle(curves: Curves, *, domain: Optional[Domain] = None, closed: Closed = True,
+             pin: Any = None, certificate: bool = False, progress: Progress = None,
+             **options: Any) -> Untangled:
     core = to_core(curves, closed, pin)
     record = _record(certificate)
-    result = _vfc.untangle(core, options, record, progress)
+    result = _vfc.untangle(core, domain and domain._core, options, record, progress)
     return Untangled(**_results.with_classes("UntanglingResult", result),
                      curves=from_core(core, curves), origin=origins(core, curves),
                      certificate=_bytes(record))
@@ -167,7 +168,9 @@ _describe(untangle, """Moves curves to a short and simple shape, without ever pa
     Parameters
     ----------
     curves : array of shape (n, 3), list of such arrays, or Network
-        The curves, in any unit of length.""")
+        The curves, in any unit of length.
+    domain : Domain, default None
+        The domain in which the curves stay, such as a `Mesh`, whose cavities are obstacles.""")
 _describe(fill, """Fills a domain evenly with curves, which never leave it and never touch one another.
 
     Parameters

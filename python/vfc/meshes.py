@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+"""Check and repair of triangle meshes that are to be filled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from . import _vfc
+from .runs import Progress
+
+
+@dataclass
+class MeshDefect:
+    """A defect of a mesh, or a peculiarity that does no harm.
+
+    Attributes:
+        kind: for example "open boundary" or "self-intersection"
+        is_error: whether the mesh bounds no domain because of it
+        message: what it is, and where
+        vertices: the indices of the vertices concerned
+        faces: the indices of the faces concerned
+    """
+
+    kind: str
+    is_error: bool
+    message: str
+    vertices: np.ndarray
+    faces: np.ndarray
+
+    def __str__(self) -> str:
+        return f"{'error' if self.is_error else 'warning'}: {self.kind}: {self.message}"
+
+
+@dataclass(repr=False)
+class RepairedMesh:
+    """A mesh that bounds a domain.
+
+    Attributes:
+        vertices: array of shape (n, 3)
+        faces: integer array of shape (m, 3), oriented outwards
+        steps: what was mended, in words; empty if nothing was
+        distance_from_input: the greatest distance of the result from the input's surface, estimated
+            from some 10,000 points, in the input's unit
+        distance_to_result: that of the input's surface from the result, which may leave out parts
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    steps: list[str]
+    distance_from_input: float
+    distance_to_result: float
+
+    def __repr__(self) -> str:
+        return (f"<RepairedMesh: {len(self.vertices)} vertices, {len(self.faces)} faces, "
+                f"{len(self.steps)} steps>")
+
+
+def check_mesh(vertices: Any, faces: Any, *, progress: Progress = None) -> list[MeshDefect]:
+    """What keeps a mesh from bounding a domain, and what else is peculiar; decided exactly.
+
+    Args:
+        vertices: array of shape (n, 3)
+        faces: integer array of shape (m, 3), of indices of vertices
+        progress: a function of a dictionary with the keys stage and seconds; if it returns False,
+            `Interrupted` is raised
+
+    Returns:
+        a list of `MeshDefect`, at most 1000 of each kind; `fill()` takes the mesh if none is an error
+    """
+    found = _vfc.check_mesh(np.asarray(vertices, float), np.asarray(faces), progress)
+    return [MeshDefect(**defect) for defect in found]
+
+
+def repair(vertices: Any, faces: Any, *, alpha: float = 0,
+           progress: Progress = None) -> RepairedMesh:
+    """Mends a mesh by the steps that change it least, so that `fill()` takes it.
+
+    Equal vertices are merged, small sheets and flat faces are removed, holes are closed,
+    self-intersections are cut out and shells are united. Only if that does not suffice, a new surface
+    is wrapped around all faces.
+
+    Args:
+        vertices: array of shape (n, 3)
+        faces: integer array of shape (m, 3), of indices of vertices
+        alpha: the width of gaps that a wrapped surface does not enter, in the input's unit; 0 stands
+            for a fiftieth of the diagonal
+        progress: a function of a dictionary with the keys stage and seconds; if it returns False,
+            `Interrupted` is raised
+
+    Raises:
+        ValueError: if the mesh cannot be mended, for example if no face has an area
+    """
+    return RepairedMesh(**_vfc.repair(np.asarray(vertices, float), np.asarray(faces), alpha,
+                                      progress))
