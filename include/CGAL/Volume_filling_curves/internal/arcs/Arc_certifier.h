@@ -86,8 +86,8 @@ private:
     return (to_vector(arc.start) - p).cross((q - p).normalized()).squaredNorm();
   }
 
-  // Returns whether the next node along an edge of v is the end of an arc, or becomes one. An end
-  // that two arcs share already exists.
+  // Inserts the end of an arc into an edge of v, unless the arc at the other end of the edge shares
+  // it and has inserted it. Returns whether the node exists.
   bool insert_end(std::size_t v, std::size_t k, const Point_3& end)
   {
     return to_vector(m_copy.point(m_copy.neighbor(v, k))) == to_vector(end) ||

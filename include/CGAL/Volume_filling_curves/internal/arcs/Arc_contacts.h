@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Pairs of pieces of an arc spline that meet elsewhere than in a common end. Each arc is
+// Pairs of pieces of an arc spline that meet outside a common end. Each arc is
 // represented by the closed triangle of its ends and its corner. Exact in all degenerate cases.
 // Boxes are in the order of the curve, as `Box_tree` requires: near-linear time.
 template <typename Traits>
@@ -47,7 +47,8 @@ public:
       for(const Piece& piece : path.pieces) m_pieces.push_back(&piece);
   }
 
-  // Calls f(piece, other) for each two pieces in contact, in a fixed order. \throws Run_stopped
+  // Calls f(piece, other) for every pair of pieces in contact, in a fixed order. \throws
+  // Run_stopped
   template <typename Function>
   void for_each(Run_watch& watch, const Function& f) const
   {
@@ -71,7 +72,7 @@ private:
     return boxes;
   }
 
-  // A segment is a degenerate triangle, whose second end counts twice.
+  // A segment is a degenerate triangle: its second end counts twice.
   static Triangle triangle(const Piece& piece)
   {
     return {piece.start, piece.is_arc() ? piece.corner : piece.end, piece.end};
@@ -83,7 +84,7 @@ private:
     return {piece.end, piece.is_arc() ? piece.corner : piece.start, piece.start};
   }
 
-  // Pieces have at most one end in common, as an embedded polygon turns at three nodes at least.
+  // Pieces have at most one end in common, since an embedded polygon has at least three corners.
   bool are_in_contact(const Piece& s, const Piece& t) const
   {
     for(const Triangle& a : {triangle(s), reversed(s)})
@@ -92,7 +93,7 @@ private:
     return m_triangles.do_intersect(triangle(s), triangle(t));
   }
 
-  // whether an edge of a meets b elsewhere than in their common first corner
+  // whether an edge of a meets b outside their common first corner
   bool do_meet_beyond(const Triangle& a, const Triangle& b) const
   {
     return m_predicates.does_segment_meet_triangle_beyond_corner(b[0], a[1], b[1], b[2]) ||

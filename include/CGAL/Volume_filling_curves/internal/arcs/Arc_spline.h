@@ -27,7 +27,7 @@ template <typename Point_3>
 struct Arc_spline_piece
 {
   Point_3 start;  ///< the first point
-  Point_3 corner; ///< where the tangents at the ends of an arc meet; of a segment, its middle
+  Point_3 corner; ///< the intersection of an arc's end tangents; a segment's midpoint
   Point_3 middle; ///< the point halfway
   Point_3 end;    ///< the last point
 
@@ -54,7 +54,7 @@ template <typename Point_3>
 struct Arc_spline_path
 {
   std::size_t component = 0; ///< the component of the curve
-  bool is_closed = false;    ///< whether the last piece ends where the first one starts, smoothly
+  bool is_closed = false;    ///< whether the last piece continues smoothly into the first
 
   /// the pieces; each one starts where the one before it ends
   std::vector<Arc_spline_piece<Point_3>> pieces;
@@ -68,7 +68,7 @@ enum class Arc_obstacle
 {
   STRAND,   ///< its triangle meets another arc's triangle, or a segment
   BOUNDARY, ///< its triangle is not strictly inside the domain
-  ROUNDING  ///< its ends cannot be told apart from the nodes, or their rounding meets a strand
+  ROUNDING  ///< after rounding, its ends coincide with nodes, or reaching them crosses a strand
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -95,7 +95,7 @@ struct Arc_conflict
 {
   std::size_t node = 0;                         ///< the node at the corner
   Arc_obstacle obstacle = Arc_obstacle::STRAND; ///< the reason
-  std::size_t other = 0; ///< the node of the other arc or segment if that is a strand, else `node`
+  std::size_t other = 0; ///< the node of the strand that is met; `node` if there is none
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -124,7 +124,7 @@ struct Arc_spline
   double min_radius = std::numeric_limits<double>::infinity();
 
   double max_distance = 0; ///< the largest distance of a point of the curve to the spline
-  double length = 0;       ///< the length of all pieces together
+  double length = 0;       ///< the total length of all pieces
 };
 
 } // namespace Volume_filling_curves

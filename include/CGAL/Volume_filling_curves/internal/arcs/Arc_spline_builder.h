@@ -50,16 +50,16 @@ public:
   }
 
 private:
-  // Arcs on both sides of an edge that would leave less of it than this share end in one point;
-  // otherwise rounding of two nearly equal points could make a segment that runs backwards.
+  // Arcs that leave less than this share of the edge between them end in one point. A segment
+  // between two nearly equal points could run backwards because of rounding.
   static constexpr double min_share = 1e-12;
-  static constexpr double min_tangent = 1e-6; // of half of a turn that is more than rounding
+  static constexpr double min_tangent = 1e-6; // of half a turn that exceeds rounding
   static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(); // of coordinates
 
   struct Corner
   {
     double tangent_length = 0;    // 0 if there is no arc
-    double half_turn_tangent = 0; // of half of the angle by which the curve turns
+    double half_turn_tangent = 0; // of half the turning angle
   };
 
   Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
@@ -72,7 +72,7 @@ private:
     path.component = m_curve.component(nodes.front());
     path.is_closed = strand.is_closed;
     const std::vector<Corner> corners = corners_of(nodes, path.is_closed);
-    std::vector<std::array<Vector, 2>> ends; // of what is left of each edge
+    std::vector<std::array<Vector, 2>> ends; // of the rest of each edge
     for(std::size_t i = 0; i + 1 < nodes.size(); ++i)
       ends.push_back(ends_of_rest(position(nodes[i]), position(nodes[i + 1]),
                                   corners[i].tangent_length, corners[i + 1].tangent_length));

@@ -43,7 +43,7 @@ public:
     for(const std::size_t v : curve.nodes()) {
       points.push_back(to_position(curve.point(v)));
       for(double& x : points.back())
-        if(x == 0) x = 0; // there is only one zero
+        if(x == 0) x = 0; // -0 counts as 0
       nodes.push_back(v);
     }
     m_ranks.resize(nodes.empty() ? 0 : nodes.back() + 1);
@@ -63,7 +63,7 @@ public:
   const std::vector<Position>& points() const { return m_points; }
   const std::vector<Edge>& edges() const { return m_edges; }
 
-  // the place in points() of each node of the curve
+  // the index in points() of each node of the curve
   const std::vector<std::uint64_t>& ranks() const { return m_ranks; }
 
   std::uint64_t number_of_components() const

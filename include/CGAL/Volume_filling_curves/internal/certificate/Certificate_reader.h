@@ -22,9 +22,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Decoder of certificates, from the first byte to the last. It accepts any bytes, and returns the
-// operations or throws a Certificate_format_error; every certificate has exactly one encoding. It
-// does not check whether nodes exist and moves are safe. Constant time per operation.
+// Decoder of certificates, from the first byte to the last. It returns the operations, and throws a
+// Certificate_format_error for bytes that are not a certificate; every certificate has exactly one
+// encoding. The verifier checks whether nodes exist and moves are safe. Constant time per
+// operation.
 class Certificate_reader
 {
   using Kind = Certificate_operation::Kind;
@@ -81,7 +82,7 @@ public:
     return trailer;
   }
 
-  // the bytes that the hash in the trailer belongs to
+  // the bytes whose hash is in the trailer
   std::string_view record() const { return m_bytes.substr(0, m_record_length); }
 
 private:

@@ -21,9 +21,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Encoder of certificates: constant time per operation, 25 to 27 bytes per moved node. Most of
-// these are coordinates, whose low bits are nearly random: storing only the bytes that changed
-// would save an eighth (Freedman-He-Wang's unknot, 2026-11-21), not enough to justify a more
-// complicated format.
+// these are coordinates, whose low bits are nearly random. Storing only the bytes that changed
+// would save an eighth (Freedman-He-Wang's unknot, 2026-11-21), too little for a more complicated
+// format.
 class Certificate_writer
 {
   using Kind = Certificate_operation::Kind;
@@ -48,7 +48,7 @@ public:
     m_last_node = operation.node;
   }
 
-  // Everything of the trailer but the record's own hash.
+  // Writes the trailer except for its last entry, the hash of the record itself.
   void write_end(std::uint64_t nodes, std::uint64_t edges, const Sha256::Digest& curve)
   {
     append_code(0, Kind::END);
@@ -63,7 +63,7 @@ public:
   std::uint64_t number_of_operations() const { return m_number_of_operations; }
   const std::string& bytes() const { return m_bytes; }
 
-  // everything that it consists of
+  // all members, for a run state
   auto contents() { return std::tie(m_bytes, m_number_of_operations, m_last_node); }
 
 private:

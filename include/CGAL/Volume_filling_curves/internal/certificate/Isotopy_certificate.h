@@ -25,9 +25,9 @@ namespace Volume_filling_curves {
  * \brief The class `Isotopy_certificate` is the record of a certified motion: all changes of a
  * curve as elementary moves. Anyone can verify it without trusting the program that wrote it.
  *
- * A certificate is a sequence of bytes, to be kept in a file: the hash of the start curve, all
- * moves with their coordinates, and the hash of the end curve. The page \ref vfc_certificate_format
- * describes it. A text form of the same content is meant for reading.
+ * A certificate is a sequence of bytes, such as the content of a file: the hash of the start curve,
+ * all moves with their coordinates, and the hash of the end curve. Page
+ * \ref vfc_certificate_format describes it. The text form has the same content, for human readers.
  *
  * `untangle()`, `fill()`, `simplify_curves()` and `Isotopy_guard_3` write certificates, and
  * `verify_certificate()` verifies them.
@@ -40,7 +40,7 @@ public:
 
   /*!
    * constructs a certificate from the content of a file, in binary or text form. The binary form is
-   * not checked until it is verified.
+   * checked only by `verify_certificate()`.
    *
    * \throws std::invalid_argument if the content is in text form and has an error; the message
    * gives the line

@@ -22,7 +22,7 @@ namespace internal {
 
 // Hash function SHA-256 (FIPS 180-4) for a stream of bytes that arrives in pieces: blocks of 64
 // bytes are mixed into a state of eight words; the end is padded with the length of the message.
-// Boost only has SHA-1. Linear time, some 200 MB per second.
+// Boost has SHA-1 only. Linear time, some 200 MB per second.
 class Sha256
 {
 public:
@@ -74,7 +74,7 @@ private:
       0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7,
       0xc67178f2};
 
-  // the words of the block, and 48 more that are made of them
+  // the words of the block, and 48 more computed from them
   std::array<Word, 64> schedule() const
   {
     std::array<Word, 64> w{};

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Numbers as bytes, little-endian; doubles in their IEEE representation.
+// Little-endian bytes of numbers; doubles in their IEEE representation.
 
 inline void append_little_endian(std::string& bytes, std::uint64_t x, int size = 8)
 {
@@ -38,8 +38,8 @@ inline void append_little_endian(std::string& bytes, double x)
   append_little_endian(bytes, bits);
 }
 
-// The parts of a certificate. The page "Format of Certificates" of the manual describes how
-// this is encoded, for those who want to write a reader of their own.
+// Parts of a certificate. The manual's page "Format of Certificates" describes their encoding, so
+// that anyone can write an independent reader.
 
 constexpr std::string_view certificate_magic = "VFC-CERT";
 constexpr std::uint32_t certificate_version = 2;
@@ -57,7 +57,7 @@ inline const Position& to_position(const Position& p)
   return p;
 }
 
-// The curve that the motion starts from. Its nodes have the numbers 0, 1, ... in the lexicographic
+// Curve at the start of the motion. Its nodes have the numbers 0, 1, ... in the lexicographic
 // order of their coordinates.
 struct Certificate_header
 {
@@ -65,15 +65,15 @@ struct Certificate_header
   Sha256::Digest curve{};
 };
 
-// One change of the curve. Nodes that are inserted are numbered on; no number is used again.
+// One change of the curve. Inserted nodes get the next numbers; no number is used twice.
 struct Certificate_operation
 {
   enum class Kind : std::uint8_t
   {
-    MOVE = 0,   // `node` goes to `position` along a straight line
+    MOVE = 0,   // `node` moves to `position` along a straight line
     INSERT = 1, // a new node at `position` splits the edge between `node` and `other`
-    REMOVE = 2, // `node` goes, and its two neighbors are joined by an edge
-    END = 3     // nothing more happens
+    REMOVE = 2, // `node` is removed, and an edge joins its two neighbors
+    END = 3     // no more operations
   };
 
   Kind kind = Kind::END;
@@ -81,20 +81,20 @@ struct Certificate_operation
   Position position{};
 };
 
-// The curve at the end. The record is the SHA-256 of all bytes that stand before it.
+// Curve at the end of the motion. `record` is the SHA-256 of all bytes before it.
 struct Certificate_trailer
 {
   std::uint64_t operations = 0, nodes = 0, edges = 0;
   Sha256::Digest curve{}, record{};
 };
 
-// Error of bytes that are not a certificate.
+// Thrown for bytes that are not a certificate.
 struct Certificate_format_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-// Numbers of either sign as numbers without, those next to zero first: 0, -1, 1, -2, 2, ...
+// Maps signed numbers to unsigned ones, those nearest to zero first: 0, -1, 1, -2, 2, ...
 inline std::uint64_t zigzag(std::int64_t x)
 {
   const auto bits = static_cast<std::uint64_t>(x);

@@ -21,7 +21,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Record of a motion with all coordinates multiplied by a power of two, which keeps the order of
-// the nodes. The start and end curves passed must be scaled in the same way.
+// the nodes. The caller scales the start and end curves likewise.
 template <typename Curve>
 std::string scaled_record(std::string_view bytes,
                           double factor,

@@ -35,7 +35,7 @@ inline bool is_text_form(std::string_view content)
   return content.substr(0, text_form_magic.size()) == text_form_magic;
 }
 
-// Composes the text.
+// Binary form to text.
 class Text_form_writer
 {
   using Kind = Certificate_operation::Kind;
@@ -99,7 +99,7 @@ private:
   std::string m_text;
 };
 
-// Reads the text, and reports the line of an error.
+// Text to binary form. Errors name the line.
 class Text_form_reader
 {
   using Kind = Certificate_operation::Kind;
@@ -180,7 +180,7 @@ private:
     return x;
   }
 
-  // Numbers of nodes, as those of a certificate in binary form, are less than 2^61.
+  // Returns the number of a node, which is less than 2^61, as in the binary form.
   std::uint64_t number(std::size_t k) const
   {
     const auto x = parsed<std::uint64_t>(k);

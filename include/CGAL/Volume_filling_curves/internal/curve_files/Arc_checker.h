@@ -25,9 +25,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Check for arcs that were probably meant to be closed. Rings in lists of points often do not
-// repeat their first point, and the format has no other mark for them; read as an arc, a ring would
-// untangle to a segment. Nearly closed arcs are errors in such formats; in others, only arcs whose
-// ends are as close as neighbors get a warning. Linear time for each arc with close ends.
+// repeat their first point, and the format has no other mark for them. Read as an arc, a ring would
+// untangle to a segment. In such formats nearly closed arcs are errors; in other formats arcs whose
+// ends are as close as neighboring nodes get a warning. Linear time for each arc with close ends.
 class Arc_checker
 {
   using Traits = Curve_flow_traits_3<>;
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  // a component, of which only arcs matter
+  // a component; it is an arc if it has two ends
   struct Arc
   {
     std::vector<std::size_t> ends;
@@ -62,15 +62,15 @@ private:
     std::size_t number_of_edges = 0;
   };
 
-  // The ends of a ring that is not closed are neighbors, of which samplings may leave out a few.
+  // The ends of an unclosed ring are neighbors, and a sampling may omit a few nodes between them.
   static constexpr double max_gap = 3; // in longest edges
 
-  // In lengths of the arc: the legs of a right angle are an arc (0.71), two sides of an equilateral
-  // triangle (0.5) may be a ring.
+  // The largest gap of a ring, in lengths of the arc. It separates the two legs of a right angle
+  // (0.71), which are an arc, from two sides of an equilateral triangle (0.5), which may be a ring.
   static constexpr double max_share = 2. / 3;
 
   static constexpr double closeness = 1.5;    // in mean edge lengths
-  static constexpr std::size_t min_edges = 8; // an arc of fewer is close to itself anyway
+  static constexpr std::size_t min_edges = 8; // with fewer, the ends are close in any case
 
   double distance(std::size_t v, std::size_t w) const
   {
@@ -121,7 +121,7 @@ private:
   // Returns whether the edge between the ends meets no other edge, which is decided exactly.
   bool may_be_closed(const Arc& arc)
   {
-    if(gap(arc) == 0) return true; // closed by the same point, written in two ways
+    if(gap(arc) == 0) return true; // one point, written in two ways
     if(m_points.empty())
       for(const auto& p : m_file.points) m_points.emplace_back(p[0], p[1], p[2]);
     auto edges = m_file.edges;

@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Closing of the arcs of a file, or opening of its closed curves, at the user's request. An arc
-// gets an edge from its last node to its first, after its last edge in the file; a closed curve
-// loses its last edge in the file, which closes a polyline. Components with junctions are
+// Tool that closes the arcs of a file, or opens its closed curves, at the user's request. An arc
+// gets an edge from its last node to its first, after its last edge in the file. A closed curve
+// loses its last edge in the file, the one that closes a polyline. Components with junctions stay
 // unchanged. New edges are checked later, with all others. Linear time.
 class Component_closure
 {
@@ -106,7 +106,7 @@ private:
   }
 
   Curve_draft& m_file;
-  std::vector<std::size_t> m_numbers, m_degrees; // of the nodes; components count from 1
+  std::vector<std::size_t> m_numbers, m_degrees; // of nodes; component numbers start from 1
   std::vector<Component> m_components;
 };
 

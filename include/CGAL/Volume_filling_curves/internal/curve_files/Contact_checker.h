@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Check for edges of a repaired file that meet elsewhere than in a common node, decided exactly.
+// Exact check for edges of a repaired file that meet outside a common node.
 // O(n log^2 n) unless many edges have intersecting bounding boxes.
 class Contact_checker
 {
@@ -42,7 +42,7 @@ public:
     for(const auto& p : m_file.points) points.emplace_back(p[0], p[1], p[2]);
     Self_contacts<Traits> contacts(points, m_file.edges);
     contacts.find(Defect_list::max_listed);
-    std::set<std::vector<std::size_t>> reported; // equal nodes concern up to four pairs of edges
+    std::set<std::vector<std::size_t>> reported; // equal nodes: as many as four pairs
     for(const auto& [e, f] : contacts.kept()) {
       const auto [message, nodes] = contacts.describe(e, f);
       if(reported.insert(nodes).second)

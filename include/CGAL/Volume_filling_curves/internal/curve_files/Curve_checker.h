@@ -48,15 +48,15 @@ private:
   using Edge = Curve_draft::Edge;
   using Nodes = std::vector<std::size_t>;
 
-  // Relative to the longest side of the bounding box: of the length of such an edge no more than
-  // four digits are certain.
+  // In units of the longest side of the bounding box. At most four digits of the length of such an
+  // edge are certain.
   static constexpr double short_edge = 1e-12;
 
   void check_degrees()
   {
     std::vector<std::size_t> degrees(m_file.points.size(), 0);
     Nodes junctions;
-    std::vector<std::size_t> lines; // where a node becomes a junction
+    std::vector<std::size_t> lines; // at which a node becomes a junction
     for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
       for(const std::size_t v : m_file.edges[e]) {
         if(++degrees[v] != 3) continue;

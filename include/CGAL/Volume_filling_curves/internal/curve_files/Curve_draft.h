@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Short list of defects: of each kind only the first 1000 are kept, since a wrong file tends to be
-// wrong in every line. The others are counted.
+// List of defects. It keeps the first 1000 of each kind and counts the others, since a wrong file
+// tends to be wrong in every line.
 class Defect_list
 {
 public:
@@ -38,12 +38,12 @@ public:
     if(m_counts[defect.kind]++ < max_listed) m_defects.push_back(std::move(defect));
   }
 
-  // adds a note to a kind that is listed, whatever the number of those
+  // adds a note to a kind that is listed, even beyond max_listed
   void add_note(Curve_defect defect) { m_defects.push_back(std::move(defect)); }
 
   bool has_error() const { return m_has_error; }
 
-  // returns the defects, and the total of every kind that is not listed completely
+  // returns the defects, and the totals of the kinds that are listed in part
   std::vector<Curve_defect> listed() const
   {
     std::vector<Curve_defect> defects = m_defects;
@@ -62,19 +62,19 @@ private:
 
 // Content of a curve file before any checks: all vertices in the order of the file, edges as pairs
 // of vertex indices from 0, and their lines. All readers produce a draft, whatever their format;
-// `draft_to_network()` converts it to a curve or reports its defects. A vertex that could not be
-// read keeps its index, which keeps the indices of others valid.
+// `draft_to_network()` converts it to a curve or reports its defects. An unreadable vertex keeps
+// its index, so that the indices of the others remain valid.
 struct Curve_draft
 {
   using Point = std::array<double, 3>;
   using Edge = std::array<std::size_t, 2>;
 
-  // Vertex numbers for users count from 1.
+  // Users see vertex numbers from 1.
   static std::size_t number(std::size_t v) { return v + 1; }
 
   bool is_readable(std::size_t v) const { return !std::isnan(points[v][0]); }
 
-  // keeps only coordinates that are fit for computation
+  // A point with a coordinate unfit for computation becomes unreadable.
   void add_point(const Point& point, std::size_t line)
   {
     for(const double x : point) {
@@ -99,7 +99,7 @@ struct Curve_draft
     defects.add(std::move(defect));
   }
 
-  // The nodes count from 0 here.
+  // Node numbers are from 0 here.
   void add_defect(Curve_defect_kind kind,
                   std::string message,
                   std::size_t line,
@@ -117,9 +117,8 @@ struct Curve_draft
     edge_lines.push_back(line);
   }
 
-  // Interprets a file of a format with vertices and lines that has no lines: a surface, nothing, or
-  // one closed curve through all vertices. Takes the line of its first face, 0 if there is none,
-  // and its last line.
+  // Interprets a file without lines, in a format that has them: faces or no vertices are an error;
+  // otherwise all vertices form one closed curve. `line_of_face` is 0 if the file has no face.
   void take_without_lines(std::size_t line_of_face, std::size_t last_line)
   {
     if(line_of_face > 0)
@@ -139,8 +138,8 @@ struct Curve_draft
   std::vector<std::size_t> edge_lines; // where the record of the edge starts
   std::vector<std::size_t> pinned;
   Defect_list defects;
-  bool says_what_is_closed = true; // whether the format, or the user, does
-  bool is_complete = true;         // whether the reader understood the file up to its end
+  bool says_what_is_closed = true; // whether the format or the user says so
+  bool is_complete = true;         // whether the reader reached the end of the file
 };
 
 } // namespace internal

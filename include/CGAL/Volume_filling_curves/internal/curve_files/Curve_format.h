@@ -36,7 +36,7 @@ struct Curve_format
   std::string_view extension;
   Curve_draft (*read)(std::string_view text, Junctions junctions);
   std::string (*write)(const Curve_paths& curve); // null if the format is only read
-  bool has_numbered_nodes = false; // the nodes stand in the order of their numbers, come what may
+  bool has_numbered_nodes = false; // whether nodes are always in the order of their numbers
 };
 
 inline Curve_draft read_obj(std::string_view text, Junctions)
@@ -49,13 +49,13 @@ inline Curve_draft read_polylines_txt(std::string_view text, Junctions junctions
   return Polylines_txt_reader(text, junctions).run();
 }
 
-// The table of the library's formats. Programs add formats by a table of their own, whose rows may
-// be of a derived class.
+// Table of the library's formats. A program adds formats by its own table, whose rows may be of a
+// derived class.
 inline constexpr Curve_format curve_formats[] = {
     {".obj", read_obj, to_obj, true}, {".polylines.txt", read_polylines_txt, to_polylines_txt}};
 
-// Returns the first format of a table whose extension ends the name of a file, in upper or lower
-// case; null if there is none.
+// Returns the first format of a table with whose extension, in upper or lower case, the file name
+// ends, or null.
 template <typename Formats>
 auto find_format(const Formats& formats, const std::string& filename)
     -> decltype(&*std::begin(formats))
@@ -73,7 +73,7 @@ auto find_format(const Formats& formats, const std::string& filename)
   return nullptr;
 }
 
-// Returns the extensions of those formats of a table that are listed, such as ".a, .b or .c".
+// Returns the extensions of the formats for which `is_listed` holds, such as ".a, .b or .c".
 template <typename Formats, typename Is_listed>
 std::string extensions_text(const Formats& formats, const Is_listed& is_listed)
 {
@@ -86,8 +86,8 @@ std::string extensions_text(const Formats& formats, const Is_listed& is_listed)
   return text.empty() ? last : text + " or " + last;
 }
 
-// Reads a file of one of the formats, and closes or opens its components at the user's request. A
-// file that cannot be read gives a draft with an error.
+// Reads a file of one of the formats, and closes or opens its components at the user's request. The
+// draft of an unreadable file has an error.
 template <typename Formats>
 Curve_draft read_curve_draft(const Formats& formats,
                              const std::string& filename,

@@ -27,8 +27,8 @@ namespace internal {
 // Harmless repairs of the edges of a file, each with a warning: an edge that occurs twice is
 // dropped, and an edge of length zero is contracted to its first node. A repair must not change the
 // curve: a loop that would become an arc or a point is an error, and so is a line that runs
-// straight back. Afterwards no edge is a loop, parallel to another edge, or of length zero. O(n log
-// n).
+// straight back. Afterwards no edge is a loop, parallel to another edge, or of length zero.
+// O(n log n).
 class Edge_repair
 {
 public:
@@ -56,7 +56,7 @@ private:
     std::size_t source, target, line;
   };
 
-  // Edges at vertices that could not be read are left out.
+  // Omits the edges of unreadable vertices.
   void collect_edges()
   {
     for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
@@ -67,7 +67,7 @@ private:
     }
   }
 
-  // After errors a vertex may lack edges only because its record could not be read.
+  // After an error a vertex may lack edges only because their record is unreadable.
   void warn_of_isolated_vertices()
   {
     if(m_file.defects.has_error()) return;
@@ -85,8 +85,8 @@ private:
     if(m_edges.empty()) add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no edges", line, {});
   }
 
-  // Keeps the first of several equal edges. An edge directly after its reverse is no repetition:
-  // the line turns back there.
+  // Keeps the first of several equal edges. An edge directly after its reverse is not a repetition:
+  // there the line turns back.
   void drop_duplicate_edges()
   {
     const std::vector<std::size_t> turns = find_turns(), duplicates = find_parallel_edges();
@@ -163,7 +163,7 @@ private:
     m_representatives.unite(first, second);
   }
 
-  // Edges that became parallel by contraction were a loop with two distinct nodes.
+  // Edges that contraction made parallel were a loop with two distinct nodes.
   void drop_collapsed_loops()
   {
     const std::vector<std::size_t> parallel = find_parallel_edges();
@@ -171,7 +171,7 @@ private:
     remove_edges(parallel);
   }
 
-  // Merged nodes that lost all edges were a whole curve.
+  // If a merged node has no edges left, all nodes of a curve coincide.
   void check_degrees()
   {
     std::vector<std::size_t> degrees(m_file.points.size(), 0);
@@ -235,7 +235,7 @@ private:
   Curve_draft& m_file;
   std::vector<Edge> m_edges;
   std::vector<Edge> m_turns;         // edges that run straight back over the edge before them
-  std::vector<std::size_t> m_merged; // nodes that stand for several
+  std::vector<std::size_t> m_merged; // nodes that represent several
   std::vector<bool> m_has_edge;
   std::vector<std::size_t> m_components;
   Disjoint_sets m_representatives;

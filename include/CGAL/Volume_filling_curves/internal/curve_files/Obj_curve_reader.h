@@ -74,7 +74,7 @@ private:
       check_keyword(keyword);
   }
 
-  // Weights and colors behind the coordinates are ignored.
+  // Ignores weights and colors after the coordinates.
   void read_vertex()
   {
     const std::size_t line = m_scanner.line(), number = Curve_draft::number(m_file.points.size());
@@ -95,7 +95,7 @@ private:
     m_file.add_point(point, line);
   }
 
-  // Only a single face can be of interest.
+  // Keeps the corners of the first face, which matters only if it is the only one.
   void read_face()
   {
     if(++m_number_of_faces > 1) return;
@@ -104,7 +104,7 @@ private:
       m_corners_of_face.push_back(word);
   }
 
-  // Some programs write a loop as a file's only face. Triangles and quadrangles are meshes.
+  // Some programs write a loop as the only face of a file. A triangle or quadrangle is a mesh.
   void take_face_for_line()
   {
     if(m_number_of_faces != 1 || m_corners_of_face.size() <= 4) return;
@@ -127,8 +127,8 @@ private:
       m_file.defects.add({Curve_defect_kind::SHORT_LINE, "a line needs two indices", line});
   }
 
-  // Returns the vertex of `i`, `i/t` or, counted from the last vertex, `-i`, which may be out of
-  // range still.
+  // Returns the vertex that `i`, `i/t` or, counted from the last vertex, `-i` means. A positive
+  // index can still be out of range.
   std::size_t read_index(std::string_view word)
   {
     const std::size_t slash = (std::min)(word.find('/'), word.size());
@@ -178,7 +178,7 @@ private:
                        [](const Index_list& list) { return list.is_line; });
   }
 
-  // An unknown record is reported once. Bytes beyond ASCII are welcome in names and comments only.
+  // Reports the first unknown record. Only names and comments may contain bytes beyond ASCII.
   void check_keyword(std::string_view keyword)
   {
     const auto is_ascii = [](char c) { return c > 0; };
@@ -214,7 +214,7 @@ private:
   Curve_draft m_file;
   std::vector<std::size_t> m_indices;
   std::vector<Index_list> m_lists;
-  std::vector<std::string_view> m_corners_of_face; // of the first one
+  std::vector<std::string_view> m_corners_of_face; // of the first face
   std::size_t m_first_face_line = 0, m_number_of_faces = 0;
   bool m_has_unknown_record = false;
 };

@@ -39,7 +39,7 @@ public:
   Text_scanner& words() { return m_words; }
   Polylines_to_curve_draft& polylines() { return m_polylines; }
 
-  // returns the next word, in whatever line; it is empty at the end of the file
+  // returns the next word in this or a later line; empty at the end of the file
   std::string_view next_word()
   {
     std::string_view word = m_words.next_word();
@@ -50,7 +50,7 @@ public:
     return word;
   }
 
-  // Takes the words that `next()` returns for coordinates. Returns whether there are three.
+  // Reads a point from the words that `next()` returns. Returns whether there are three words.
   template <typename NextWord>
   bool read_point(Point& point, const NextWord& next)
   {
@@ -75,7 +75,7 @@ public:
     m_polylines.draft().defects.add({kind, std::move(message), m_words.line()});
   }
 
-  // Returns the curve, when all is read.
+  // Returns the curve, at the end of the file.
   Curve_draft finish()
   {
     Curve_draft& file = m_polylines.draft();

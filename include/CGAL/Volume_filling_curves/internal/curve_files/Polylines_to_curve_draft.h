@@ -43,10 +43,10 @@ public:
   {
     Curve_draft::Point point;
     std::size_t line = 0;
-    std::string_view unparsable_word = {}; // what stands in the file in place of a number
+    std::string_view unparsable_word = {}; // the word in the file instead of a number
   };
 
-  // Adds a polyline whose record starts in the given line.
+  // Adds a polyline whose record starts in line `line`.
   void add(const std::vector<Point>& polyline, std::size_t line) { add(polyline, line, m_closure); }
 
   void add(const std::vector<Point>& polyline, std::size_t line, Closure closure)

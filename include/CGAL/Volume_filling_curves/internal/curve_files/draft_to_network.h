@@ -25,10 +25,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Conversion of the contents of a file to a network: repairs, checks and, if there is no error,
+// Conversion of the contents of a file to a network: repairs, checks and, unless there is an error,
 // construction.
 
-// If there is no error, the edges of the file are those of the curve.
+// Unless there is an error, the edges of the file are afterwards those of the curve.
 inline void repair_and_check(Curve_draft& file, Junctions junctions)
 {
   if(!file.is_complete) return;
@@ -37,8 +37,8 @@ inline void repair_and_check(Curve_draft& file, Junctions junctions)
   Arc_checker(file).run();
 }
 
-// Returns whether there is no error; if there is one, the network does not change. The points keep
-// their places, hence origins are vertices of the file.
+// Returns false, and leaves the network unchanged, if there is an error. The points keep their
+// order, hence the origins of nodes are vertices of the file.
 template <typename Traits>
 bool checked_draft_to_network(const Curve_draft& file,
                               Curve_network_3<Traits>& network,
@@ -58,7 +58,7 @@ bool checked_draft_to_network(const Curve_draft& file,
   return true;
 }
 
-// Makes a network whose edges may meet.
+// Makes a network without testing whether its edges meet.
 template <typename Traits>
 bool draft_to_network(Curve_draft& file,
                       Curve_network_3<Traits>& network,
@@ -69,7 +69,7 @@ bool draft_to_network(Curve_draft& file,
   return checked_draft_to_network(file, network, defects);
 }
 
-// The same, but no network starts with a self-contact.
+// The same, but a self-contact is an error.
 template <typename Traits>
 bool draft_to_embedded_network(Curve_draft& file,
                                Curve_network_3<Traits>& network,

@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-// The viewer of CGAL. CGAL 6 collects points and segments in a scene, also without a window, and
-// shows it in one; in CGAL 5 the window is all there is, and collects them itself.
+// CGAL's viewer. CGAL 6 collects points and segments in a scene, which a window then shows; in CGAL
+// 5 the window itself collects them.
 
 #if __has_include(<CGAL/Graphics_scene.h>)
 #define CGAL_VOLUME_FILLING_CURVES_HAS_GRAPHICS_SCENE
@@ -32,7 +32,7 @@ namespace internal {
 
 #ifdef CGAL_USE_BASIC_VIEWER
 
-// Calls `add(scene)` to fill a scene, and shows the scene in a window until the window is closed.
+// Calls `add(scene)` to fill a scene, and shows it in a window until the user closes the window.
 
 #ifdef CGAL_VOLUME_FILLING_CURVES_HAS_GRAPHICS_SCENE
 

@@ -36,7 +36,7 @@ class Tube_builder
 public:
   Tube_builder(Mesh& mesh, const PointMap& point_map) : m_mesh(mesh), m_point_map(point_map) {}
 
-  // Takes the radius of each section.
+  // Adds a tube; `radii` has the radius of each section.
   void add(const Tube_sections& sections, const std::vector<double>& radii)
   {
     m_number_of_sides = sections.number_of_sides();
@@ -59,7 +59,7 @@ private:
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   using Point_3 = typename boost::property_traits<PointMap>::value_type;
 
-  // A section in the mesh.
+  // The polygon of a section in the mesh.
   struct Ring
   {
     Vector center;
@@ -85,7 +85,7 @@ private:
     return ring;
   }
 
-  // Joins two rings, the second of them turned by some corners.
+  // Joins two rings by triangles; corner l of `a` is opposite corner l + shift of `b`.
   void add_side(const Ring& a, const Ring& b, std::size_t shift)
   {
     for(std::size_t l = 0; l < m_number_of_sides; ++l) {
@@ -100,17 +100,17 @@ private:
     }
   }
 
-  // Whether the quadrangle a0, a1, b1, b0 is cut from a0 to b1. The tetrahedron between the cut and
-  // the center of `a` must not be turned inside out, or the surface would be folded there. It may
-  // be for one cut if the corners at both ends are sharp, but not for both: to first order in the
-  // radius the sum of the two volumes is a mixed discriminant of two positive matrices, those that
-  // squeeze the circles of the sections as they are seen along the edge.
+  // Returns whether to cut the quadrangle a0, a1, b1, b0 from a0 to b1, not from a1 to b0. If the
+  // tetrahedron between the cut and the center of `a` were inverted, the surface would fold. Sharp
+  // corners at both ends can invert it for one cut, but not for both: to first order in the radius,
+  // the sum of the two volumes is a mixed discriminant of two positive matrices, which squeeze the
+  // circles of the sections as seen along the edge.
   static bool is_cut_from_first(const Ring& a,
                                 const std::array<std::size_t, 2>& on_a,
                                 const Ring& b,
                                 const std::array<std::size_t, 2>& on_b)
   {
-    constexpr double much_less = 0.5; // the first cut is as good in straight tubes, up to rounding
+    constexpr double much_less = 0.5; // both cuts are equal in straight tubes, up to rounding
     const Vector step = b.center - a.center;
     const Vector face = in_own_units(step + b.arms[on_b[1]])
                             .normalized()

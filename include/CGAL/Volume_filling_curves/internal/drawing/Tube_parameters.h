@@ -54,7 +54,8 @@ Tube_parameters tube_parameters(const NamedParameters& np)
   return parameters;
 }
 
-// The radius is a number, a function of the node, or a property map.
+// Returns the radius at node v. The argument is a number, a function of the node, or a property
+// map.
 template <typename Radius>
 double radius_at(const Radius& radius, std::size_t v)
 {
@@ -67,7 +68,7 @@ double radius_at(const Radius& radius, std::size_t v)
     return static_cast<double>(get(radius, v));
 }
 
-// \throws std::invalid_argument unless all are positive and finite
+// \throws std::invalid_argument unless all radii are positive and finite
 template <typename Network, typename Radius>
 std::vector<double> radii_of_nodes(const Network& curve, const Radius& radius)
 {

@@ -26,19 +26,19 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Sections of a tube around a curve without junctions: at each node a regular polygon in the plane
-// that bisects the corner, with its corners on the circle of the tube's radius around the node.
-// With circles instead of the ellipses in which two cylinders meet, the whole tube stays within its
-// radius r of the curve, even outside a corner, and keeps away from other strands. The discs at the
-// ends of an edge of length l do not meet if r tan(a/2) < l/2 at both, where a is the turning
-// angle: if r is below the bend radius (Rawdon's MinRad).
+// that bisects the corner, with its corners on the circle of the tube's radius around the node. Two
+// cylinders would meet in ellipses. With circles instead, the whole tube stays within its radius r
+// of the curve, even outside a corner, and away from other strands. The discs at the ends of an
+// edge of length l do not meet if r tan(a/2) < l/2 at both, where a is the turning angle: if r is
+// below the bend radius (Rawdon's MinRad).
 //
-// Parallel transport carries the polygon from section to section by the least rotation. Around a
-// closed curve it returns rotated; the rotation modulo whole sides of the polygon is distributed
-// evenly over the length. Linear time.
+// Parallel transport carries the polygon from section to section by the least rotation. Once around
+// a closed curve, the polygon has turned. This rotation, modulo whole sides of the polygon, is
+// distributed evenly over the length. Linear time.
 class Tube_sections
 {
 public:
-  // Takes the nodes in the order of the curve, without a repetition of the first.
+  // Takes the nodes in the order of the curve; a closed curve does not repeat its first node.
   Tube_sections(std::vector<Vector> nodes, bool is_closed, std::size_t number_of_sides)
       : m_nodes(std::move(nodes)), m_is_closed(is_closed), m_number_of_sides(number_of_sides)
   {
@@ -54,14 +54,14 @@ public:
   bool is_closed() const { return m_is_closed; }
   const Vector& center(std::size_t i) const { return m_nodes[i]; }
 
-  // The unit vector from the center of section i to corner l. Corners count counterclockwise if one
-  // looks against the direction of the curve.
+  // The unit vector from the center of section i to corner l. Against the direction of the curve,
+  // corners are seen in counterclockwise order.
   Vector arm(std::size_t i, std::size_t l) const
   {
     return m_corners[l][0] * m_axes[i] + m_corners[l][1] * m_normals[i].cross(m_axes[i]);
   }
 
-  // Corner l of the last section of a closed curve goes on in corner l + shift() of the first.
+  // In a closed curve, corner l of the last section continues as corner l + shift() of the first.
   std::size_t shift() const { return m_shift; }
 
 private:
@@ -79,20 +79,20 @@ private:
     }
   }
 
-  // Applies the least rotation that takes the unit vector `from` to `to`. \pre v is orthogonal to
-  // `from`
+  // Applies to v the least rotation that takes the unit vector `from` to `to`. \pre v is orthogonal
+  // to `from`
   static Vector carried(const Vector& v, const Vector& from, const Vector& to)
   {
     const Vector mirror = (from + to).normalized();
     return v - 2 * v.dot(mirror) * mirror;
   }
 
-  // from section i to the next
+  // Returns the axis carried from section i to the next.
   Vector carried(const Vector& axis, std::size_t i) const
   {
     const Vector& normal = m_normals[(i + 1) % size()];
     const Vector moved = carried(carried(axis, m_normals[i], m_tangents[i]), m_tangents[i], normal);
-    return (moved - moved.dot(normal) * normal).normalized(); // rounding adds up otherwise
+    return (moved - moved.dot(normal) * normal).normalized(); // rounding would add up
   }
 
   void carry_first_axis()

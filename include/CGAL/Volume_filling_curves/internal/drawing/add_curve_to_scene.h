@@ -21,7 +21,7 @@ namespace internal {
 // Conversion of a curve to points and segments of a scene, which is a viewer in CGAL 5 and a
 // graphics scene in CGAL 6.
 
-// Hues that differ by the golden angle: those of any first few components are far apart.
+// Successive hues differ by the golden angle: those of the first few components are far apart.
 inline IO::Color component_color(std::size_t component)
 {
   constexpr double first_hue = 215, golden_angle = 137.50776405003785, circle = 360; // degrees

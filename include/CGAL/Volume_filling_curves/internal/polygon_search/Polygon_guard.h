@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Clearance rule of the search, which must pass on a curve that can move: edges without a common
-// node get no closer than a given distance, and corners no sharper than 2 degrees, unless they
-// already were. Stricter than Clearance_rule, whose repeated halving would add up over millions of
-// moves. In double arithmetic, and not part of any proof.
+// Clearance rule of the search, whose result must leave the flow space to move. Edges without a
+// common node may not come closer than a given distance, nor corners become sharper than 2 degrees;
+// those beyond these limits may not get worse. Clearance_rule lets distances halve, again and again
+// over millions of moves. Plain double; no proof depends on it.
 class Search_clearance
 {
 public:
@@ -34,7 +34,7 @@ public:
 
   double distance() const { return m_distance; }
 
-  // whether the edge pq may be as close to the new edge ac as it is
+  // Returns whether the new edge ac keeps the distance from edge pq.
   template <typename SquaredDistance>
   bool is_kept(const Vector& p,
                const Vector& q,
@@ -47,19 +47,19 @@ public:
     return after >= m_distance * m_distance || after >= squared_before();
   }
 
-  // Returns whether the corner abc is too sharp.
+  // Returns whether corner abc is too sharp.
   bool does_fold(const Vector& a, const Vector& b, const Vector& c) const
   {
     return m_distance > 0 && is_sharp(a, b, c);
   }
 
-  // The same, if the corner was at `before`.
+  // Returns whether corner abc is too sharp, and sharper than with its node at `before`.
   bool does_fold(const Vector& a, const Vector& b, const Vector& c, const Vector& before) const
   {
     return does_fold(a, b, c) && cosine(a, b, c) > cosine(a, before, c);
   }
 
-  // The same, if the corner continued to `before` instead of c.
+  // Returns whether corner abc is too sharp, and sharper than with `before` in place of c.
   bool does_bend(const Vector& a, const Vector& b, const Vector& c, const Vector& before) const
   {
     return does_fold(a, b, c) && cosine(a, b, c) > cosine(a, b, before);
@@ -82,8 +82,9 @@ private:
   double m_distance = 0;
 };
 
-// The same for the triangle abc of a change, in the words of elementary_move.h: the edges
-// ab, bc become one edge ac.
+// The rule for each kind of change, with the members that elementary_move.h calls.
+
+// Edges ab and bc become one edge ac.
 struct Clearance_of_shortcut
 {
   const Search_clearance& rule;
@@ -101,7 +102,7 @@ struct Clearance_of_shortcut
   }
 };
 
-// The edge ac becomes two edges ab, bc.
+// Edge ac becomes two edges ab and bc.
 struct Clearance_of_detour
 {
   const Search_clearance& rule;
@@ -118,7 +119,7 @@ struct Clearance_of_detour
   }
 };
 
-// The edge ab becomes ac, where c is no node yet.
+// Edge ab becomes ac; c is not a node yet.
 struct Clearance_of_swing
 {
   const Search_clearance& rule;
@@ -134,8 +135,8 @@ struct Clearance_of_swing
   }
 };
 
-// The guard of a search's polygon, as Isotopy_guard_3 is that of a network: each change is carried
-// out if and only if it is an elementary move, by the same criteria, and keeps the clearance.
+// Guard of a search's polygon. It carries out a change if and only if the change is an elementary
+// move, by the criteria of Isotopy_guard_3, and keeps the clearance.
 class Polygon_guard
 {
   using Index = Search_polygon::Index;
@@ -145,7 +146,7 @@ public:
       : m_polygon(polygon), m_clearance(clearance)
   {}
 
-  // Each returns whether it did. \pre v is a free node, and so is one end of e
+  // Each returns whether it made the change. \pre v is a free node, and so is one end of e
 
   bool move_node(Index v, const Vector& target)
   {
@@ -196,7 +197,7 @@ private:
 
   Is_at_node is_at(Index v) const { return {m_polygon.edge(v, 0), m_polygon.edge(v, 1)}; }
 
-  // whether the edge from a to v may follow when v moves
+  // whether the edge from a to v can follow when v moves
   bool can_swing(Index a, Index v, const Vector& target) const
   {
     return is_triangle_free(m_polygon, a, Search_polygon::null,

@@ -29,8 +29,8 @@ namespace internal {
 // Reduction of a curve to few edges: independent searches with different seeds run concurrently,
 // and a guard replays and certifies the moves of the best one. The best search reaches the goal
 // with the fewest moves or, if none does, has the fewest edges. Hence the result depends on the
-// seed, but not on threads and their timing. The run time of a search has a heavy tail: several
-// searches on their own threads end earlier than one.
+// seed, but not on threads and their timing. The run time of a search has a heavy tail, so several
+// searches on as many threads end earlier than one.
 template <typename Guard, typename ConcurrencyTag>
 class Polygon_search
 {
@@ -51,8 +51,8 @@ public:
       m_searches.emplace_back(start, goal, parameters, seeds.bits());
   }
 
-  // Searches until the goal is reached or all searches are exhausted, or go_further() returns
-  // false, which is asked every few milliseconds. Returns whether it never did.
+  // Searches until one search reaches the goal or all have ended. Calls go_further() every few
+  // milliseconds, and stops and returns false if that does.
   template <typename Predicate>
   bool run(const Predicate& go_further)
   {
@@ -65,11 +65,11 @@ public:
 
   bool has_reached_goal() const { return best().has_reached_goal(); }
 
-  // of the search that got farthest, so far
+  // progress of the best search so far
   Search_progress progress() const { return {best().sweeps(), best().moves(), best().best()}; }
 
-  // The polygon that the best search found, to be looked at: no guard certifies it. `start` is the
-  // curve that the search started from.
+  // Returns the polygon that the best search found, for inspection only: no guard certifies it.
+  // `start` is the curve from which the search started.
   Network uncertified_result(Network start) const
   {
     Network_editor<Network> editor(start);
@@ -80,16 +80,17 @@ public:
     return start;
   }
 
-  // The estimated time of apply(): 1 to 3 microseconds per change, certificate included.
+  // Returns an upper estimate of the time of apply(), which takes 1 to 3 microseconds per change,
+  // certificate included.
   double seconds_to_apply() const
   {
     constexpr double seconds_per_operation = 3e-6;
     return seconds_per_operation * static_cast<double>(best().best_operations().size());
   }
 
-  // Replays the moves of the best search through a guard of the initial curve, or of a copy, until
-  // go_further(), which is called every few milliseconds, returns false. Leaves garbage in the
-  // network.
+  // Replays the changes of the best search through a guard of the initial curve, or of a copy.
+  // Calls go_further() every few milliseconds, and stops if that returns false. Leaves garbage in
+  // the network.
   template <typename Predicate>
   void apply(Guard& guard, const Predicate& go_further) const
   {
@@ -101,7 +102,7 @@ public:
   }
 
 private:
-  // in the words of a guard
+  // changes without a guard, with the interface of one
   struct Uncertified_changes
   {
     using Point_3 = typename Network::Point_3;
@@ -130,7 +131,7 @@ private:
   };
 
   static constexpr std::size_t moves_per_round = 1 << 15;
-  static constexpr std::size_t moves_between_looks = 256; // at the other searches
+  static constexpr std::size_t moves_between_looks = 256; // at other searches
   static constexpr std::size_t operations_between_looks = 1024;
 
   bool has_ended() const
@@ -141,7 +142,7 @@ private:
            std::all_of(m_searches.begin(), m_searches.end(), is_over);
   }
 
-  // A search that others have overtaken may stop: it cannot be the first one any more.
+  // A search may stop once another one has reached the goal with fewer moves.
   void run_round(std::size_t limit)
   {
     std::atomic<std::size_t> min_moves(limit);

@@ -34,7 +34,7 @@ class Polygon_walk
 public:
   using Operations = std::vector<Elementary_operation>;
 
-  // Starts where all nodes of a polygon are gone that can be removed.
+  // Starts from a polygon without its removable nodes.
   Polygon_walk(const Search_polygon& start, const Search_parameters& parameters, std::uint64_t seed)
       : m_parameters(parameters), m_random(seed), m_polygon(start)
   {
@@ -72,7 +72,7 @@ public:
   // to be done now and then, since edges change their places
   void renumber() { m_polygon.renumber(); }
 
-  // Returns to a polygon which the walk has reached after the first so many operations.
+  // Returns to the polygon that the walk reached by its first `number_of_operations` operations.
   void return_to(const Search_polygon& polygon, std::size_t number_of_operations)
   {
     m_polygon = polygon;
@@ -156,7 +156,7 @@ private:
     return position(m_polygon.neighbor(v, k));
   }
 
-  // uniform in a cube, of a size that is small as often as large
+  // Returns a uniform random point of a cube around x, whose size is drawn from several scales.
   Vector displaced(const Vector& x)
   {
     double size = 2 * m_parameters.max_step * m_mean_length;
@@ -175,7 +175,7 @@ private:
   static double decay(double x)
   {
     double y = 1 / (1 + x / 256);
-    for(int k = 0; k < 8; ++k) y *= y; // to the power of 256
+    for(int k = 0; k < 8; ++k) y *= y; // y to the power of 256
     return y;
   }
 

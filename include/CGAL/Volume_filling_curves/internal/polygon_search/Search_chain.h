@@ -45,7 +45,7 @@ public:
     look_for_goal();
   }
 
-  // Goes on until so many moves have been tried in all, or the search has ended.
+  // Continues until `moves` moves have been tried in total, or the search has ended.
   void run(std::size_t moves)
   {
     while(m_moves < moves && !has_ended()) {
@@ -68,12 +68,12 @@ public:
 
   bool has_reached_goal() const { return m_has_reached_goal; }
 
-  // the number of moves tried so far, and how often a hundred per edge
+  // the number of moves tried so far, and of sweeps, which are a hundred moves per edge
   std::size_t moves() const { return m_moves; }
   std::size_t sweeps() const { return m_rounds / rounds_per_sweep; }
 
-  // Remembers the fewest edges of the current attempt if they are the fewest of all, and returns
-  // whether they are.
+  // Stores the best polygon of the current attempt if it has the fewest edges of all. Returns
+  // whether it does.
   bool record()
   {
     if(m_best_of_attempt.edges >= m_best) return false;
@@ -85,12 +85,12 @@ public:
     return true;
   }
 
-  // the fewest edges that were recorded, and the changes that lead to them
+  // the fewest edges recorded, and the changes that lead to them
   std::size_t best() const { return m_best; }
   const Operations& best_operations() const { return m_best_operations; }
 
 private:
-  static constexpr std::size_t moves_between_looks = 256; // whether the link is trivial
+  static constexpr std::size_t moves_between_looks = 256; // for whether the link is trivial
   static constexpr std::size_t rounds_per_sweep = 100;
   static constexpr std::size_t rounds_between_renumbering = 50;
 
@@ -110,7 +110,7 @@ private:
       m_progress = m_best_of_attempt;
   }
 
-  // Returns whether an attempt has made no progress for long, or has used up its memory.
+  // Returns whether the attempt has run out of patience or of memory.
   bool is_attempt_over() const
   {
     return m_moves - m_progress.moves > m_parameters.patience(m_progress.edges) ||
@@ -139,7 +139,7 @@ private:
     m_moves_until_end_of_round = number_of_edges();
   }
 
-  // Ends an attempt, and the search after several without progress.
+  // Ends the attempt, and the search after several attempts or many moves in vain.
   void give_up()
   {
     m_attempts_in_vain = record() ? 0 : m_attempts_in_vain + 1;
@@ -152,7 +152,7 @@ private:
   Search_parameters m_parameters;
   Search_goal m_goal;
   Polygon_walk m_walk;
-  Search_polygon m_reduced; // where each attempt starts, so many operations after the start
+  Search_polygon m_reduced; // the start of each attempt, after this many operations:
   std::size_t m_number_of_reductions;
   std::size_t m_moves = 0, m_rounds = 0, m_moves_until_end_of_round, m_next_look = 0;
   Record m_best_of_attempt = {0, 0, 0}, m_progress = {0, 0, 0};

@@ -41,7 +41,7 @@ public:
     return std::all_of(edges.begin(), edges.end(), [](auto n) { return n <= edges_of_unknots; });
   }
 
-  // remembers if the components are linked, which no search can change
+  // Remembers that components are linked, since no search can change that.
   bool operator()(const Search_polygon& polygon)
   {
     if(!m_is_possible || !has_small_components(polygon)) return false;

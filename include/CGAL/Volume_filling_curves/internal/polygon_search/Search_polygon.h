@@ -56,7 +56,7 @@ public:
   std::size_t number_of_free_nodes() const { return m_free.size(); }
   Index free_node(std::size_t k) const { return m_free[k]; }
 
-  // nodes that were removed included, until the next `renumber()`
+  // the number of nodes, including those removed since the last `renumber()`
   std::size_t number_of_nodes() const { return m_nodes.size(); }
 
   std::size_t number_of_edges() const { return m_number_of_edges; }
@@ -67,8 +67,8 @@ public:
   Index source(Index e) const { return m_edges[e].source; }
   Index target(Index e) const { return m_edges[e].target; }
 
-  // The number that Isotopy_guard_3 gives node v: that of the input, and on from there in the order
-  // in which nodes are inserted.
+  // The number that Isotopy_guard_3 gives node v: its number in the input; inserted nodes get the
+  // next numbers in the order of insertion.
   Index name(Index v) const { return m_nodes[v].name; }
 
   // Calls f(e) for every edge.
@@ -79,8 +79,8 @@ public:
       if(m_edges[e].source != null) f(e);
   }
 
-  // Calls f(e) for every edge whose box overlaps `box`, and for some that nearly do, until f
-  // returns false. Returns whether f never did.
+  // Calls f(e) for every edge whose box overlaps `box`, and for some whose box nearly does, until f
+  // returns false. Returns whether all calls returned true.
   template <typename Function>
   bool holds_near(const Box& box, const Function& f) const
   {
@@ -204,7 +204,7 @@ private:
     return e;
   }
 
-  // Each returns the new numbers, null for removed elements.
+  // Each returns the new numbers; null for removed elements.
 
   std::vector<Index> renumber_nodes()
   {
@@ -250,7 +250,7 @@ private:
   }
 
   std::vector<Node> m_nodes;
-  std::vector<Edge> m_edges; // null where unused
+  std::vector<Edge> m_edges; // null if unused
   std::vector<Index> m_free, m_unused_nodes, m_unused_edges;
   std::vector<Index> m_edges_of_component;
   std::size_t m_number_of_edges = 0;

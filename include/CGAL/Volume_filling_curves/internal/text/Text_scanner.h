@@ -26,8 +26,8 @@ namespace internal {
 
 // Scanner that divides a text into records and words without copying. A record is a line, which a
 // backslash at its end continues; a comment extends from a word that starts with # to the end of
-// the line. Lines end with LF, CR LF or CR, the last one also with the text; a UTF-8 byte order
-// mark is skipped. Linear time.
+// the line. Lines end with LF, CR LF or CR; the last line may also end with the text. A UTF-8 byte
+// order mark is skipped. Linear time.
 class Text_scanner
 {
 public:
@@ -103,7 +103,7 @@ private:
   std::size_t m_position = 0, m_line = 1;
 };
 
-// The part of a text before the line with the first byte that no text file contains, and that byte.
+// Part of a text before the first line with a byte that no text file contains, and this byte.
 class Readable_text
 {
 public:
@@ -134,7 +134,7 @@ private:
   int m_bad_byte = -1;
 };
 
-// Returns a word as it may stand in a message: short, and without bytes that are not ASCII.
+// Returns a word in quotes for a message: shortened, and in printable ASCII.
 inline std::string quoted(std::string_view word)
 {
   const std::size_t max_length = 40;
@@ -144,8 +144,8 @@ inline std::string quoted(std::string_view word)
   return "'" + text + (word.size() > max_length ? "...'" : "'");
 }
 
-// Returns whether a number that does not fit into a double is too small for it, by the place of its
-// first digit that is not zero.
+// Returns whether a number outside the range of double is too small, not too large. The position of
+// its first nonzero digit decides.
 inline bool is_underflow(std::string_view number)
 {
   const std::size_t e = (std::min)(number.find_first_of("eE"), number.size());
@@ -158,13 +158,13 @@ inline bool is_underflow(std::string_view number)
   const auto [end, error] = number_from_text(exponent.data() + (has_sign ? 1 : 0),
                                              exponent.data() + exponent.size(), shift);
   const bool is_negative = has_sign && exponent[0] == '-';
-  const long long enough = 1LL << 60; // more than the digits of a text can compensate
+  const long long enough = 1LL << 60; // more than the digits of any text
   if(error == std::errc::result_out_of_range || shift > enough) return is_negative;
   return point - digit + (is_negative ? -shift : shift) < 0;
 }
 
-// Reads a number independently of the locale; the whole word has to be one. Numbers that are too
-// large become infinite, numbers that are too small zero, as IEEE 754 has it.
+// Reads a number, which must be the whole word, independently of the locale. As in IEEE 754,
+// numbers that are too large become infinite, and numbers that are too small become zero.
 inline bool parse_number(std::string_view word, double& number)
 {
   const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
@@ -179,7 +179,7 @@ inline bool parse_number(std::string_view word, double& number)
   return error == std::errc() && end == last;
 }
 
-// Reads an integer; the whole word has to be one.
+// Reads an integer, which must be the whole word.
 template <typename Integer>
 bool parse_integer(std::string_view word, Integer& number)
 {

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Returns the number and the noun, such as "1 vertex" or "2 vertices".
+// Returns a number with its noun, such as "1 vertex" or "2 vertices".
 inline std::string counted(std::size_t number,
                            const std::string& singular,
                            const std::string& plural)
@@ -24,7 +24,7 @@ inline std::string counted(std::size_t number,
   return std::to_string(number) + ' ' + (number == 1 ? singular : plural);
 }
 
-// the same for a noun whose plural ends on s
+// the same for a noun whose plural is formed by an s
 inline std::string counted(std::size_t number, const std::string& singular)
 {
   return counted(number, singular, singular + 's');

@@ -29,12 +29,12 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Conversion of doubles to text and back, independent of the locale. Some standard libraries have
-// std::to_chars and std::from_chars for integers only (libc++ before version 20). There the C
-// library is used, with its decimal point replaced: the text and the bits are the same.
+// Conversion of doubles to text and back, independent of the locale. If std::to_chars and
+// std::from_chars take only integers, as in libc++ before version 20, the C library converts, with
+// its decimal point replaced: text and bits are the same.
 //
 // `append_number()` writes a number with a given number of significant digits, like "%.*g", or with
-// the fewest digits that restore the same double. `number_from_text()` reads one like
+// the fewest digits that restore the same double. `number_from_text()` reads a number like
 // std::from_chars; a number out of range leaves `number` unchanged.
 
 constexpr int fewest_digits = 0;
@@ -50,7 +50,7 @@ inline std::string decimal_point()
 // \pre `format` takes a number of digits and a double
 inline std::string print(const char* format, int number_of_digits, double number)
 {
-  const std::size_t longest = 350; // of a double's digits before the point, and a few more
+  const std::size_t longest = 350; // 309 digits before the point, and a few more
   std::string text(longest, '\0');
   const int length = std::snprintf(text.data(), text.size(), format, number_of_digits, number);
   text.resize(static_cast<std::size_t>(length));
@@ -60,11 +60,11 @@ inline std::string print(const char* format, int number_of_digits, double number
   return text;
 }
 
-// The shorter one of both notations, with as few digits as give back the same double.
+// Returns the shorter of both notations, with the fewest digits that restore the same double.
 inline std::string shortest_text(double number)
 {
   if(!std::isfinite(number)) return print("%.*g", 1, number);
-  const auto is_exact = [&](int digits) { // the point of the locale goes both ways
+  const auto is_exact = [&](int digits) { // both calls use the point of the locale
     char text[32];
     std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
     return std::strtod(text, nullptr) == number;
@@ -83,8 +83,8 @@ inline void append_number(std::string& text, double number, int number_of_digits
                                             : print("%.*g", number_of_digits, number);
 }
 
-// The beginning that may be a number of std::from_chars: strtod also takes blanks, a plus sign,
-// hexadecimal digits and the locale's own point.
+// Returns the beginning that can be a number for std::from_chars. strtod would also accept blanks,
+// a plus sign, hexadecimal digits and the locale's point.
 inline std::string_view beginning_of_number(std::string_view text)
 {
   if(text.empty() || text[0] == '+') return {};
@@ -144,7 +144,7 @@ using c_library::number_from_text;
 
 #endif
 
-// With 17 digits, from which the very same double is read.
+// Appends 17 digits, which restore the same double.
 inline void append_number(std::string& text, double number)
 {
   append_number(text, number, std::numeric_limits<double>::max_digits10);
@@ -157,7 +157,7 @@ std::from_chars_result number_from_text(const char* first, const char* last, Int
   return std::from_chars(first, last, number);
 }
 
-// Returns whether all of the text is a number of that type.
+// Reads a number. Returns whether it is the whole text.
 template <typename Number>
 bool parse_all(std::string_view text, Number& number)
 {
@@ -166,7 +166,7 @@ bool parse_all(std::string_view text, Number& number)
   return error == std::errc() && end == last;
 }
 
-// "(x, y, z)", for messages.
+// Returns "(x, y, z)", for messages.
 template <typename Point_3>
 std::string point_text(const Point_3& p)
 {

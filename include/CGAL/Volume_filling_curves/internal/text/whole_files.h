@@ -50,11 +50,11 @@ inline std::error_code read_whole_file(const std::string& filename, std::string&
   return error;
 }
 
-// Has the system bring a file to the disk, where there is a way to ask for that.
+// Flushes a file to the disk, on systems that offer it. Returns whether that succeeded.
 inline bool is_synced(std::FILE* file)
 {
 #if defined(__unix__) || defined(__APPLE__)
-  return ::fsync(::fileno(file)) == 0 || errno == EINVAL; // not of pipes and devices
+  return ::fsync(::fileno(file)) == 0 || errno == EINVAL; // pipes and devices do not support it
 #else
   return file != nullptr;
 #endif
@@ -72,11 +72,11 @@ inline std::error_code write_and_close(std::FILE* file, std::string_view content
   return is_written && !is_closed ? last_system_error() : error;
 }
 
-// The path that a file of this name is written to: behind all links, even dangling ones.
+// Returns the path to which a file of this name is written: the target of all links, even missing.
 inline std::filesystem::path behind_links(std::filesystem::path path, std::error_code& error)
 {
   namespace fs = std::filesystem;
-  const int max_links = 40; // as systems allow; more are a circle
+  const int max_links = 40; // a usual limit of systems; more links form a circle
   for(int i = 0; i < max_links; ++i) {
     const bool is_link = fs::is_symlink(fs::symlink_status(path, error));
     error.clear(); // a file that is missing is no error
@@ -89,12 +89,12 @@ inline std::filesystem::path behind_links(std::filesystem::path path, std::error
   return path;
 }
 
-// Writes to a new file beside the target and returns its name; after an error there is no file.
+// Writes a new file beside the target, and sets its name. After an error the file does not exist.
 inline std::error_code write_beside(const std::filesystem::path& target,
                                     std::string_view content,
                                     std::filesystem::path& written)
 {
-  const int max_attempts = 100; // that many files of interrupted or concurrent runs
+  const int max_attempts = 100; // of names that interrupted or concurrent runs may use
   std::FILE* file = nullptr;
   for(int i = 0; i < max_attempts && file == nullptr; ++i) {
     written = target;
@@ -105,7 +105,7 @@ inline std::error_code write_beside(const std::filesystem::path& target,
   }
   const std::error_code error = write_and_close(file, content);
   std::error_code ignored;
-  if(error && file != nullptr) std::filesystem::remove(written, ignored); // else it is not ours
+  if(error && file != nullptr) std::filesystem::remove(written, ignored); // else not ours
   return error;
 }
 
