@@ -11,7 +11,7 @@ namespace vfc {
 
 struct Command_line;
 
-// Each adds one command, see the file of the same name.
+// Each function adds one command; it is defined in the file of the same name.
 void add_check_command(Command_line& command_line);
 void add_convert_command(Command_line& command_line);
 void add_draw_command(Command_line& command_line);

@@ -42,7 +42,7 @@ private:
   std::string name(std::size_t iteration) const;
 
   Film_options m_options;
-  std::set<std::size_t> m_written; // iterations; a strategy may start again
+  std::set<std::size_t> m_written; // iterations; a strategy can repeat them
 };
 
 } // namespace vfc

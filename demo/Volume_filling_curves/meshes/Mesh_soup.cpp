@@ -10,14 +10,14 @@ namespace vfc {
 
 void Mesh_soup::number_points()
 {
-  place_of.clear();
-  for(std::size_t v = 0; v < points.size(); ++v) place_of.insert({points[v], v});
+  file_indices.clear();
+  for(std::size_t v = 0; v < points.size(); ++v) file_indices.insert({points[v], v});
 }
 
 std::vector<std::size_t> Mesh_soup::numbers(const std::vector<std::size_t>& vertices) const
 {
   std::vector<std::size_t> result;
-  for(const std::size_t v : vertices) result.push_back(place(v) + 1);
+  for(const std::size_t v : vertices) result.push_back(file_index(v) + 1);
   return result;
 }
 

@@ -19,25 +19,25 @@
 namespace vfc {
 
 // Triangles of a mesh file, and the positions of triangles and corners in the file. Points may be
-// merged, left out and duplicated; their coordinates identify them in the file.
+// merged, omitted and duplicated; their coordinates identify them in the file.
 struct Mesh_soup
 {
   using Point = Kernel::Point_3;
   using Face = std::array<std::size_t, 3>;
 
-  // Notes the points as those of the file; the first one of equal points counts.
+  // Records the points as those of the file; the first of equal points counts.
   void number_points();
 
   // the index of a point in the file, from 0
-  std::size_t place(std::size_t v) const { return place_of.at(points[v]); }
+  std::size_t file_index(std::size_t v) const { return file_indices.at(points[v]); }
 
-  // the numbers in the file, from 1
+  // the numbers of vertices in the file, from 1
   std::vector<std::size_t> numbers(const std::vector<std::size_t>& vertices) const;
 
   std::vector<Point> points;
   std::vector<Face> faces;
   std::vector<std::size_t> face_numbers; // in the file, from 1; polygons become several triangles
-  std::map<Point, std::size_t> place_of;
+  std::map<Point, std::size_t> file_indices;
 };
 
 using CGAL::Volume_filling_curves::internal::near_text;

@@ -46,7 +46,7 @@ void merge_equal_points(Mesh_soup& soup, Mesh_findings& findings)
 {
   std::vector<std::size_t> copies;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
-    if(soup.place(v) != v) copies.push_back(v + 1);
+    if(soup.file_index(v) != v) copies.push_back(v + 1);
   if(copies.empty()) return;
   PMP::merge_duplicate_points_in_polygon_soup(soup.points, soup.faces);
   findings.add_warning("coincident vertices",

@@ -83,13 +83,13 @@ void report_holes(const Orientation& found,
 {
   std::set<Vertex_pair> cuts; // by places, which the two sides of a cut share
   for(const auto& [edge, number_of_faces] : found.bad_edges)
-    cuts.insert(std::minmax(soup.place(edge.first), soup.place(edge.second)));
+    cuts.insert(std::minmax(soup.file_index(edge.first), soup.file_index(edge.second)));
   for(const auto& hole : rules::holes_of(mesh)) {
     const std::vector<std::size_t> vertices(hole.vertices.begin(), hole.vertices.end());
     bool is_cut = true;
     for(std::size_t i = 0, last = vertices.size() - 1; i < vertices.size(); last = i++)
-      is_cut = is_cut &&
-               cuts.count(std::minmax(soup.place(vertices[last]), soup.place(vertices[i]))) > 0;
+      is_cut = is_cut && cuts.count(std::minmax(soup.file_index(vertices[last]),
+                                                soup.file_index(vertices[i]))) > 0;
     if(is_cut) continue;
     findings.add_error(rules::hole_fault(mesh, hole), {0, soup.numbers(vertices)});
   }

@@ -19,11 +19,11 @@ Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings, Work_watch& wa
   Mesh_and_defects result;
   result.number_of_vertices_in_file = soup.points.size();
   if(!findings.has_error() || findings.is_mendable()) check_soup(soup, findings);
-  if(!soup.faces.empty() && !soup.place_of.empty())
+  if(!soup.faces.empty() && !soup.file_indices.empty())
     result.mesh = closed_surface(soup, findings, watch);
   result.is_valid = !findings.has_error();
   if(!result.is_valid) result.mesh.clear();
-  for(const auto& p : result.mesh.points()) result.origins.push_back(soup.place_of.at(p));
+  for(const auto& p : result.mesh.points()) result.origins.push_back(soup.file_indices.at(p));
   return result;
 }
 

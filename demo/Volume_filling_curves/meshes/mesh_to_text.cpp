@@ -14,7 +14,7 @@
 namespace vfc {
 namespace {
 
-// Differences between the formats; lines of points and faces are alike.
+// Differences between the formats; their lines of points and faces are alike.
 struct Format
 {
   const char *extension, *before_point, *before_face;

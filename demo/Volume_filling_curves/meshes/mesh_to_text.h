@@ -17,8 +17,8 @@ namespace vfc {
 // returns whether to_text() knows the format of a file with this extension: .off, .obj or .ply
 bool is_written_mesh_extension(const std::string& extension);
 
-// Returns the text of a mesh in the format of an extension, from which the very same coordinates
-// are read. \pre the format is known; the mesh has no garbage
+// Returns the text of a mesh in the format of an extension. Reading it restores the coordinates bit
+// by bit. \pre the format is known; the mesh has no garbage
 std::string to_text(const Mesh& mesh, const std::string& extension);
 std::string to_text(const Mesh_soup& soup, const std::string& extension);
 

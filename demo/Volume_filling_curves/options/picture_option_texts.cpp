@@ -19,7 +19,7 @@
 namespace vfc {
 namespace {
 
-// returns the numbers of a list with commas; none if one of its items is no number
+// returns the numbers of a list with commas, or none if an item is not a number
 std::vector<double> numbers(const std::string& list)
 {
   std::vector<double> result;

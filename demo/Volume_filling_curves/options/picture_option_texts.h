@@ -14,14 +14,14 @@
 
 namespace vfc {
 
-// Parsers of the options of pictures, which return nothing for invalid texts.
+// Parsers of picture options. They return nothing for an invalid text.
 
 // "x,y,z", or "azimuth,elevation" in degrees: from the z axis towards the x axis, and from there
 // towards the y axis
 std::optional<Vector> parse_direction(const std::string& text);
 
-// The size of a picture: the pixels of each side, or of width and height as in 1600x900. Nothing if
-// the text is neither, or a side is less than 100 or more than 4000.
+// Size of a picture in pixels, from 100 to 4000: one number for both sides, or width and height as
+// in 1600x900
 std::optional<Picture_size> parse_size(const std::string& text);
 
 // "x=0.5", "y=0.5", "z=0.5", or "a,b,c,d" for the points with a x + b y + c z = d

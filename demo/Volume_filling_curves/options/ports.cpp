@@ -17,7 +17,7 @@
 namespace vfc {
 namespace {
 
-// The place of the n-th comma, or npos.
+// Returns the index of the n-th comma, or npos.
 std::size_t comma(const std::string& text, int n)
 {
   std::size_t k = text.find(',');

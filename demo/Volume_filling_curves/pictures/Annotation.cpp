@@ -46,8 +46,8 @@ Title title_of(Coloring coloring)
   return {};
 }
 
-// Remembers where labels are, in cells as high as a line.
-class Free_room
+// Space for labels: the cells, as high as a line of text, that no label occupies.
+class Free_space
 {
 public:
   // Returns whether there is space for the label, and occupies it.
@@ -56,7 +56,7 @@ public:
     std::set<Cell> wanted;
     for(long i = cell(x); i <= cell(x + width); ++i)
       for(long j = cell(y - text_size); j <= cell(y); ++j) wanted.insert({i, j});
-    const auto is_taken = [&](const Cell& place) { return m_taken.count(place) > 0; };
+    const auto is_taken = [&](const Cell& cell) { return m_taken.count(cell) > 0; };
     if(std::any_of(wanted.begin(), wanted.end(), is_taken)) return false;
     m_taken.insert(wanted.begin(), wanted.end());
     return true;
@@ -78,7 +78,7 @@ void blend(Rgb_image& image, std::size_t x, std::size_t y, const Color& color, d
   }
 }
 
-// Calls f(x, y, share) for the pixels of a rectangle that are in the image.
+// Calls f(x, y) for the pixels of a rectangle that are in the image.
 template <typename Function>
 void for_each_pixel(const Rgb_image& image,
                     const Eigen::AlignedBox2d& box,
@@ -120,7 +120,7 @@ void paint_stroke(const Segment_2& stroke, double width, const Color& color, Rgb
   });
 }
 
-// White around text_ink, which can be read on every color.
+// Paints text in text_ink with a white halo, readable on every color.
 void paint_text(const Annotation::Text& text, double pixel, Rgb_image& image)
 {
   constexpr double stroke_width = 0.12, halo_width = 0.5; // of the size
@@ -163,14 +163,14 @@ Annotation node_labels(const Drawn_curve& curve, const Eigen::Vector2d& size)
     return curve.points[v].z() > curve.points[w].z();
   });
   Annotation result;
-  Free_room room;
+  Free_space space;
   for(const std::size_t v : nearest_first) {
     if(!is_drawn[v] || curve.numbers[v] == 0) continue;
     const std::string text = std::to_string(curve.numbers[v]);
     const double width = text_width(text, text_size);
     const double x = (std::min)(curve.points[v].x() + curve.width / 2, size.x() - width);
     const double y = curve.points[v].y() - curve.width / 2;
-    if(room.take(x, y, width)) result.texts.push_back({text, x, y, text_size});
+    if(space.take(x, y, width)) result.texts.push_back({text, x, y, text_size});
   }
   return result;
 }

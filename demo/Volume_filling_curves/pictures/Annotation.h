@@ -20,7 +20,7 @@
 
 namespace vfc {
 
-// Texts and marks over a picture, in picture coordinates.
+// Texts and boxes on top of a picture, in picture coordinates.
 struct Annotation
 {
   struct Box
@@ -32,18 +32,18 @@ struct Annotation
   struct Text
   {
     std::string text;
-    double x, y; // where the base line starts
-    double size; // of a digit, in height
+    double x, y; // the start of the base line
+    double size; // the height of a digit
   };
 
   std::vector<Box> boxes;
   std::vector<Text> texts;
 };
 
-// Legend of a scale, at the right of a picture of that size: its colors, numbers and their meaning.
+// Legend of a scale, at the right of a picture of this size: colors, numbers and their meaning.
 Annotation legend(const Color_scale& scale, Coloring coloring, const Eigen::Vector2d& size);
 
-// Numbers of nodes beside them. Where space does not suffice, the nodes nearest to the viewer are
+// Labels of the nodes: their numbers. If space is short, the nodes nearest to the viewer are
 // labeled. O(n log n).
 Annotation node_labels(const Drawn_curve& curve, const Eigen::Vector2d& size);
 

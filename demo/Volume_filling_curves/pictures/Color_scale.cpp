@@ -18,13 +18,13 @@ namespace {
 
 using Lab = std::array<double, 3>;
 
-// The colors lie on this curve in CIELAB, whose chroma is such that all of them exist in sRGB.
+// Returns the color at t on the scale's curve in CIELAB. Its chroma keeps all colors within sRGB.
 Lab lab(double t)
 {
   constexpr double first_lightness = 20, last_lightness = 92;
   constexpr double first_hue = 290, last_hue = 100; // degrees
   const double hue = (first_hue + t * (last_hue - first_hue)) * CGAL_PI / 180;
-  const double chroma = 37 - 70 * t + 100 * t * t; // least where the screen's blues are pale
+  const double chroma = 37 - 70 * t + 100 * t * t; // least where sRGB has only pale blues
   return {first_lightness + t * (last_lightness - first_lightness), chroma * std::cos(hue),
           chroma * std::sin(hue)};
 }
@@ -95,7 +95,7 @@ Color_scale::Color_scale(std::vector<double> numbers)
   least = numbers[rank];
   largest = numbers[numbers.size() - 1 - rank];
   const double size = (std::max)(std::abs(least), std::abs(largest));
-  constexpr double min_width = 1e-3; // of the numbers, below which they count as the same
+  constexpr double min_width = 1e-3; // relative; a smaller range counts as a single value
   if(largest - least > min_width * size) return;
   least -= size > 0 ? size / 20 : 0;
   largest += size > 0 ? size / 20 : 1;

@@ -13,18 +13,18 @@
 
 namespace vfc {
 
-// Color scale of numbers, from dark blue for 0 through green to light yellow for 1: equal steps of
-// the number are equal differences of color (the distance in CIELAB, 1976), and the lightness is
-// monotone, hence the order is visible in grayscale and to color-blind viewers.
+// Returns the color of a number, from dark blue for 0 through green to light yellow for 1. Equal
+// steps of the number are equal differences of color (the distance in CIELAB, 1976). The lightness
+// is monotone, hence the order is visible in grayscale and to color-blind viewers.
 Color scale_color(double share);
 
-// A range of numbers, and which of them to write beside a scale.
+// Range of numbers, and the ticks to write beside its scale.
 struct Color_scale
 {
-  // Covers all numbers except the lowest and the highest hundredth. \pre there is one
+  // Covers all numbers except the lowest and the highest hundredth. \pre there is a number
   explicit Color_scale(std::vector<double> numbers);
 
-  // 0 at the least end of the range and below, 1 at the other and above
+  // 0 at the lower end of the range and below, 1 at the upper end and above
   double share(double number) const;
 
   // from 3 to 7 multiples of 1, 2 or 5 times a power of ten in the range

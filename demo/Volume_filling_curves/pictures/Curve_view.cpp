@@ -30,7 +30,7 @@ void for_each_edge(const Curve& curve, const Point& point, const Function& f)
     f(point(curve.source(e)), point(curve.target(e)));
 }
 
-// y points up, unless it is seen from there
+// Returns a frame with y up, or with x to the right if the view is along y.
 Eigen::Matrix3d upright_frame(const Vector& direction)
 {
   const Vector front = direction.normalized();
@@ -79,7 +79,7 @@ Eigen::Matrix3d principal_frame(const Curve& curve)
     const Vector along = target - source, arm = source + along / 2 - center;
     covariance += along.norm() / length * arm * arm.transpose();
   });
-  // eigenvectors of scaled matrices differ in rounding, so the scale is taken out first
+  // without its scale: eigenvectors of scaled matrices differ by rounding
   const double scale = covariance.trace();
   if(!(scale > 0)) return Eigen::Matrix3d::Identity();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance / scale);
@@ -88,22 +88,22 @@ Eigen::Matrix3d principal_frame(const Curve& curve)
 
 } // namespace
 
-Curve_view::Curve_view(const Curve& curve, const Triangle_soup& surface, const Wishes& wishes)
+Curve_view::Curve_view(const Curve& curve, const Triangle_soup& surface, const Options& options)
     : m_surface(surface)
 {
   const bool has_surface = !surface.triangles.empty();
   const Vector usual_direction(0.45, 0.35, 1);
-  m_frame = wishes.direction || has_surface
-                ? upright_frame(wishes.direction.value_or(usual_direction))
+  m_frame = options.direction || has_surface
+                ? upright_frame(options.direction.value_or(usual_direction))
                 : principal_frame(curve);
-  fit(curve, wishes);
+  fit(curve, options);
   place_all(curve);
   const double width =
       has_surface
           ? width_per_distance * std::sqrt(m_surface.volume() / (std::max)(length(curve, 3), 1.))
-          : covered_share * wishes.size.prod() / (std::max)(length(curve, 2), 1.);
-  m_width = wishes.tube > 0 ? (std::max)(2 * wishes.tube * m_scale, min_width)
-                            : std::clamp(width, min_width, max_width);
+          : covered_share * options.size.prod() / (std::max)(length(curve, 2), 1.);
+  m_width = options.tube > 0 ? (std::max)(2 * options.tube * m_scale, min_width)
+                             : std::clamp(width, min_width, max_width);
 }
 
 Vector Curve_view::place(const Vector& p) const
@@ -129,20 +129,20 @@ void Curve_view::scale(double factor)
   m_scale *= factor;
 }
 
-// Determines the position and scale at which everything fits into the picture, beside the legend.
-void Curve_view::fit(const Curve& curve, const Wishes& wishes)
+// Determines position and scale, so that everything fits into the picture beside the legend.
+void Curve_view::fit(const Curve& curve, const Options& options)
 {
-  const Eigen::AlignedBox3d drawn = box(curve, wishes.cut);
+  const Eigen::AlignedBox3d drawn = box(curve, options.cut);
   if(drawn.isEmpty()) return;
-  const Eigen::Vector2d legend(wishes.has_legend ? legend_width : 0, 0);
-  const Eigen::Vector2d room = wishes.size - Eigen::Vector2d::Constant(2 * view_margin) - legend;
-  const Eigen::Vector2d size = drawn.sizes().head<2>().array() + 2 * wishes.tube;
+  const Eigen::Vector2d legend(options.has_legend ? legend_width : 0, 0);
+  const Eigen::Vector2d room = options.size - Eigen::Vector2d::Constant(2 * view_margin) - legend;
+  const Eigen::Vector2d size = drawn.sizes().head<2>().array() + 2 * options.tube;
   if(size.maxCoeff() > 0) m_scale = 1 / size.cwiseQuotient(room).maxCoeff();
   m_center = drawn.center();
-  m_middle = Vector(view_margin + room.x() / 2, wishes.size.y() / 2, 0);
+  m_middle = Vector(view_margin + room.x() / 2, options.size.y() / 2, 0);
 }
 
-// Returns the box of the drawn parts in the frame: those that a cut leaves, if there is one.
+// Returns the box, in the frame, of the drawn parts: all, or those that a cut leaves.
 Eigen::AlignedBox3d Curve_view::box(const Curve& curve, const std::optional<Plane>& cut) const
 {
   std::optional<Half_space> kept;
@@ -178,7 +178,7 @@ double Curve_view::length(const Curve& curve, Eigen::Index dimension) const
   for_each_edge(
       curve, [&](std::size_t v) { return m_points[v]; },
       [&](const Vector& p, const Vector& q) {
-        const Vector edge = q - p; // with head(dimension) g++ 12 sees a read beyond its end
+        const Vector edge = q - p; // g++ 12 warns of head(dimension)
         sum += dimension == 2 ? edge.head<2>().norm() : edge.norm();
       });
   return sum;

@@ -21,30 +21,29 @@ namespace vfc {
 
 // A curve in picture coordinates: x to the right, y downwards, both within `picture_size`, and z
 // towards the viewer in the same unit. The curve is seen along its shortest principal axis, where
-// it hides least of itself, tilted a little to show parts right behind each other; its longest axis
-// runs from left to right. With a surface around it, the curve is seen from the front, the right
-// and above, with y up, since many shapes stand upright this way. A requested direction also has y
-// up.
+// it hides least of itself, tilted a little to separate parts right behind each other; its longest
+// axis runs from left to right. With a surface, or in a requested direction, y is up, since many
+// shapes stand upright this way; without a request, a surface is seen from the front, the right and
+// above.
 class Curve_view
 {
 public:
   static constexpr double picture_size = 800;
 
   // Options of a view: a direction, and space for a legend at the right.
-  struct Wishes
+  struct Options
   {
     std::optional<Vector> direction;
     bool has_legend = false;
-    std::optional<Plane> cut = std::nullopt; // what is left of it fills the picture
-    double tube = 0;                         // its radius; 0 for what suits the picture
-    Eigen::Vector2d size = {picture_size,
-                            picture_size}; // of the picture, of which the shorter side
+    std::optional<Plane> cut = std::nullopt; // the remainder fills the picture
+    double tube = 0;                         // its radius; 0 for one that suits the picture
+    Eigen::Vector2d size = {picture_size, picture_size}; // of the picture
   };
 
   static constexpr double legend_width = 130;
 
-  explicit Curve_view(const Curve& curve) : Curve_view(curve, Triangle_soup(), Wishes()) {}
-  Curve_view(const Curve& curve, const Triangle_soup& surface, const Wishes& wishes);
+  explicit Curve_view(const Curve& curve) : Curve_view(curve, Triangle_soup(), Options()) {}
+  Curve_view(const Curve& curve, const Triangle_soup& surface, const Options& options);
 
   const Vector& point(std::size_t v) const { return m_points[v]; }
 
@@ -63,7 +62,7 @@ public:
   void scale(double factor);
 
 private:
-  void fit(const Curve& curve, const Wishes& wishes);
+  void fit(const Curve& curve, const Options& options);
   Eigen::AlignedBox3d box(const Curve& curve, const std::optional<Plane>& cut) const;
   void place_all(const Curve& curve);
   double length(const Curve& curve, Eigen::Index dimension) const;

@@ -20,19 +20,19 @@ namespace vfc {
 struct Drawn_edge
 {
   std::size_t source, target;
-  std::array<double, 2> values; // which the colors tell, at both ends
+  std::array<double, 2> values; // shown as colors, at both ends
 };
 
-// Curve in picture coordinates, or the remainder of it after a cut.
+// Curve in picture coordinates, or its remainder after a cut.
 struct Drawn_curve
 {
   Drawn_curve(const Curve& curve, const Curve_view& view, const Edge_values& values);
 
   std::vector<Vector> points;
-  std::vector<std::size_t> numbers; // of the points in the file, from 1; 0 for the others
+  std::vector<std::size_t> numbers; // of the points in the file, from 1; 0 for new points
   std::vector<Drawn_edge> edges;
   std::vector<Strand> strands;
-  std::vector<std::size_t> ends; // points that are drawn as dots: ends and junctions
+  std::vector<std::size_t> ends; // points drawn as dots: ends and junctions
   double width;                  // of the stroke
 };
 

@@ -41,9 +41,9 @@ struct Picture_options
   Coloring coloring = Coloring::COMPONENT;
   std::optional<Vector> direction; // from the curve to the viewer
   Picture_size pixels;
-  std::optional<Plane> cut; // what is on the viewer's side of it is left out
+  std::optional<Plane> cut; // hides the viewer's side of it
   bool has_labels = false;
-  double tube = 0; // the radius, in the input's unit; 0 for what suits the picture
+  double tube = 0; // the radius, in the input's unit; 0 for one that suits the picture
 };
 
 } // namespace vfc

@@ -19,11 +19,11 @@ namespace vfc {
 
 // Shader that computes the color of a pixel as the mean of its samples. The light comes from the
 // upper left, over the viewer's shoulder; distant parts are pale, and tubes are darker at their
-// outlines, which separates strands visually.
+// outlines, which separates strands.
 class Picture_shader
 {
 public:
-  // A pixel has `samples_per_side` times as many samples.
+  // A pixel has `samples_per_side` squared samples.
   Picture_shader(const Scene_raster& raster,
                  const Tube_colors& colors,
                  std::size_t samples_per_side);

@@ -25,7 +25,7 @@ void set(Scene_raster::Sample& sample,
   sample.part = part;
 }
 
-// More where the surface is seen at a grazing angle, as that of a soap bubble.
+// Returns the optical depth of a layer, larger at grazing angles, like that of a soap bubble.
 float optical_depth(double cosine)
 {
   constexpr double facing = 0.07, grazing = 0.6;
@@ -42,8 +42,8 @@ void Scene_raster::add(const Capsule& capsule)
                   [&](double x, double y, Sample& sample) { add_at(x, y, capsule, sample); });
 }
 
-// The capsule is a union of balls around the points a + t (b - a); t is that of the ball whose
-// surface is nearest to the viewer at (x, y), a concave function of t.
+// The capsule is the union of the balls around the points a + t (b - a). The t of the visible ball,
+// the one nearest to the viewer at (x, y), maximizes a concave function.
 void Scene_raster::add_at(double x, double y, const Capsule& capsule, Sample& sample) const
 {
   const auto& [a, b, radius, values, part] = capsule;
@@ -67,8 +67,8 @@ void Scene_raster::add_at(double x, double y, const Capsule& capsule, Sample& sa
       values[0] + t * (values[1] - values[0]), part);
 }
 
-// The part nearest to the viewer has been cut off. As the capsule is convex, the remainder is seen
-// at the plane, if the plane is inside the capsule there, and otherwise nothing is left.
+// The part nearest to the viewer has been cut off. As the capsule is convex, the section is visible
+// if the plane is inside the capsule at (x, y); otherwise nothing remains there.
 void Scene_raster::add_section_at(double x, double y, const Capsule& capsule, Sample& sample) const
 {
   const Vector& n = m_cut->normal;
@@ -78,7 +78,7 @@ void Scene_raster::add_section_at(double x, double y, const Capsule& capsule, Sa
   const double length2 = d.squaredNorm();
   const double t = length2 > 0 ? std::clamp((p - capsule.a).dot(d) / length2, 0., 1.) : 0;
   if((p - capsule.a - t * d).norm() > capsule.radius) return;
-  if(!(static_cast<float>(p.z()) > sample.depth)) return; // of two capsules the first is seen
+  if(!(static_cast<float>(p.z()) > sample.depth)) return; // at equal depths the first capsule wins
   set(sample, p.z(), n, capsule.values[0] + t * (capsule.values[1] - capsule.values[0]),
       Part::SECTION);
 }
@@ -110,7 +110,7 @@ void Scene_raster::add_triangle(const std::array<Vector, 3>& p, const Vector* no
                   });
 }
 
-// Samples lie in the middle of unit squares.
+// Samples are the centers of unit squares.
 template <typename Function>
 void Scene_raster::for_each_sample(const Vector& min, const Vector& max, const Function& function)
 {

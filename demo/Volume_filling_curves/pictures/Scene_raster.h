@@ -20,11 +20,11 @@
 namespace vfc {
 
 // Raster of a scene: at each sample of a picture, the nearest point of a tube around the curve, and
-// the amount of a translucent surface in front of it and behind. The viewer looks along the z axis
-// from far above (x to the right, y downwards, z towards the viewer). Tubes are chains of capsules,
-// which are met exactly. The order of the surface's layers does not matter: their optical depths
-// are added. A cut leaves the part of each tube in a half-space; where it passes through a tube,
-// the section is visible. Takes time linear in the number of covered samples.
+// the amount of a translucent surface in front of it and behind it. The viewer looks along the z
+// axis from far above (x to the right, y downwards, z towards the viewer). Tubes are chains of
+// capsules; their intersections with the line of sight are exact. The order of the surface's layers
+// does not matter: their optical depths are added. A cut leaves the part of each tube in a
+// half-space, with visible sections. Takes time linear in the number of covered samples.
 class Scene_raster
 {
 public:
@@ -40,7 +40,7 @@ public:
   {
     Vector a, b;
     double radius;
-    std::array<double, 2> values = {0, 0}; // which the colors tell, at a and at b
+    std::array<double, 2> values = {0, 0}; // shown as colors, at a and at b
     Part part = Part::TUBE;
   };
 
@@ -49,7 +49,7 @@ public:
     float depth = -std::numeric_limits<float>::infinity(); // z of the tube
     float normal[3] = {0, 0, 0};                           // of the tube
     float in_front = 0, behind = 0;                        // optical depth of the surface
-    float value = 0;                                       // which the color tells
+    float value = 0;                                       // shown as color
     Part part = Part::TUBE;
 
     bool has_tube() const { return std::isfinite(depth); }
@@ -59,7 +59,7 @@ public:
       : m_width(width), m_height(height), m_samples(width * height)
   {}
 
-  // Cuts the tubes that are added from now on. \pre the plane is not seen from behind
+  // Cuts all tubes added later. \pre the viewer does not see the plane from behind
   void set_cut(const Half_space& half_space) { m_cut = half_space; }
 
   std::size_t width() const { return m_width; }
@@ -68,7 +68,8 @@ public:
 
   void add(const Capsule& capsule);
 
-  // Adds a surface, with the normals at the corners of its triangles. \pre all tubes are there
+  // Adds a surface, with the normals at the corners of its triangles. \pre all tubes have been
+  // added
   void add_surface(const Triangle_soup& soup, const std::vector<Vector>& corner_normals);
 
 private:

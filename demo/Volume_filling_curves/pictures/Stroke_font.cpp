@@ -11,8 +11,8 @@
 namespace vfc {
 namespace {
 
-// Strokes are chains of points of a grid, two digits for x and y; y points downwards, digits stand
-// on y = 6 and begin at y = 0, small letters at y = 2.
+// Strokes are chains of grid points, two digits for x and y; y points downwards. Characters stand
+// on y = 6. Digits reach up to y = 0, small letters to y = 2.
 struct Glyph
 {
   char character;

@@ -17,8 +17,8 @@ namespace vfc {
 
 using Segment_2 = std::array<Eigen::Vector2d, 2>;
 
-// A font of strokes, for pictures that are made without any library for fonts: digits, signs of
-// numbers, and the letters that pictures need; all else is left blank. Digits are `size` high.
+// Stroke font for pictures, so that no font library is needed: digits, signs of numbers, and the
+// letters that pictures use; other characters are blank. Digits are `size` high.
 
 // returns the strokes of a text that starts at a point of the base line; y points downwards
 std::vector<Segment_2> text_strokes(const std::string& text,

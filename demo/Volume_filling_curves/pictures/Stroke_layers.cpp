@@ -19,7 +19,7 @@
 namespace vfc {
 namespace {
 
-// In picture units. Shading by depth is smooth with the former, colors with the latter.
+// In picture units. Shading by depth is smooth with the longest pieces, colors with the shortest.
 constexpr double max_piece_length = 12, min_piece_length = 1.5;
 
 Kernel::Segment_2 in_the_plane(const Stroke_piece& piece)
@@ -85,7 +85,7 @@ void Stroke_layers::link(std::size_t i, std::size_t j)
   m_pieces[j].previous = i;
 }
 
-// Neighbors along a strand have nothing between them that could be crossed.
+// Returns whether two pieces are too near along a strand, or at a junction, to cross.
 bool Stroke_layers::are_neighbors(const Stroke_piece& a, const Stroke_piece& b) const
 {
   if(a.strand != b.strand) return are_joined(a, b);
@@ -96,8 +96,9 @@ bool Stroke_layers::are_neighbors(const Stroke_piece& a, const Stroke_piece& b) 
   return course.is_closed ? course.length - whole < 1.5 * m_reach : are_joined(a, b);
 }
 
-// Neither have branches near their junction, where strokes lie side by side longer the smaller the
-// angle is: from 29 degrees on none is drawn over the other.
+// Returns whether two pieces are near a common junction or end, where they do not cross. The
+// smaller the angle of two branches, the longer their strokes lie side by side: from 29 degrees on,
+// neither is drawn over the other.
 bool Stroke_layers::are_joined(const Stroke_piece& a, const Stroke_piece& b) const
 {
   for(const std::size_t i : {0u, 1u})
@@ -108,7 +109,7 @@ bool Stroke_layers::are_joined(const Stroke_piece& a, const Stroke_piece& b) con
   return false;
 }
 
-// along the strand, to its first (0) or its last point (1)
+// Returns the distance along the strand to its first point (0) or its last (1).
 double Stroke_layers::distance_to_end(const Stroke_piece& piece, std::size_t end) const
 {
   return end == 0 ? piece.begin : m_courses[piece.strand].length - piece.end;
@@ -142,8 +143,8 @@ void Stroke_layers::compare(Index i, Index j)
   m_below[j].push_back(i);
 }
 
-// Ranks in the order of the layers, the lowest piece first; a cycle, which three strokes that
-// merely come close can form, is broken at its lowest piece.
+// Assigns ranks in the partial order, the lowest piece first. Three strokes that merely come close
+// can form a cycle, which is broken at its lowest piece.
 void Stroke_layers::assign_layers()
 {
   const auto is_lower = [&](Index i, Index j) {
@@ -179,13 +180,13 @@ void Stroke_layers::join_layers()
   for(Index i = static_cast<Index>(m_pieces.size()); i-- > 0;) follow(i, m_pieces[i].next);
 }
 
-// Moves piece i to the layer of its neighbor if everything below and above it stays so.
+// Moves piece i to the layer of its neighbor if all pieces below and above it remain so.
 void Stroke_layers::follow(Index i, std::size_t neighbor)
 {
   if(neighbor == Stroke_piece::none) return;
   const std::size_t layer = m_pieces[neighbor].layer, old = m_pieces[i].layer;
   const auto is_kept = [&](Index below, std::size_t lower, Index above, std::size_t upper) {
-    return lower < upper || m_pieces[below].layer >= m_pieces[above].layer; // or was not so before
+    return lower < upper || m_pieces[below].layer >= m_pieces[above].layer; // or was already broken
   };
   if(layer == old) return;
   for(Index j : m_below[i])

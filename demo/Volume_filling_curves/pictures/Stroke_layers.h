@@ -17,12 +17,12 @@
 
 namespace vfc {
 
-// A short piece of a curve in the picture.
+// Short piece of a curve in the picture.
 struct Stroke_piece
 {
   Vector source, target;
   std::size_t strand;
-  double value;                             // which its color tells
+  double value;                             // shown as its color
   double begin, end;                        // along the strand
   std::size_t previous = none, next = none; // along the strand
   std::size_t layer = 0;
@@ -36,13 +36,13 @@ struct Stroke_piece
 // Layers of the pieces of a curve: drawn one over the other, they show at every crossing which
 // strand is above. Where the strokes of two pieces come close in the picture, the piece that is
 // above at their closest points must be in a higher layer. The layers are the ranks of this partial
-// order; pieces then move to the layer of their neighbor along the strand if the order permits,
-// which leaves few runs per strand. O(n log n + k) for n pieces and k close pairs.
+// order. Pieces then move to the layer of their neighbor along the strand if the order permits, so
+// that a strand has few runs. O(n log n + k) for n pieces and k close pairs.
 class Stroke_layers
 {
 public:
-  // Pieces are so short that the color values of neighbors differ by at most `value_step`, unless
-  // they change very fast.
+  // The color values of neighboring pieces differ by at most `value_step`, except where even the
+  // shortest pieces differ by more.
   explicit Stroke_layers(const Drawn_curve& curve,
                          double value_step = std::numeric_limits<double>::infinity());
 
@@ -74,7 +74,7 @@ private:
   void join_layers();
   void follow(Index i, std::size_t neighbor);
 
-  const double m_reach; // strokes with middle lines farther apart than that do not touch
+  const double m_reach; // strokes with center lines farther apart do not touch
   const double m_value_step;
   std::vector<Stroke_piece> m_pieces;
   std::vector<Course> m_courses; // of the strands

@@ -96,9 +96,9 @@ void Svg_painter::collect_runs()
   for(auto& entry : runs) m_runs.push_back(std::move(entry.second));
 }
 
-// Strokes run into the next run by hardly more than a pixel, light ones farther than dark ones, so
-// that no seam shows. The round joins close the wedges on the outer side of bends, also where
-// pieces have hardly any length in the picture.
+// Strokes extend into the next run by little more than a pixel, light ones farther than dark ones,
+// so that no seam shows. Round joins close the wedges outside bends, even where pieces have hardly
+// any length in the picture.
 void Svg_painter::append_overlaps(std::size_t first,
                                   std::size_t last,
                                   double extent,
@@ -107,9 +107,9 @@ void Svg_painter::append_overlaps(std::size_t first,
   constexpr double seam = 1.2; // picture units
   const auto append = [&](std::size_t inner, std::size_t outer, bool is_forward) {
     if(outer == Stroke_piece::none) return;
-    std::vector<Vector> points = way(inner, !is_forward, seam);
+    std::vector<Vector> points = points_from(inner, !is_forward, seam);
     std::reverse(points.begin(), points.end());
-    const std::vector<Vector> beyond = way(outer, is_forward, extent * seam);
+    const std::vector<Vector> beyond = points_from(outer, is_forward, extent * seam);
     points.insert(points.end(), beyond.begin() + 1, beyond.end());
     for(std::size_t k = 0; k < points.size(); ++k)
       path += (k == 0 ? 'M' : 'L') + svg_coordinates(points[k]);
@@ -118,10 +118,10 @@ void Svg_painter::append_overlaps(std::size_t first,
   append(last - 1, m_pieces[last - 1].next, true);
 }
 
-// The points of a strand from a piece on.
-std::vector<Vector> Svg_painter::way(std::size_t i, bool is_forward, double length) const
+// Returns the points of a strand from piece i on, up to a length.
+std::vector<Vector> Svg_painter::points_from(std::size_t i, bool is_forward, double length) const
 {
-  constexpr std::size_t max_points = 100; // which may all be at the same place in the picture
+  constexpr std::size_t max_points = 100; // since all may be at one point of the picture
   std::vector<Vector> points = {is_forward ? m_pieces[i].source : m_pieces[i].target};
   while(i != Stroke_piece::none && length > 0 && points.size() < max_points) {
     const Vector along = (is_forward ? m_pieces[i].target : m_pieces[i].source) - points.back();
@@ -133,15 +133,16 @@ std::vector<Vector> Svg_painter::way(std::size_t i, bool is_forward, double leng
   return points;
 }
 
-// A strand that continues in another layer is also drawn there, in its colors, by less than the
-// gap, which covers nothing else: the higher layer's white stroke has cut into it.
+// Extends a strand that continues in another layer into that layer, in its colors, because the
+// white stroke of the higher layer has cut into it. The extension is shorter than the gap, so it
+// covers nothing else.
 void Svg_painter::append_to_other_layer(std::size_t i,
                                         bool is_forward,
                                         double extent,
                                         std::string Run::*path,
                                         std::map<Key, Run>& runs) const
 {
-  constexpr int max_pieces = 100; // all of which may have no length in the picture
+  constexpr int max_pieces = 100; // since all may have no length in the picture
   double length = extent * Stroke_layers::gap_share * m_width;
   std::size_t j = is_forward ? m_pieces[i].next : m_pieces[i].previous;
   if(j == Stroke_piece::none || m_pieces[j].layer == m_pieces[i].layer) return;
@@ -161,7 +162,7 @@ void Svg_painter::append_to_other_layer(std::size_t i,
   }
 }
 
-// The white stroke is needed only where something passes below. It does not end where the color
+// White strokes are needed only where something passes below. They do not end where the color
 // changes: strokes that begin anew leave teeth at bends, and hairlines.
 void Svg_painter::collect_gaps()
 {
@@ -192,7 +193,7 @@ void Svg_painter::append_points(std::size_t first, std::size_t last, std::string
   }
 }
 
-// An open end is a dot, and so is a junction, in the highest of the layers that meet there.
+// Open ends and junctions are dots, in the highest of the layers that meet there.
 void Svg_painter::collect_ends()
 {
   std::map<std::array<double, 2>, std::size_t> piece_at;
@@ -225,7 +226,7 @@ void Svg_painter::paint_layer(std::size_t first, std::size_t last) const
   stroke(first, last, 0.26 * m_width, Tint::LIGHT);
 }
 
-// Draws all runs of a layer with one width.
+// Draws the runs of a layer with one width.
 void Svg_painter::stroke(std::size_t first, std::size_t last, double width, Tint tint) const
 {
   m_out << "<g stroke-width=\"" << svg_number(width) << "\">";

@@ -20,10 +20,10 @@
 
 namespace vfc {
 
-// Writes layers of strokes as elements of an SVG file. A tube is a dark stroke, a lighter one over
-// it and a light line in the middle; white strokes below them leave the gaps at crossings. Runs of
-// one layer, color and shade are one path element, which the three strokes share. Shades go from
-// pale in the back to full in the front.
+// Painter of layers of strokes as elements of an SVG file. A tube is a dark stroke, a lighter one
+// over it and a light line in the middle; white strokes below them leave the gaps at crossings.
+// Runs of one layer, color and shade form one path element, which the three strokes share. Shades
+// range from pale in the back to full in the front.
 class Svg_painter
 {
 public:
@@ -56,7 +56,7 @@ private:
   void collect_runs();
   void collect_gaps();
   void append_overlaps(std::size_t first, std::size_t last, double extent, std::string& path) const;
-  std::vector<Vector> way(std::size_t i, bool is_forward, double length) const;
+  std::vector<Vector> points_from(std::size_t i, bool is_forward, double length) const;
   void append_to_other_layer(std::size_t i,
                              bool is_forward,
                              double extent,
@@ -76,7 +76,7 @@ private:
   double m_back = std::numeric_limits<double>::infinity();
   double m_front = -std::numeric_limits<double>::infinity();
   std::vector<Run> m_runs;
-  std::map<std::size_t, std::string> m_gaps; // the white strokes of the layers that need some
+  std::map<std::size_t, std::string> m_gaps; // the white strokes, by layer
 };
 
 } // namespace vfc

@@ -16,7 +16,7 @@
 
 namespace vfc {
 
-// The triangles of a surface as pictures need them: points, and three indices per triangle.
+// Triangles of a surface for pictures: points, and three indices per triangle.
 struct Triangle_soup
 {
   Triangle_soup() = default;
@@ -25,16 +25,15 @@ struct Triangle_soup
   // twice the area times the unit normal
   Vector area_normal(std::size_t t) const;
 
-  // what a closed surface encloses
+  // the volume that a closed surface encloses
   double volume() const;
 
   std::vector<Vector> points;
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
-// The normals with which a surface is shaded, three per triangle: the mean of those of the
-// triangles around the corner that are not beyond a crease. Linear time for vertices of bounded
-// degree.
+// Returns the normals for shading a surface, three per triangle: at each corner the mean over the
+// triangles around it that no crease separates. Linear time for vertices of bounded degree.
 std::vector<Vector> corner_normals(const Triangle_soup& soup);
 
 } // namespace vfc

@@ -14,7 +14,7 @@
 namespace vfc {
 namespace {
 
-constexpr double levels = 48; // steps that are hardly seen
+constexpr double levels = 48; // hardly visible steps
 
 } // namespace
 

@@ -16,24 +16,24 @@
 
 namespace vfc {
 
-// The colors of a curve: one per component, or those of a scale.
+// Colors of a curve: one per component, or those of a scale.
 class Tube_colors
 {
 public:
   Tube_colors(Coloring coloring, const Edge_values& values);
 
-  // the color at a distance, from 1 for the nearest point to 0 for the farthest. Distant colors are
-  // pale, but not enough to be mistaken for another color of the scale.
+  // Returns the color at a nearness from 1 for the nearest point to 0 for the farthest. Distant
+  // colors are paler, but not like another color of the scale.
   Color color(double value, double nearness) const;
 
-  // Of the values that are drawn with the same color when colors are few.
+  // Returns the level of a value; pictures with few colors have one per level.
   std::size_t level(double value) const;
   double value_of_level(std::size_t level) const;
 
-  // the difference of values of a level and the next one, infinite if there is no scale
+  // the difference of values between levels, infinite without a scale
   double level_step() const;
 
-  // empty if components have colors of their own
+  // empty if each component has its own color
   const std::optional<Color_scale>& scale() const { return m_scale; }
 
 private:

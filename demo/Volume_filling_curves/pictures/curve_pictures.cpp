@@ -28,7 +28,7 @@
 namespace vfc {
 namespace {
 
-constexpr double outline_width = 2.4; // of a surface that is cut, in picture units
+constexpr double outline_width = 2.4; // of a cut surface, in picture units
 constexpr double crease_width = 1.6;
 
 double pixels_per_unit(const Picture_options& options)
@@ -37,7 +37,7 @@ double pixels_per_unit(const Picture_options& options)
   return static_cast<double>((std::min)(width, height)) / Curve_view::picture_size;
 }
 
-// In picture units, of which the shorter side has `Curve_view::picture_size`.
+// Returns the size in picture units; the shorter side is `Curve_view::picture_size`.
 Eigen::Vector2d picture_size(const Picture_options& options)
 {
   const Eigen::Vector2d pixels(static_cast<double>(options.pixels.width),
@@ -45,7 +45,7 @@ Eigen::Vector2d picture_size(const Picture_options& options)
   return pixels / pixels_per_unit(options);
 }
 
-// All that a picture shows, before it is drawn in one way or the other.
+// Content of a picture, whatever its format.
 class Scene
 {
 public:
@@ -84,7 +84,7 @@ public:
     return result;
   }
 
-  // The labels and the legend. \pre the scene has not been scaled
+  // Returns labels and legend. \pre the scene has not been scaled
   Annotation annotation() const
   {
     Annotation result;
@@ -105,8 +105,8 @@ private:
   Curve_view m_view;
 };
 
-// A surface as SVG: behind the strands, except for its creases on the viewer's side and the outline
-// of its section.
+// Surface as SVG. All of it is behind the strands, except for the creases on the viewer's side and
+// the outline of the section.
 class Svg_surface
 {
 public:

@@ -14,18 +14,18 @@
 
 namespace vfc {
 
-// Pictures of a curve as the bytes of a file. Each component is a tube of its own color, paler the
-// farther it is away, or the colors are those of a scale, which stands beside the curve. Pictures
-// do not depend on the size and position of the curve, nor on any display or graphics card. With a
-// mesh, which is empty for none, the surface is drawn around the curve.
+// Pictures of a curve as the bytes of a file. Each component is a tube in its own color, or in the
+// colors of a scale, which stands beside the curve; distant parts are paler. Pictures do not depend
+// on the size and position of the curve, nor on a display or graphics card. The surface of a mesh
+// is drawn around the curve; an empty mesh means none.
 
 // PNG: tubes are shaded, the surface is translucent.
 std::string png_picture(const Curve& curve,
                         const Mesh& mesh = Mesh(),
                         const Picture_options& options = Picture_options());
 
-// SVG: strands that pass under others are interrupted, the surface is drawn by outline and creases.
-// O(n log n + k) for n nodes and k places where strands come close in the picture.
+// SVG: strands are interrupted under others, the surface has outline and creases. O(n log n + k)
+// for n nodes and k pairs of strands that come close in the picture.
 std::string svg_picture(const Curve& curve,
                         const Mesh& mesh = Mesh(),
                         const Picture_options& options = Picture_options());

@@ -38,7 +38,7 @@ private:
   {
     const auto enters = [&](std::size_t e) { return !is_in(m_edges[e].source); };
     const auto entry = std::find_if(strand.edges.begin(), strand.edges.end(), enters);
-    if(strand.is_closed) // starts outside, if any of it is there
+    if(strand.is_closed) // starts outside, if any part is outside
       std::rotate(strand.edges.begin(), entry, strand.edges.end());
     Strand piece{{}, strand.is_closed && entry == strand.edges.end()};
     for(const std::size_t e : strand.edges) {
@@ -55,7 +55,7 @@ private:
     finish(piece);
   }
 
-  // Lets the edge end at the plane, at its source (0) or its target (1).
+  // Moves the source (0) or the target (1) of the edge to the plane.
   void replace(Drawn_edge& edge, std::size_t end)
   {
     const Vector &p = m_curve.points[edge.source], &q = m_curve.points[edge.target];
@@ -79,7 +79,7 @@ private:
   const std::vector<Drawn_edge> m_edges;
 };
 
-// Cuts a surface triangle by triangle; points on its edges belong to the triangles at both sides.
+// Cuts a surface triangle by triangle; triangles on both sides of an edge share its new point.
 class Surface_cutter
 {
 public:

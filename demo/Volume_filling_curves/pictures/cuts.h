@@ -18,19 +18,19 @@
 
 namespace vfc {
 
-// The points p of the picture with normal * p <= offset. The normal has the length 1.
+// Points p of the picture with normal * p <= offset. The normal has length 1.
 struct Half_space
 {
-  // how far a point is outside, negative if it is inside
+  // the distance of a point from the plane, negative inside
   double height(const Vector& p) const { return normal.dot(p) - offset; }
 
   Vector normal;
   double offset;
 };
 
-// Returns the half-space that a cut along a plane leaves: the viewer's side, in the direction of z,
-// is removed; if the plane is seen edge-on, the side of its normal is removed. \pre the normal has
-// length 1
+// Returns the half-space that a cut along a plane leaves. It removes the viewer's side, in the
+// direction of z; if the plane is seen edge-on, the side of its normal. \pre the normal has length
+// 1
 inline Half_space side_kept(const Plane& plane)
 {
   constexpr double edge_on = 1e-9;
@@ -38,11 +38,11 @@ inline Half_space side_kept(const Plane& plane)
   return {plane.normal, plane.offset};
 }
 
-// Keeps the part in the half-space; strands that are cut get new ends.
+// Removes the part outside the half-space; cut strands get new ends.
 void cut(Drawn_curve& curve, const Half_space& half_space);
 
-// Surface after a cut, and the edges along the cut. For a closed surface these form loops around
-// its inside, oriented like the faces of the removed part.
+// Surface after a cut, and the edges along the cut. On a closed surface these edges form loops
+// around the inside, oriented like the faces of the removed part.
 struct Cut_surface
 {
   Triangle_soup soup;

@@ -34,7 +34,8 @@ Edge_values components(const Curve& curve)
   return values;
 }
 
-// Values of edges, since a closed curve ends with its length where it starts with 0.
+// Two values per edge, not one per node: a closed curve ends with its length where it starts with
+// 0.
 Edge_values arclengths(const Curve& curve)
 {
   for(std::size_t c = 0; c < curve.number_of_components(); ++c)

@@ -28,8 +28,8 @@ using CGAL::Volume_filling_curves::Chain_section;
 constexpr double triangle_side = 600, triangle_margin = 60, digit_height = 13;
 constexpr double legend_left = triangle_side + 2 * triangle_margin, legend_space = 180;
 
-// The knots of the fingerprint, in the order in which they get their colors: from the most frequent
-// one, after the unknot.
+// Returns the knots of the fingerprint in the order of their colors: the unknot, then from the most
+// frequent knot on.
 std::vector<std::string> knots_of(const Chain_identity& identity)
 {
   std::map<std::string, std::size_t> counts;
@@ -63,7 +63,7 @@ void add_cells(const Chain_identity& identity,
                const std::vector<std::string>& knots,
                Annotation& picture)
 {
-  std::vector<std::size_t> nodes; // at which sections begin, and the last one
+  std::vector<std::size_t> nodes; // the starts of sections, and the last node
   for(const Chain_section& section : identity.fingerprint)
     if(nodes.empty() || nodes.back() != section.first) nodes.push_back(section.first);
   nodes.push_back(last_node(identity));
@@ -79,7 +79,7 @@ void add_cells(const Chain_identity& identity,
   }
 }
 
-// The numbers of the first and the last node, below the columns and beside the rows.
+// Adds the numbers of the first and the last node, below the columns and beside the rows.
 void add_numbers(const Chain_identity& identity, Annotation& picture)
 {
   constexpr double end = triangle_margin + triangle_side;

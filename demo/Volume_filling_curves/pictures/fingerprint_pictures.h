@@ -13,11 +13,10 @@
 
 namespace vfc {
 
-// Pictures of the fingerprint of an open chain as the bytes of a file (Sulkowska et al. 2012): a
-// triangle of cells, each a section from the node at its column to that at its row, in the color of
-// its knot, the paler the less frequent the knot is; the whole chain is the cell in the lower left
-// corner. A legend names the knots.
-// \pre there is a fingerprint
+// Pictures of the fingerprint of an open chain (Sulkowska et al. 2012) as the bytes of a file. Each
+// cell of a triangle is the section from the node of its column to the node of its row, in the
+// color of its knot, paler for less frequent knots. The cell in the lower left corner is the whole
+// chain. A legend names the knots. \pre the identity has a fingerprint
 
 std::string svg_fingerprint(const CGAL::Volume_filling_curves::Chain_identity& identity);
 std::string png_fingerprint(const CGAL::Volume_filling_curves::Chain_identity& identity);

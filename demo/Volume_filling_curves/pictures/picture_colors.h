@@ -12,14 +12,14 @@
 
 namespace vfc {
 
-// The colors of pictures, with channels from 0 to 255.
+// Color with red, green and blue from 0 to 255.
 using Color = std::array<double, 3>;
 
 Color mix(const Color& a, const Color& b, double share_of_b);
 
 Color component_color(std::size_t component);
 
-// of what is far away
+// the color of infinite distance
 inline constexpr Color fog_color{206, 214, 224};
 
 } // namespace vfc

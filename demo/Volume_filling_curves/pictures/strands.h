@@ -14,15 +14,15 @@
 
 namespace vfc {
 
-// A part of a curve that is drawn in one go: edges, each one starting where the one before ends.
+// Part of a curve that is drawn in one go: edges, each from the end of the edge before.
 struct Strand
 {
   std::vector<std::size_t> edges;
   bool is_closed;
 };
 
-// returns the components of the curve; those with junctions in parts, which end at junctions, at
-// ends, and where edges have opposite directions
+// Returns the components of the curve. A component with junctions is split at junctions, at ends,
+// and where edges have opposite directions.
 std::vector<Strand> strands_of(const Curve& curve);
 
 bool has_junction(const Curve& curve, std::size_t component);

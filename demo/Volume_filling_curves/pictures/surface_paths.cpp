@@ -13,7 +13,7 @@
 namespace vfc {
 namespace {
 
-// The edges of front faces, except those between two front faces.
+// Returns the edges of front faces, except those between two front faces.
 Directed_edges outline_of(const Triangle_soup& surface)
 {
   Directed_edges front_edges, outline;
@@ -27,8 +27,8 @@ Directed_edges outline_of(const Triangle_soup& surface)
   return outline;
 }
 
-// 40 degrees: an icosahedron, with 42, has creases, and a round surface meshed with more than nine
-// edges around it none
+// 40 degrees: an icosahedron (42 degrees) has creases, a round surface with more than nine edges
+// around it has none
 constexpr double crease_cosine = 0.766;
 constexpr std::size_t max_creases = 500;
 

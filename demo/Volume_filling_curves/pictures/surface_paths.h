@@ -17,26 +17,26 @@
 
 namespace vfc {
 
-// The outline of a surface in picture coordinates, as the path of an SVG file: closed loops of the
-// edges between a front face and a back face. The loops run around the front faces: their winding
-// number at a point of the picture is the number of front faces there, and a fill with the rule
-// "nonzero" paints exactly the area that the surface covers. O(n log n).
+// Returns the outline of a surface in picture coordinates, as the path of an SVG file: closed loops
+// of the edges between a front face and a back face. The loops run around the front faces: their
+// winding number at a point of the picture is the number of front faces there, and a fill with the
+// rule "nonzero" paints exactly the area that the surface covers. O(n log n).
 std::string silhouette_path(const Triangle_soup& surface);
 
-// The pairs of points that are joined.
+// Edges as pairs of point indices.
 using Directed_edges = std::set<std::pair<std::size_t, std::size_t>>;
 
-// Joins edges that follow one another to loops, as the path of an SVG file.
+// Joins successive edges into loops. Returns the path of an SVG file.
 std::string loops_path(Directed_edges edges, const std::vector<Vector>& points);
 
-// The edges at which a surface is creased, without those of its outline: paths of an SVG file.
+// Creases of a surface, without its outline, as paths of an SVG file.
 struct Crease_paths
 {
-  std::string front, back; // between faces that are turned to the viewer, and away from him
+  std::string front, back; // between faces that face the viewer, and those that do not
 };
 
-// Creases of a surface in picture coordinates. Without them a box looks like the hexagon that it
-// covers. Both are empty if there are so many creases that they would hide the curve. O(n log n).
+// Returns the creases of a surface in picture coordinates. Without them a box looks like a hexagon.
+// Both paths are empty if the creases would be so many as to hide the curve. O(n log n).
 Crease_paths crease_paths(const Triangle_soup& surface);
 
 } // namespace vfc
