@@ -31,8 +31,8 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Point = Symmetry::Point;
 
 // In units of the thickness. Strands settle about 0.6 r from a wall, so that those at both sides of
-// a cut are about 1.6 r apart. With 0.4, 0.6 and 0.8 a box and a torus were filled to 75-79, 71-77 and
-// 66-75 % within r, with 0.2 to 77-80 %, and to 81 % without symmetry.
+// a cut are about 1.6 r apart. A box and a torus, 81 % within r without symmetry, are filled to 77
+// to 80 % with 0.2, and to 75 to 79, 71 to 77, 66 to 75 % with 0.4, 0.6, 0.8.
 constexpr double cut_distance = 0.2; // from the planes of the symmetry
 constexpr double min_depth = 1.5;    // of a port, below the surface
 constexpr double max_asymmetry = 0.01;
