@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace files = CGAL::Volume_filling_curves::internal;
 
-// As long as it exists no other process reads or writes.
+// Lock of the file: while it exists, no other process reads or writes.
 class Turn
 {
 public:
@@ -79,7 +79,7 @@ const Results::Outcome* Results::find(const std::string& input) const
   return found == m_outcomes.end() ? nullptr : &found->second;
 }
 
-// The content of the file, from which the unfinished line of a process that was killed is cut off.
+// Returns the content of the file without an unfinished line, which a killed process left.
 std::string Results::whole_lines()
 {
   std::string text;

@@ -63,7 +63,7 @@ void Frames::finish(std::size_t iteration, const Curve& curve)
   if(m_options.frame_format == "vtp") write_list();
 }
 
-// A collection of ParaView's, which plays the frames as a film.
+// Writes a ParaView collection, which ParaView plays as a film.
 void Frames::write_list() const
 {
   std::string list = "<?xml version=\"1.0\"?>\n"

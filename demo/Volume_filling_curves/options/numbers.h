@@ -13,17 +13,17 @@
 
 namespace vfc {
 
-// Numbers as text, and back, whatever the locale.
+// Numbers to text and back, independent of the locale.
 
 using CGAL::Volume_filling_curves::internal::counted;
 
 // returns a number for humans, with 6 significant digits
 std::string to_text(double number);
 
-// the shortest text from which the very same number is read
+// returns the shortest text that restores the same number
 std::string with_all_digits(double number);
 
-// returns whether all of the text is a finite number, or a whole number that is not negative
+// Each reads a number, finite or a nonnegative integer. Returns whether it is the whole text.
 bool parse(const std::string& text, double& number);
 bool parse(const std::string& text, unsigned long long& number);
 

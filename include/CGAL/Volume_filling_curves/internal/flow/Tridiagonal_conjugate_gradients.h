@@ -60,7 +60,8 @@ public:
   }
 
 private:
-  // on the diagonal: they act along one line of three, and pull at two nodes; 0.3 or 1 is as fast
+  // the share of the contacts' stiffness on the diagonal: a contact acts along one direction of
+  // three and at two nodes; 0.3 or 1 is as fast
   static constexpr double share_of_contacts = 0.5;
   static constexpr int max_iterations = 500;
 
@@ -153,8 +154,8 @@ private:
     return static_cast<std::size_t>(matrix.rows());
   }
 
-  // kept from one system to the next: with a million nodes the kernel takes longer to hand them out
-  // than it takes to fill them
+  // Kept from one system to the next: with a million nodes, the operating system takes longer to
+  // allocate them than the solver to fill them.
   Vector_field m_residual, m_direction, m_image;
   Eigen::VectorXd m_inverse_diagonal, m_lower;
 };

@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Translation of named parameters to a struct, by its table. The Signature of a function lists its
-// parameters: the members of a struct, Without those that do not apply, and tags that set no
-// member, such as the visitor. A named parameter that a function does not take, or with a value of
-// an unsuitable type, is refused at compile time.
+// Translation of named parameters to a struct, by its table. The `Signature` of a function lists
+// its parameters: the members of a struct, minus those in `Without`, plus tags that set no member,
+// such as the visitor. The compiler rejects a named parameter that the function does not take, or
+// whose value has an unsuitable type.
 
 template <typename... Tags>
 struct Tag_list
