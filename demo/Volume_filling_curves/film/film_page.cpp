@@ -80,6 +80,7 @@ std::string film_page(const std::string& film, const std::string& three_js)
       {"/* page.css */", page_css},
       {"/* three.js */", in_script(three_js)},
       {"/* film */", in_json_script(film)},
+      {"/* scene.js */", scene_js},
       {"/* page.js */", page_js}};
   const std::string html = page_html;
   std::string page;

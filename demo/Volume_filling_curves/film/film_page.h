@@ -24,6 +24,7 @@ std::string film_page(const std::string& film, const std::string& three_js);
 // The files of this folder that the page is made of, as texts.
 extern const char* const page_html;
 extern const char* const page_css;
+extern const char* const scene_js;
 extern const char* const page_js;
 
 } // namespace vfc

@@ -1,5 +1,3 @@
-"use strict";
-
 // Plays the film that is in the element "film"; Film.h of the program vfc says what it holds.
 
 const film = JSON.parse(document.getElementById("film").textContent);
@@ -7,213 +5,6 @@ const element = (id) => document.getElementById(id);
 
 function numbers(base64, ArrayType) {
   return new ArrayType(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer);
-}
-
-// --- Tubes
-
-const sum = (a, b, s) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const unit = (a) => { const n = Math.hypot(...a) || 1; return [a[0] / n, a[1] / n, a[2] / n]; };
-
-// A vector orthogonal to a unit vector: what is left of another one, if that is not parallel.
-function orthogonal(tangent, wanted) {
-  const rest = sum(wanted, tangent, -dot(wanted, tangent));
-  if (Math.hypot(...rest) > 1e-6) return unit(rest);
-  return orthogonal(tangent, Math.abs(tangent[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]);
-}
-
-// A vector that is orthogonal to the axis, a unit vector, turned around it.
-function turned(vector, axis, angle) {
-  return sum(vector.map((x) => Math.cos(angle) * x), cross(axis, vector), Math.sin(angle));
-}
-
-// Tangents and normals at the points of a strand; the normals turn as little as possible, and those
-// of a closed strand a little more, so that the last one fits the first.
-function frames(points, isClosed) {
-  const n = points.length;
-  const neighbor = (i) => points[isClosed ? (i + n) % n : Math.min(Math.max(i, 0), n - 1)];
-  const tangents = points.map((_, i) => unit(sum(neighbor(i + 1), neighbor(i - 1), -1)));
-  const normals = [orthogonal(tangents[0], [0, 0, 1])];
-  for (let i = 1; i < n; ++i) normals.push(orthogonal(tangents[i], normals[i - 1]));
-  let twist = 0;
-  if (isClosed) {
-    const last = orthogonal(tangents[0], normals[n - 1]);
-    twist = Math.atan2(dot(cross(last, normals[0]), tangents[0]), dot(last, normals[0]));
-  }
-  return tangents.map((tangent, i) => ({tangent, normal: turned(normals[i], tangent, (twist * i) / n)}));
-}
-
-// The triangles of tubes, as they grow strand by strand.
-class Tubes {
-  constructor(radius, sides) {
-    Object.assign(this, {radius, sides, positions: [], normals: [], triangles: []});
-  }
-
-  add(points, isClosed) {
-    const rings = frames(points, isClosed).map((frame, i) => this.addRing(points[i], frame));
-    for (let i = 0; i + 1 < rings.length; ++i) this.join(rings[i], rings[i + 1]);
-    if (isClosed) return this.join(rings[rings.length - 1], rings[0]);
-    const last = points.length - 1;
-    this.addCap(points[0], points[1], rings[0], true);
-    this.addCap(points[last], points[last - 1], rings[last], false);
-  }
-
-  addVertex(p, normal) {
-    this.positions.push(...p);
-    this.normals.push(...normal);
-    return this.positions.length / 3 - 1;
-  }
-
-  addRing(p, {tangent, normal}) {
-    const first = this.positions.length / 3;
-    for (let k = 0; k < this.sides; ++k) {
-      const out = turned(normal, tangent, (2 * Math.PI * k) / this.sides);
-      this.addVertex(sum(p, out, this.radius), out);
-    }
-    return first;
-  }
-
-  join(a, b) {
-    for (let k = 0; k < this.sides; ++k) {
-      const next = (k + 1) % this.sides;
-      this.triangles.push(a + k, a + next, b + k, b + k, a + next, b + next);
-    }
-  }
-
-  addCap(end, inner, ring, isFirst) {
-    const out = unit(sum(end, inner, -1)), tip = this.addVertex(sum(end, out, this.radius / 2), out);
-    for (let k = 0; k < this.sides; ++k) {
-      const edge = [ring + k, ring + (k + 1) % this.sides];
-      this.triangles.push(tip, ...(isFirst ? edge.reverse() : edge));
-    }
-  }
-
-  geometry() {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(this.positions), 3));
-    geometry.setAttribute("normal", new THREE.BufferAttribute(new Float32Array(this.normals), 3));
-    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(this.triangles), 1));
-    return geometry;
-  }
-}
-
-// The geometries of the curve at a frame, one per color.
-function geometries(frame, radius) {
-  const many = 20000;
-  const sides = frame.nodes > many ? 6 : 12;
-  const coordinates = numbers(frame.points, Float32Array);
-  const tubes = film.colors.map(() => new Tubes(radius, sides));
-  let first = 0;
-  for (const [n, isClosed, component] of frame.strands) {
-    const point = (i) => Array.from(coordinates.subarray(3 * (first + i), 3 * (first + i + 1)));
-    const points = Array.from({length: n}, (_, i) => point(i));
-    tubes[component % tubes.length].add(points, isClosed === 1);
-    first += n;
-  }
-  return tubes.map((tube) => tube.geometry());
-}
-
-// --- The scene
-
-const low = new THREE.Vector3(...film.low), high = new THREE.Vector3(...film.high);
-const center = low.clone().add(high).multiplyScalar(0.5);
-const size = high.distanceTo(low) || 1;
-
-class Scene {
-  constructor(canvas) {
-    this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
-    this.renderer.setClearColor(0, 0);
-    this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(30, 1, 0.01 * size, 100 * size);
-    this.azimuth = 0.4;
-    this.elevation = 0.3;
-    this.distance = 1.95 * size;
-    this.addLights();
-    this.meshes = film.colors.map((color) => {
-      const material = new THREE.MeshPhongMaterial({color, shininess: 50, specular: 0x444444});
-      return this.add(new THREE.BufferGeometry(), material);
-    });
-    this.domain = this.addDomain();
-  }
-
-  add(geometry, material) {
-    const mesh = new THREE.Mesh(geometry, material);
-    mesh.frustumCulled = false;
-    this.scene.add(mesh);
-    return mesh;
-  }
-
-  // The light comes over the viewer's shoulder. Since release 155 lights are measured otherwise.
-  addLights() {
-    const strength = parseInt(THREE.REVISION, 10) < 155 ? 1 : Math.PI;
-    this.scene.add(new THREE.AmbientLight(0xffffff, 0.45 * strength));
-    const light = new THREE.DirectionalLight(0xffffff, 0.65 * strength);
-    light.position.set(-0.45, 0.6, 0.66);
-    this.camera.add(light);
-    this.camera.add(light.target);
-    this.scene.add(this.camera);
-  }
-
-  addDomain() {
-    if (!film.surface) return null;
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(numbers(film.surface.points, Float32Array), 3));
-    geometry.setIndex(new THREE.BufferAttribute(numbers(film.surface.triangles, Uint32Array), 1));
-    geometry.computeVertexNormals();
-    const glass = {color: 0x6c84a0, transparent: true, depthWrite: false, side: THREE.DoubleSide};
-    return this.add(geometry, new THREE.MeshPhongMaterial(glass));
-  }
-
-  showCurve(frame, radius) {
-    geometries(frame, radius).forEach((geometry, k) => {
-      this.meshes[k].geometry.dispose();
-      this.meshes[k].geometry = geometry;
-    });
-    this.draw();
-  }
-
-  showDomain(opacity) {
-    if (!this.domain) return;
-    this.domain.visible = opacity > 0;
-    this.domain.material.opacity = opacity;
-    this.draw();
-  }
-
-  turn(right, up) {
-    this.azimuth -= right;
-    this.elevation = Math.min(Math.max(this.elevation + up, -1.5), 1.5);
-    this.draw();
-  }
-
-  zoom(factor) {
-    this.distance = Math.min(Math.max(this.distance * factor, 0.05 * size), 20 * size);
-    this.draw();
-  }
-
-  // Draws once before the next picture of the screen, whatever changed in between.
-  draw() {
-    if (this.isWaiting) return;
-    this.isWaiting = true;
-    requestAnimationFrame(() => {
-      this.isWaiting = false;
-      this.render();
-    });
-  }
-
-  render() {
-    const {clientWidth: width, clientHeight: height} = this.canvas;
-    this.renderer.setPixelRatio(window.devicePixelRatio);
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    const across = this.distance * Math.cos(this.elevation);
-    this.camera.position.copy(center).add(new THREE.Vector3(across * Math.sin(this.azimuth),
-      this.distance * Math.sin(this.elevation), across * Math.cos(this.azimuth)));
-    this.camera.lookAt(center);
-    this.renderer.render(this.scene, this.camera);
-  }
 }
 
 // --- The controls
@@ -234,7 +25,8 @@ class Player {
     element("iteration").textContent = frame.iteration;
     element("length").textContent = frame.length.toPrecision(5);
     element("nodes").textContent = frame.nodes;
-    this.scene.showCurve(frame, film.tube * Math.pow(2, element("tube").value));
+    this.scene.showCurve(frame.strands, numbers(frame.points, Float32Array),
+      film.tube * Math.pow(2, element("tube").value));
   }
 
   play() {
@@ -267,33 +59,6 @@ class Player {
   }
 }
 
-// One finger or the mouse turns, two fingers or the wheel zoom.
-function listenToPointers(scene) {
-  const canvas = scene.canvas, pointers = new Map();
-  const spread = () => {
-    const [a, b] = [...pointers.values()];
-    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
-  };
-  canvas.addEventListener("pointerdown", (event) => {
-    canvas.setPointerCapture(event.pointerId);
-    pointers.set(event.pointerId, event);
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const last = pointers.get(event.pointerId);
-    if (!last) return;
-    const before = pointers.size === 2 ? spread() : 0;
-    pointers.set(event.pointerId, event);
-    if (pointers.size === 2) scene.zoom(before / Math.max(spread(), 1));
-    else scene.turn((event.clientX - last.clientX) / 150, (event.clientY - last.clientY) / 150);
-  });
-  for (const end of ["pointerup", "pointercancel"])
-    canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    scene.zoom(Math.exp(event.deltaY / 800));
-  }, {passive: false});
-}
-
 function listenToKeys(scene, player) {
   const angle = 0.1, factor = 1.1;
   const turns = {ArrowLeft: [-angle, 0], ArrowRight: [angle, 0], ArrowUp: [0, angle], ArrowDown: [0, -angle]};
@@ -316,7 +81,12 @@ function listenToKeys(scene, player) {
 
 function start() {
   document.title = "Film of " + film.title;
-  const scene = new Scene(element("scene")), player = new Player(scene);
+  const scene = new Scene(element("scene"), film.colors), player = new Player(scene);
+  scene.lookAt(film.low, film.high);
+  if (film.surface) {
+    scene.addDomain(numbers(film.surface.points, Float32Array),
+      numbers(film.surface.triangles, Uint32Array));
+  }
   element("frame").max = film.frames.length - 1;
   element("frame").addEventListener("input", (event) => player.step(event.target.valueAsNumber - player.index));
   element("play").addEventListener("click", () => player.toggle());

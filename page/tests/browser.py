@@ -1,0 +1,108 @@
+# Copyright (c) 2026 The Volume_filling_curves authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+"""Chromium without a display or a network, as a user has it: pages, sizes, mouse, keys, pictures. It is
+spoken to in its DevTools protocol, through pipes."""
+
+import base64
+import json
+import os
+import shutil
+import subprocess
+import time
+
+
+class Browser:
+    def __init__(self, folder):
+        commands, self.commands = os.pipe()
+        self.answers, answers = os.pipe()
+        self.process = subprocess.Popen(
+            ["bash", "-c", f'exec "$@" 3<&{commands} 4>&{answers}', "bash",
+             shutil.which("chromium"), "--headless", "--no-sandbox", "--use-angle=swiftshader",
+             "--enable-unsafe-swiftshader", "--remote-debugging-pipe", "--hide-scrollbars",
+             f"--user-data-dir={folder}/profile", "--host-resolver-rules=MAP * ~NOTFOUND"],
+            pass_fds=(commands, answers), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(commands)
+        os.close(answers)
+        self.number, self.rest, self.session, self.complaints = 0, b"", None, []
+        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.ask(f"{domain}.enable")
+        self.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+
+    # It ends by itself, and its children with it: they write to its folder until then.
+    def close(self):
+        self.session = None
+        self.ask("Browser.close")
+        self.process.wait(timeout=60)
+        os.close(self.commands)
+        os.close(self.answers)
+
+    def ask(self, method, **parameters):
+        """The answer to a command; what the page complains about, or requests, is kept."""
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.commands, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.next_message()
+            if answer.get("id") == self.number:
+                assert "error" not in answer, f"{method}: {answer['error']}"
+                return answer["result"]
+            self.listen(answer)
+
+    def next_message(self):
+        while b"\0" not in self.rest:
+            piece = os.read(self.answers, 1 << 16)
+            assert piece, "the browser has ended"
+            self.rest += piece
+        message, self.rest = self.rest.split(b"\0", 1)
+        return json.loads(message)
+
+    def listen(self, event):
+        method, parameters = event["method"], event.get("params", {})
+        if method in ("Runtime.exceptionThrown", "Log.entryAdded"):
+            self.complaints.append(json.dumps(parameters))
+        if method == "Network.requestWillBeSent":
+            url = parameters["request"]["url"]
+            if not url.startswith(("file:", "blob:", "data:")):
+                self.complaints.append(f"a request of {url}")
+
+    def open(self, file, width, height):
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                 deviceScaleFactor=1, mobile=width < 800)
+        self.ask("Page.navigate", url=file.as_uri())
+
+    def value(self, expression):
+        result = self.ask("Runtime.evaluate", expression=expression, returnByValue=True)
+        assert "exceptionDetails" not in result, f"{expression}: {result['exceptionDetails']}"
+        return result["result"].get("value")
+
+    def wait(self, condition, seconds=60):
+        """Waits until an expression is true, and returns its value."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            value = self.value(condition)
+            if value:
+                return value
+            time.sleep(0.05)
+        raise AssertionError(f"{condition} does not become true")
+
+    def click(self, name):
+        self.value(f"element('{name}').click()")
+
+    def mouse(self, kind, x, y):
+        self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1,
+                 buttons=0 if kind == "mouseReleased" else 1)
+
+    def press(self, key):
+        self.ask("Input.dispatchKeyEvent", type="keyDown", key=key, text=key if len(key) == 1 else "")
+        self.ask("Input.dispatchKeyEvent", type="keyUp", key=key)
+
+    def save_picture(self, file):
+        data = self.ask("Page.captureScreenshot", format="png")["data"]
+        file.write_bytes(base64.b64decode(data))

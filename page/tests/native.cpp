@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// The core of the live page, compiled natively, for its tests:
+//   native steps IN.obj N OUT.obj         makes N steps
+//   native verify CERTIFICATE START END   succeeds if the certificate is valid
+
+#include "Live_curve.h"
+
+#include <CGAL/Volume_filling_curves/IO/curve_network.h>
+#include <CGAL/Volume_filling_curves/verify_certificate.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+namespace VFC = CGAL::Volume_filling_curves;
+
+VFC::Curve_network_3<> read(const std::string& file)
+{
+  VFC::Curve_network_3<> curve;
+  if(!CGAL::IO::read_curve_network(file, curve)) throw std::runtime_error("cannot read " + file);
+  return curve;
+}
+
+int make_steps(const std::string& in, int n, const std::string& out)
+{
+  vfc_page::Live_curve live(read(in));
+  for(int k = 0; k < n; ++k) live.step();
+  return CGAL::IO::write_curve_network(out, live.curve()) ? 0 : 1;
+}
+
+int verify(const std::string& file, const std::string& start, const std::string& end)
+{
+  std::ostringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  const auto verdict =
+      VFC::verify_certificate(VFC::Isotopy_certificate(content.str()), read(start), read(end));
+  std::cout << verdict.message << '\n';
+  return verdict.is_valid ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const std::string command = argc == 5 ? argv[1] : "";
+  if(command == "steps") return make_steps(argv[2], std::stoi(argv[3]), argv[4]);
+  if(command == "verify") return verify(argv[2], argv[3], argv[4]);
+  return 1;
+}

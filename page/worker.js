@@ -1,0 +1,173 @@
+"use strict";
+
+// The worker of the live page: it holds the curve, and flows, searches and pulls it by the core in
+// WebAssembly, while the page stays free to draw. It posts a picture when the page has drawn the
+// last one.
+
+/* global createCore */
+
+const SECONDS_OF_SEARCH = 0.05, SECONDS_TO_NAME = 5;
+const MILLISECONDS_BETWEEN_ROPELENGTHS = 500;
+
+let core = null, curve = null;
+let number = 0;          // of the curve among those that were loaded
+let isRunning = false, isWaiting = false, hasChanged = false, isDrawn = true;
+let target = null;       // of the held node, until it is reached or refused
+let isRefused = false;   // the last pull
+let isNamed = false;     // what no motion changes
+let ropelength = {value: 0, time: 0};
+
+const isBusy = () => curve && (isRunning || curve.isSearching() || target !== null);
+
+// --- What the page asks for
+
+const actions = {
+  load(data) {
+    const former = curve;
+    curve = make(data.knot);
+    number = data.number;
+    if (former) former.delete();
+    isRunning = isNamed = isRefused = false;
+    target = null;
+  },
+  run() {
+    curve.remember();
+    isRunning = true;
+  },
+  pause() {
+    isRunning = false;
+    curve.endSearch();
+  },
+  step() {
+    curve.remember();
+    isRunning = false;
+    curve.step();
+  },
+  search({seed}) {
+    curve.remember();
+    isRunning = false;
+    curve.release();
+    curve.beginSearch(seed);
+  },
+  hold({point}) {
+    if (curve.isSearching()) return;
+    curve.remember();
+    curve.hold(...point);
+  },
+  pull({point}) { if (curve.heldNode() >= 0) target = point; },
+  release() {
+    target = null;
+    isRefused = false;
+    curve.release();
+  },
+  thickness({factor}) { if (!curve.isSearching()) curve.changeThickness(factor); },
+  undo() {
+    isRunning = false;
+    target = null;
+    curve.undo();
+  },
+  save({file}) {
+    const contents = {
+      "curve.obj": () => curve.curveObj(), "start.obj": () => curve.startObj(),
+      "curve.cert": () => curve.certificate(),
+    };
+    postMessage({kind: "file", file, content: contents[file]()});
+  },
+  drawn() { isDrawn = true; },
+};
+
+function make({name, content, braid, torus, unknot}) {
+  if (braid) return core.closedBraid(braid, 100 + 15 * braid.split(" ").length);
+  if (torus) return core.torusKnot(...torus, 150);
+  if (unknot) return core.hardUnknot(...unknot);
+  return core.file(name, content);
+}
+
+// --- Work
+
+function work() {
+  if (curve.isSearching()) {
+    if (curve.search(SECONDS_OF_SEARCH)) return;
+    isNamed = false; // fewer edges may give a name
+    note("The search has ended: its polygon is certified.");
+    return;
+  }
+  if (target !== null) pull();
+  if (!isRunning || curve.step()) return;
+  isRunning = false;
+  note("The curve is tight.");
+}
+
+function pull() {
+  const share = curve.pull(...target);
+  isRefused = share < 1;
+  if (share === 0 || distanceToTarget() < 1e-4) target = null;
+}
+
+function distanceToTarget() {
+  const node = 3 * curve.heldNode(), {coordinates} = curve.picture();
+  return Math.hypot(...target.map((x, k) => x - coordinates[node + k]));
+}
+
+function note(text) { postMessage({kind: "note", text}); }
+
+// Shows the curve, and names it when there is time.
+function show() {
+  hasChanged = true;
+  if (!isDrawn) return;
+  hasChanged = isDrawn = false;
+  const picture = curve.picture();
+  postMessage({
+    kind: "picture", number, ...picture, isRunning, isRefused, isSearching: curve.isSearching(),
+    held: curve.heldNode(), canUndo: curve.canUndo(), length: curve.length(),
+    ropelength: currentRopelength(), isProved: curve.isProvedTrivial(),
+  }, [picture.coordinates.buffer]);
+}
+
+function currentRopelength() {
+  if (curve.isSearching()) return ropelength.value;
+  if (!isBusy() || Date.now() - ropelength.time > MILLISECONDS_BETWEEN_ROPELENGTHS)
+    ropelength = {value: curve.ropelength(), time: Date.now()};
+  return ropelength.value;
+}
+
+function name() {
+  isNamed = true;
+  postMessage({kind: "identity", number, ...curve.identity(SECONDS_TO_NAME)});
+}
+
+// --- The loop, which lets messages in between
+
+function attempt(task) {
+  try {
+    task();
+  } catch (error) {
+    isRunning = false;
+    target = null;
+    postMessage({kind: "problem", text: typeof error === "number" ? core.sentence(error) : error.message});
+  }
+}
+
+function wait() {
+  if (isWaiting || !curve) return;
+  if (!isBusy() && isNamed && !(hasChanged && isDrawn)) return;
+  isWaiting = true;
+  setTimeout(() => {
+    isWaiting = false;
+    attempt(() => {
+      if (isBusy()) work();
+      else if (!isNamed) name();
+      show();
+    });
+    wait();
+  });
+}
+
+self.onmessage = async ({data}) => {
+  core = core || await createCore();
+  attempt(() => {
+    actions[data.action](data);
+    if (curve && (data.action !== "drawn" || hasChanged)) show();
+  });
+  wait();
+};
