@@ -25,11 +25,12 @@ using Arcs = CGAL::Volume_filling_curves::Arc_spline<Curve::Point_3>;
 std::string to_csv(const Arcs& arcs);
 
 // ISO 10303-21 with the schema AP214: a composite curve of lines and circles per path, in
-// millimeters if there is no unit. \throws std::invalid_argument if all pieces are so short that
-// readers would take them for points
+// millimeters if there is no unit. \throws std::invalid_argument if there is no path, or one so
+// short that readers would take it for a point
 std::string to_step(const Arcs& arcs, Length_unit unit);
 
-// A path of lines and arcs per path, seen from above. \throws std::invalid_argument if z varies
+// A path of lines and arcs per path, seen from above. \throws std::invalid_argument if there is no
+// path or z varies
 std::string to_svg(const Arcs& arcs, Length_unit unit);
 
 } // namespace vfc

@@ -54,6 +54,9 @@ public:
   void add(const Path& path, const std::string& name)
   {
     const std::vector<std::string> curves = trimmed_curves(path);
+    if(curves.empty())
+      throw std::invalid_argument(name + " is shorter than " + to_text(tolerance) +
+                                  ", which readers of STEP take for a point");
     std::vector<std::string> segments;
     for(std::size_t k = 0; k < curves.size(); ++k) {
       const bool is_last = k + 1 == curves.size() && !path.is_closed;
@@ -61,15 +64,11 @@ public:
                                 (is_last ? "DISCONTINUOUS" : "CONTINUOUS") + ".,.T.," + curves[k] +
                                 ')'));
     }
-    if(!segments.empty())
-      m_curves.push_back(entity("COMPOSITE_CURVE('" + name + "'," + list(segments) + ",.F.)"));
+    m_curves.push_back(entity("COMPOSITE_CURVE('" + name + "'," + list(segments) + ",.F.)"));
   }
 
   std::string text()
   {
-    if(m_curves.empty())
-      throw std::invalid_argument("the curve is shorter than " + to_text(tolerance) +
-                                  ", which readers of STEP take for a point");
     const std::string set = entity("GEOMETRIC_CURVE_SET(''," + list(m_curves) + ')');
     const std::string shape = entity("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(" +
                                      set + ")," + m_context + ')');
@@ -203,9 +202,10 @@ private:
 
 std::string to_step(const Arcs& arcs, Length_unit unit)
 {
+  if(arcs.paths.empty()) throw std::invalid_argument("the curve is empty");
   Step_file file(unit);
   std::size_t number = 0;
-  for(const Path& path : arcs.paths) file.add(path, "curve " + std::to_string(++number));
+  for(const Path& path : arcs.paths) file.add(path, "component " + std::to_string(++number));
   return file.text();
 }
 

@@ -82,6 +82,7 @@ std::string head(const CGAL::Bbox_3& box, Length_unit unit)
 
 std::string to_svg(const Arcs& arcs, Length_unit unit)
 {
+  if(arcs.paths.empty()) throw std::invalid_argument("the curve is empty");
   const CGAL::Bbox_3 box = box_of(arcs);
   if(box.zmin() != box.zmax())
     throw std::invalid_argument("SVG is for planar curves, but z goes from " + to_text(box.zmin()) +

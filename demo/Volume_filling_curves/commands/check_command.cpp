@@ -135,6 +135,8 @@ Defects find_defects(Session& session, const Check_options& options)
     throw Usage_error("--obstacle: needs MESH, or --domain with --certificate");
   if(!options.certificate.empty()) {
     if(!has_second) throw Usage_error("--certificate: needs two curves, START and END");
+    if(options.wall_distance > 0)
+      throw Usage_error("--wall-distance: is for FILE MESH; a certificate records no distances");
     return defects_of_certificate(
         session,
         {options.certificate, options.file, options.mesh, options.domain, options.obstacles},

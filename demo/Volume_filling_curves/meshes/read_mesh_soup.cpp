@@ -142,7 +142,10 @@ Mesh_soup read_mesh_soup(const std::string& file, Mesh_findings& findings)
   Polygons polygons;
   const std::string extension = lower_case_extension(file);
   if(!is_mesh_extension(extension)) {
-    findings.add_error("unknown format", "meshes are .off, .obj, .ply, .stl or .vtp files");
+    findings.add_error("unknown format",
+                       extension == ".wkt"
+                           ? "polygons are no mesh; fill, check, measure and draw take them"
+                           : "meshes are .off, .obj, .ply, .stl or .vtp files");
     return soup;
   }
   try {

@@ -149,11 +149,24 @@ TEST(Step_file, has_a_point_in_every_real_and_defines_what_it_uses)
   }
 }
 
-TEST(Step_file, refuses_a_curve_that_readers_take_for_a_point)
+// It was left out, without a word.
+TEST(Step_file, refuses_a_component_that_readers_take_for_a_point)
 {
   const Curve curve(
-      std::vector<Points>{{Point_3(0, 0, 0), Point_3(1e-9, 0, 0), Point_3(0, 1e-9, 0)}});
-  EXPECT_THROW(to_step(arc_spline(curve), Length_unit::METER), std::invalid_argument);
+      std::vector<Points>{{Point_3(1, 0, 0), Point_3(2, 0, 0), Point_3(2, 1, 0)},
+                          {Point_3(0, 0, 0), Point_3(1e-9, 0, 0), Point_3(0, 1e-9, 0)}});
+  try {
+    to_step(arc_spline(curve), Length_unit::METER);
+    FAIL();
+  } catch(const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 31), "component 2 is shorter than 1e-");
+  }
+}
+
+TEST(Arc_files, are_not_of_empty_curves)
+{
+  EXPECT_THROW(to_step(Arcs(), Length_unit::NONE), std::invalid_argument);
+  EXPECT_THROW(to_svg(Arcs(), Length_unit::NONE), std::invalid_argument);
 }
 
 TEST(Arc_csv, has_a_line_per_piece)

@@ -131,6 +131,9 @@ TEST_F(Command_line_fill, keeps_a_distance_from_the_wall_that_check_verifies)
   EXPECT_NE(nearer.out.find("near wall: an edge comes as near to the mesh as "), std::string::npos)
       << nearer.out;
   EXPECT_EQ(run("check c.obj --wall-distance 2").status, 1);
+  const Finished replay = run("check --certificate c.cert c.obj c.obj --wall-distance 2");
+  EXPECT_EQ(replay.status, 1);
+  EXPECT_NE(replay.err.find("--wall-distance: is for FILE MESH"), std::string::npos) << replay.err;
   const Finished no_room = run("fill cube.off -o d.obj --thickness 0.6 --wall-distance 3");
   EXPECT_EQ(no_room.status, 1);
   EXPECT_NE(no_room.err.find("wall_distance is 3, but no point"), std::string::npos) << no_room.err;
