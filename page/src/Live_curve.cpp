@@ -21,8 +21,8 @@ namespace vfc_page {
 
 namespace {
 
-// Lengths in units of the thickness. A pull takes a stretch of the curve along as it is, so that its
-// bend remains; beyond, the nodes follow less and less, and are smoothed.
+// Lengths in units of the thickness. A pull takes a stretch of the curve along as it is, which
+// keeps its bend; beyond, the nodes follow less and less, and are smoothed.
 constexpr double max_pull = 0.5;
 constexpr double stiff_length = 1; // to each side of the held node
 constexpr double reach_of_pull = 4;

@@ -5,7 +5,8 @@
 // Author(s) : The Volume_filling_curves authors
 
 // The core of the live page, as a worker calls it. Coordinates go to and fro in units of the curve
-// as it was loaded: the origin in its middle and a diagonal of 1, so that single precision suffices.
+// as it was loaded: the origin in its middle and a diagonal of 1, for which single precision
+// suffices.
 
 #include "Live_curve.h"
 
