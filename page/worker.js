@@ -10,6 +10,7 @@ const SECONDS_OF_SEARCH = 0.05, SECONDS_TO_NAME = 5;
 const MILLISECONDS_BETWEEN_ROPELENGTHS = 500;
 
 let core = null, curve = null;
+let loading = null;      // the promise of the core, of which there is one
 let number = 0;          // of the curve among those that were loaded
 let isRunning = false, isWaiting = false, hasChanged = false, isDrawn = true;
 let target = null;       // of the held node, until it is reached or refused
@@ -164,7 +165,8 @@ function wait() {
 }
 
 self.onmessage = async ({data}) => {
-  core = core || await createCore();
+  loading = loading || createCore();
+  core = await loading;
   attempt(() => {
     actions[data.action](data);
     if (curve && (data.action !== "drawn" || hasChanged)) show();

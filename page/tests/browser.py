@@ -82,8 +82,9 @@ class Browser:
         assert "exceptionDetails" not in result, f"{expression}: {result['exceptionDetails']}"
         return result["result"].get("value")
 
-    def wait(self, condition, seconds=60):
-        """Waits until an expression is true, and returns its value."""
+    def wait(self, condition, seconds=300):
+        """Waits until an expression is true, and returns its value. A browser on a busy machine can
+        take a minute to start."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             value = self.value(condition)

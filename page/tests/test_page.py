@@ -124,7 +124,7 @@ class The_page(In_folder):
 
     def saved(self, button, name):
         self.browser.click(button)
-        file, end = self.folder / name, time.monotonic() + 60
+        file, end = self.folder / name, time.monotonic() + 300
         while not file.exists():
             self.assertLess(time.monotonic(), end, f"{name} is not saved")
             time.sleep(0.05)
@@ -209,8 +209,8 @@ class The_page(In_folder):
         self.browser.press("n")
         self.browser.wait("picture.held >= 0")
         self.browser.value("""scene.canvas.dispatchEvent(
-          new KeyboardEvent("keydown", {key: "ArrowUp", shiftKey: true, bubbles: true}))""")
         length = self.number("length")
+          new KeyboardEvent("keydown", {key: "ArrowUp", shiftKey: true, bubbles: true}))""")
         self.browser.wait(f"Number(element('length').textContent) !== {length}")
         self.browser.press("Escape")
         self.browser.wait("picture.held < 0")
