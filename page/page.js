@@ -11,6 +11,7 @@ const drawing = new Drawing(element("drawing"));
 let picture = null; // the last one
 let number = 0;     // of the curve that was loaded last, unless it was refused
 let shownNumber = 0;
+let knottedness = "unknown"; // by the diagram of that curve
 let thickness = 0;  // of the slider, when it was moved last
 
 const ask = (action, values = {}) => worker.postMessage({action, ...values});
@@ -91,8 +92,7 @@ function showPicture(data) {
   element("length").textContent = round(picture.length);
   element("ropelength").textContent = round(picture.ropelength);
   element("nodes").textContent = picture.coordinates.length / 3;
-  const proof = picture.strands.length > 1 ? "trivial link" : "unknotted";
-  element("proof").textContent = picture.isProved ? proof : "–";
+  showProof();
   const isGoing = picture.isRunning || picture.isSearching;
   element("run").textContent = isGoing ? "\u275A\u275A Pause" : "\u25B6 Run";
   element("undo").disabled = !picture.canUndo;
@@ -108,15 +108,24 @@ function say(text, kind = "") {
 
 // Nothing is known yet of another curve.
 function showNumber(ofCurve) {
-  if (shownNumber !== ofCurve) element("name").textContent = element("crossings").textContent = "…";
+  if (shownNumber === ofCurve) return;
+  element("name").textContent = element("crossings").textContent = "…";
+  knottedness = "unknown";
   shownNumber = ofCurve;
 }
 
-function showIdentity({number: ofCurve, name, isProved, knottedness, crossings}) {
+function showIdentity({number: ofCurve, name, isProved, knottedness: found, crossings}) {
   showNumber(ofCurve);
-  const known = name ? name + (isProved ? " (proved)" : " (by polynomials)") : knottedness;
-  element("name").textContent = known || "not found";
+  knottedness = found || "unknown";
+  element("name").textContent = name ? name + (isProved ? " (proved)" : " (by polynomials)") : "not found";
   element("crossings").textContent = crossings === undefined ? "–" : crossings;
+  showProof();
+}
+
+// The curve's shape can be a proof, and so can its diagram.
+function showProof() {
+  const byShape = picture.strands.length > 1 ? "trivial link" : "unknotted";
+  element("proof").textContent = picture.isProved ? byShape : knottedness.replace("unknown", "–");
 }
 
 // --- Curves, to choose and to save

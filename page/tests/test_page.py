@@ -138,6 +138,7 @@ class The_page(In_folder):
         self.open()
         self.choose("Prime knots/5_2")
         self.browser.wait("element('name').textContent === '5_2 (proved)'")
+        self.browser.wait("element('proof').textContent === 'knotted by determinant'")
         length = self.number("length")
         self.browser.click("run")
         self.browser.wait("element('message').textContent === 'The curve is tight.'")
@@ -147,7 +148,7 @@ class The_page(In_folder):
         self.choose("Unknots/Hard unknot")
         self.browser.click("search")
         self.browser.wait("element('message').textContent.includes('certified')")
-        self.browser.wait("element('proof').textContent === 'unknotted'")
+        self.browser.wait("picture.isProved && element('proof').textContent === 'unknotted'")
         self.check_calm()
 
     def test_refuses_to_pull_a_ring_through_another(self):
@@ -208,8 +209,8 @@ class The_page(In_folder):
         self.browser.value("scene.canvas.focus()")
         self.browser.press("n")
         self.browser.wait("picture.held >= 0")
-        self.browser.value("""scene.canvas.dispatchEvent(
         length = self.number("length")
+        self.browser.value("""scene.canvas.dispatchEvent(
           new KeyboardEvent("keydown", {key: "ArrowUp", shiftKey: true, bubbles: true}))""")
         self.browser.wait(f"Number(element('length').textContent) !== {length}")
         self.browser.press("Escape")
