@@ -149,7 +149,7 @@ TEST(Simplified_diagram, Random_moves_end_in_diagrams_with_large_faces)
   simplification.shorten_strands();
   EXPECT_FALSE(simplification.is_work_done());
   Random_source random(0);
-  simplification.shake(1000, random); // would take a minute
+  simplification.shake(1000, random);
   EXPECT_TRUE(simplification.is_work_done());
   EXPECT_EQ(simplification.number_of_crossings(), 2001u);
 }
