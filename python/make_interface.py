@@ -25,11 +25,14 @@ RESULTS = {  # struct in C++: class in Python
     "Shape_excess_3": "ShapeExcess", "Port_neck": "PortNeck", "Filling_result": "FillingResult",
     "Curve_measures": "CurveMeasures",
     "Certificate_verdict": "Verdict", "Arc_conflict": "ArcConflict", "Arc_spline_piece": "ArcPieces",
-    "Arc_spline_path": "ArcPath", "Arc_spline": "ArcSpline", "Planar_diagram": "PlanarDiagram", "Link_identity": "LinkIdentity"}
+    "Arc_spline_path": "ArcPath", "Arc_spline": "ArcSpline", "Planar_diagram": "PlanarDiagram", "Link_identity": "LinkIdentity",
+    "Knot_share": "KnotShare", "Closure_knot": "ClosureKnot", "Chain_section": "ChainSections",
+    "Chain_identity": "ChainIdentity"}
 OF_POINTS = ("Empty_region_3", "Shape_excess_3", "Port_neck", "Filling_result", "Arc_spline_piece",
              "Arc_spline_path", "Arc_spline")  # templates
-IN_ARRAYS = ("Arc_spline_piece",)  # many of them are one result, whose members are arrays with a row each
-OPTIONS = {"untangle": "Untangle_signature", "fill": "Fill_signature", "simplify": "Simplify_signature"}
+IN_ARRAYS = ("Arc_spline_piece", "Chain_section")  # many of them are one result, whose members are arrays with a row each
+OPTIONS = {"untangle": "Untangle_signature", "fill": "Fill_signature", "simplify": "Simplify_signature",
+           "identify_chain": "Chain_signature"}
 NOT_IN_PYTHON = {"visitor", "progress", "certificate", "checkpoint", "resume_from", "build_name"}
 FIELD_TYPES = {
     "std::vector<Port<Point_3>>": "Sequence[Sequence[float]]",
@@ -53,7 +56,9 @@ def plain(text):
     text = re.sub(r"\\ref \w+", "manual", text)
     text = re.sub(r"`\w+::([A-Z][A-Z_0-9]+)`", lambda m: "`'" + m[1].lower() + "'`", text)
     text = re.sub(r"`([A-Z][A-Z_0-9]+)`", lambda m: "`'" + m[1].lower() + "'`", text)
-    text = re.sub(r"`\w+::(\w+(?:\(\))?)`", r"`\1`", text)
+    text = re.sub(r"`(\w+)::(\w+(?:\(\))?)`",
+                  lambda m: f"`{RESULTS[m[1]]}.{m[2]}`" if m[1] in RESULTS else f"`{m[2]}`", text)
+    text = re.sub(r"`(true|false)`", lambda m: f"`{m[1].title()}`", text)
     text = re.sub(r"\\f\$(.*?)\\f\$", lambda m: m[1].replace("\\", ""), text)
     return re.sub(r"\s+", " ", text.replace("\\cgal", "CGAL")).strip()
 
@@ -155,9 +160,9 @@ def wrapped(text, indent, hanging=""):
 def results_module():
     yield '"""The results of the functions of this module."""\n'
     yield "from __future__ import annotations\n\nfrom dataclasses import dataclass\n"
-    yield "import numpy as np\n"
+    yield "import numpy as np\n\nfrom .representation import Short\n"
     for name, title in RESULTS.items():
-        yield f"\n@dataclass\nclass {title}:"
+        yield f"\n@dataclass(repr=False)\nclass {title}(Short):"
         yield f'    """{summary(name)}\n\n    Attributes:'
         for _, member, text in members(name):
             yield wrapped(f"{member}: {text}", "        ", "    ")
@@ -201,7 +206,7 @@ def option_entries(function):
         types = [TYPES.get(kind) or FIELD_TYPES.get(kind) or words(kind) for kind in kinds]
         limits = found.get("Precondition")
         text = plain(found["Description"]) + (f" Must be {limits}." if limits else "")
-        yield name, " | ".join(dict.fromkeys(types)), plain(found["Default"]).strip("`'"), text
+        yield name, " | ".join(dict.fromkeys(types)), plain(found["Default"]).strip("`'").replace("false", "False"), text
 
 
 def options_module():
@@ -236,7 +241,8 @@ def stub():
                 yield f"class {name}(RuntimeError): ..."
             elif name not in OPTIONS:
                 yield f"from .{node.module} import {name} as {name}"
-    for node in ast.parse((package / "runs.py").read_text()).body:
+    for node in (node for file in ("runs.py", "identification.py")
+                 for node in ast.parse((package / file).read_text()).body):
         if isinstance(node, ast.FunctionDef) and node.name in OPTIONS:
             yield "\n" + signature(node)
 

@@ -97,7 +97,12 @@ Curve curve_of_components(const Doubles& points,
 Curve curve_of_edges(const Doubles& points, const Integers& edges)
 {
   const std::vector<Point> p = points_of_rows(points, "points");
-  return Curve(p, indices_of_rows<2>(edges, p.size(), "edges"));
+  return Curve(p, pairs_of(edges, p.size()));
+}
+
+std::vector<std::array<std::size_t, 2>> pairs_of(const Integers& edges, std::size_t points)
+{
+  return indices_of_rows<2>(edges, points, "edges");
 }
 
 void pin(Curve& curve, const std::vector<std::size_t>& points)

@@ -44,6 +44,9 @@ Curve curve_of_components(const Doubles& points,
 // A curve from points and edges, with junctions where more than two edges meet.
 Curve curve_of_edges(const Doubles& points, const Integers& edges);
 
+// Edges between points, of which there are so many; std::invalid_argument if an index is wrong.
+std::vector<std::array<std::size_t, 2>> pairs_of(const Integers& edges, std::size_t points);
+
 // Pins the points with these indices in the input.
 void pin(Curve& curve, const std::vector<std::size_t>& points);
 

@@ -13,6 +13,7 @@ namespace vfc_python {
 
 // Each adds what its file binds to the module.
 void bind_arcs(pybind11::module_& module);
+void bind_checks(pybind11::module_& module);
 void bind_curves(pybind11::module_& module);
 void bind_domains(pybind11::module_& module);
 void bind_files(pybind11::module_& module);

@@ -18,6 +18,7 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -25,13 +26,22 @@ namespace vfc_python {
 
 namespace {
 
-// Takes an array out of the options.
-Doubles take_array(py::dict& options, const char* name)
+using Thickness = std::function<double(const Point&)>;
+using Direction = std::function<internal::Field_vector(const Point&)>;
+
+bool is_array(const py::handle& given)
 {
-  const py::object given = options.attr("get")(name);
-  if(!py::isinstance<py::array>(given) && !PyList_Check(given.ptr())) return {};
-  options.attr("pop")(name);
-  return Doubles::ensure(given);
+  return py::isinstance<py::array>(given) ? py::reinterpret_borrow<py::array>(given).ndim() > 0
+                                          : PyList_Check(given.ptr()) || PyTuple_Check(given.ptr());
+}
+
+const Mesh& mesh_with_values(const Domain& domain)
+{
+  if(!domain.mesh)
+    throw std::invalid_argument(
+        "an array of thicknesses or directions has a row per vertex of a mesh, but the domain is no "
+        "mesh; a function of a point can be given");
+  return *domain.mesh;
 }
 
 // A field at the vertices of a mesh, as a function that can be copied.
@@ -43,21 +53,53 @@ auto function_of_field(const Mesh& mesh, const Values& values)
   };
 }
 
-// Fields that are arrays, with a row per vertex of the mesh.
-void set_fields(VFC::Filling_parameters<Point>& parameters, py::dict& options, const Domain& domain)
+Thickness thickness_at_vertices(const Doubles& values, const Domain& domain)
 {
-  const Doubles thickness = take_array(options, "thickness");
-  const Doubles directions = take_array(options, "direction_field");
-  if(thickness.size() + directions.size() > 0 && !domain.mesh)
-    throw std::invalid_argument(
-        "an array of thicknesses or directions has a row per vertex of a mesh, but the domain is no "
-        "mesh; a function of a point can be given");
-  if(thickness.size() > 0)
-    parameters.thickness_field = function_of_field<VFC::Mesh_thickness_field_3<>>(
-        *domain.mesh, thickness.cast<std::vector<double>>());
-  if(directions.size() > 0)
-    parameters.direction_field = function_of_field<VFC::Mesh_direction_field_3<>>(
-        *domain.mesh, directions.cast<std::vector<std::array<double, 3>>>());
+  return function_of_field<VFC::Mesh_thickness_field_3<>>(mesh_with_values(domain),
+                                                          values.cast<std::vector<double>>());
+}
+
+// One direction, or one per vertex.
+Direction direction_of(const Doubles& values, const Domain& domain)
+{
+  if(values.ndim() == 1) {
+    const Point p = point_of(values);
+    return [u = std::array<double, 3>{p.x(), p.y(), p.z()}](const Point&) { return u; };
+  }
+  if(values.ndim() != 2 || values.shape(1) != 3)
+    throw std::invalid_argument("direction_field must have the shape (n, 3) or (3,)");
+  return function_of_field<VFC::Mesh_direction_field_3<>>(
+      mesh_with_values(domain), values.cast<std::vector<std::array<double, 3>>>());
+}
+
+// Takes an array out of the options, and hands it to a function.
+template <typename Set>
+void take_array(py::dict& options, const char* name, const Set& set)
+{
+  const py::object given = options.attr("get")(name);
+  if(!is_array(given)) return;
+  options.attr("pop")(name);
+  const Doubles values = Doubles::ensure(given);
+  if(!values) {
+    PyErr_Clear();
+    throw std::invalid_argument(std::string(name) + ": the array does not hold numbers");
+  }
+  set(values);
+}
+
+VFC::Filling_parameters<Point> filling_parameters(const py::dict& given, const Domain& domain)
+{
+  py::dict options(given.attr("copy")());
+  Thickness thickness;
+  Direction direction;
+  take_array(options, "thickness",
+             [&](const Doubles& values) { thickness = thickness_at_vertices(values, domain); });
+  take_array(options, "direction_field",
+             [&](const Doubles& values) { direction = direction_of(values, domain); });
+  auto parameters = parameters_of<VFC::Filling_parameters<Point>>(options);
+  if(thickness) parameters.thickness_field = thickness;
+  if(direction) parameters.direction_field = direction;
+  return parameters;
 }
 
 // Replaces the curve, which may be empty, by the result.
@@ -67,12 +109,7 @@ py::dict fill(Curve& curve,
               VFC::Isotopy_certificate* certificate,
               const py::object& progress)
 {
-  py::dict options(given.attr("copy")());
-  VFC::Filling_parameters<Point> fields;
-  set_fields(fields, options, domain);
-  auto parameters = parameters_of<VFC::Filling_parameters<Point>>(options);
-  if(fields.thickness_field) parameters.thickness_field = fields.thickness_field;
-  if(fields.direction_field) parameters.direction_field = fields.direction_field;
+  auto parameters = filling_parameters(given, domain);
   Run_observer observer(progress);
   parameters.progress = std::ref(observer);
   parameters.certificate = certificate;
@@ -88,22 +125,21 @@ py::dict fill(Curve& curve,
   return to_python(result);
 }
 
-// The curve's nodes and edges that are not strictly inside.
-py::tuple outside(const Curve& curve, const Domain& domain, const py::object& progress)
+// Of a number, a function of a point, or an array.
+Thickness thickness_of(const py::object& given, const Domain& domain)
 {
-  const auto find = [&](internal::Run_watch* watch) {
-    return std::visit(
-        [&](const auto& inside) { return internal::find_containment(curve, inside, watch); },
-        domain.inside);
-  };
-  const VFC::Containment result = interruptible(find, progress);
-  return py::make_tuple(result.outside_nodes, result.outside_edges);
+  if(PyCallable_Check(given.ptr())) return From_python<Thickness>::value(given);
+  if(is_array(given)) return thickness_at_vertices(given.cast<Doubles>(), domain);
+  const double r = PyFloat_AsDouble(given.ptr());
+  if(PyErr_Occurred() != nullptr) throw py::error_already_set();
+  if(!(r > 0)) throw std::invalid_argument("thickness is not positive");
+  return [r](const Point&) { return r; };
 }
 
 template <typename Inside>
 VFC::Coverage coverage_of(const Curve& curve,
                           const Inside& inside,
-                          double thickness,
+                          const Thickness& thickness,
                           std::size_t number_of_samples,
                           std::size_t seed,
                           internal::Run_watch& watch)
@@ -122,15 +158,16 @@ VFC::Coverage coverage_of(const Curve& curve,
 
 py::dict coverage(const Curve& curve,
                   const Domain& domain,
-                  double thickness,
+                  const py::object& thickness,
                   std::size_t number_of_samples,
                   std::size_t seed,
                   const py::object& progress)
 {
+  const Thickness r = thickness_of(thickness, domain);
   const auto measure = [&](internal::Run_watch* watch) {
     return std::visit(
         [&](const auto& inside) {
-          return coverage_of(curve, inside, thickness, number_of_samples, seed, *watch);
+          return coverage_of(curve, inside, r, number_of_samples, seed, *watch);
         },
         domain.inside);
   };
@@ -142,7 +179,6 @@ py::dict coverage(const Curve& curve,
 void bind_filling(py::module_& module)
 {
   module.def("fill", &fill);
-  module.def("outside", &outside);
   module.def("coverage", &coverage);
 }
 

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_vfc, module)
   pybind11::register_exception<Run_interrupted>(module, "Interrupted", PyExc_RuntimeError);
   module.doc() = "The compiled part of vfc.";
   vfc_python::bind_arcs(module);
+  vfc_python::bind_checks(module);
   vfc_python::bind_curves(module);
   vfc_python::bind_domains(module);
   vfc_python::bind_files(module);

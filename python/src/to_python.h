@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/fill.h>
 #include <CGAL/Volume_filling_curves/internal/arcs/Arc_spline.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identity.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_identity.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
@@ -77,6 +78,10 @@ py::object array_of(const std::vector<Row>& rows, Member Row::*member)
     std::vector<Point> points;
     for(const Row& row : rows) points.push_back(row.*member);
     return array_of(points);
+  } else if constexpr(std::is_same_v<Member, std::string>) {
+    py::list texts;
+    for(const Row& row : rows) texts.append(row.*member);
+    return py::module_::import("numpy").attr("array")(texts, "str");
   } else {
     using Number = std::conditional_t<std::is_integral_v<Member>, std::int64_t, Member>;
     py::array_t<Number> numbers(static_cast<py::ssize_t>(rows.size()));
@@ -92,6 +97,9 @@ py::dict to_python(const VFC::Port_neck<Point>& value);
 py::dict to_python(const std::vector<VFC::Arc_spline_piece<Point>>& rows);
 py::dict to_python(const VFC::Arc_spline_path<Point>& value);
 py::dict to_python(const VFC::Arc_conflict& value);
+py::dict to_python(const std::vector<VFC::Chain_section>& rows);
+py::dict to_python(const VFC::Closure_knot& value);
+py::dict to_python(const VFC::Knot_share& value);
 
 template <typename Value>
 py::list to_python(const std::vector<Value>& values)

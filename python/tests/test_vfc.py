@@ -196,6 +196,10 @@ class Interruption(unittest.TestCase):
                      lambda: vfc.coverage(circle(), vfc.Ball((0, 0, 0), 2), 0.1, samples=10**8),
                      lambda: vfc.coverage(polygon, cube, 0.1, samples=10**7),
                      lambda: vfc.outside(polygon, half_space),
+                     lambda: vfc.wall_distance(circle(400000, radius=0.9), vfc.Ball((0, 0, 0), 1)),
+                     lambda: vfc.check_curves(chain, closed=False),
+                     lambda: vfc.check_curves(circle(400000, radius=0.5), domain=half_space),
+                     lambda: vfc.identify_chain(chain[:2000], find_core=True),
                      lambda: vfc.hard_unknot(1000, 10**8), lambda: vfc.random_polygon(10**6),
                      lambda: vfc.torus_knot(2, 3, 10**6),
                      lambda: vfc.closed_braid([1, -2] * 99, 10**6),
@@ -253,6 +257,28 @@ class Filling(unittest.TestCase):
         self.assertEqual(result.status, "converged")
         with self.assertRaisesRegex(ValueError, "the domain is no mesh"):
             vfc.fill(vfc.Ball((0, 0, 0), 1), thickness=[1, 2, 3])
+
+    def test_one_direction_is_a_vector(self):
+        def coordinates(direction):
+            return np.concatenate(vfc.fill(vfc.Box((0, 0, 0), (1, 1, 1)), thickness=0.2,
+                                           direction_field=direction).curves)
+        self.assertTrue(np.array_equal(coordinates((0, 0, 1)), coordinates(lambda p: (0, 0, 1))))
+
+    def test_arrays_of_a_wrong_shape_or_type_are_value_errors(self):
+        for options, message in [({"thickness": [0.1]}, ""), ({"thickness": ["a"] * 8}, "numbers"),
+                                 ({"direction_field": np.ones((8, 2))}, r"\(n, 3\)"),
+                                 ({"direction_field": (0, 1)}, "three coordinates")]:
+            with self.assertRaisesRegex(ValueError, message):
+                vfc.fill(CUBE_VERTICES, CUBE_FACES, **options)
+
+    def test_coverage_takes_the_thickness_of_the_filling(self):
+        cube = vfc.Mesh(CUBE_VERTICES, CUBE_FACES)
+        thickness = 0.1 + 0.05 * CUBE_VERTICES[:, 2]
+        result = vfc.fill(cube, thickness=thickness)
+        measured = vfc.coverage(result.curves, cube, thickness)
+        self.assertAlmostEqual(measured.p50, result.coverage.p50, delta=0.05)
+        halved = vfc.coverage(result.curves, cube, lambda p: 0.05 + 0.025 * p[2])
+        self.assertGreater(halved.p50, 1.5 * measured.p50)
 
     def test_fillings_in_threads_give_the_bits_of_fillings_in_turn(self):
         def filling(seed):
@@ -355,6 +381,94 @@ class Meshes(unittest.TestCase):
             vfc.repair(CUBE_VERTICES, CUBE_FACES[1:], progress=fail)
         with self.assertRaises(vfc.Interrupted):
             vfc.repair(CUBE_VERTICES, CUBE_FACES[1:], progress=lambda p: p["stage"] == "checking")
+
+
+class Checks(unittest.TestCase):
+    def kinds(self, *arguments, **options):
+        return [(d.kind, d.is_error, d.points.tolist()) for d in vfc.check_curves(*arguments, **options)]
+
+    def test_a_sound_curve_has_no_defect(self):
+        self.assertEqual(vfc.check_curves([circle(), circle(at=(3, 0, 0))]), [])
+        self.assertEqual(vfc.check_curves(circle(), domain=vfc.Ball((0, 0, 0), 1.1)), [])
+
+    def test_points_of_defects_are_those_of_all_curves_together(self):
+        cross = [[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]
+        self.assertEqual(self.kinds([circle(at=(5, 0, 0)), cross]),
+                         [("self-contact", True, [16, 17, 18, 19])])
+        self.assertEqual(self.kinds([circle(), np.array([0, 0, 5]) + circle()[:1]], closed=[True, False]),
+                         [("short line", True, [16])])
+        not_finite = circle()
+        not_finite[3, 1] = np.inf
+        self.assertEqual(self.kinds(not_finite), [("non-finite coordinate", True, [3])])
+
+    def test_what_is_an_error_is_refused_and_what_is_none_is_not(self):
+        twice = np.insert(circle(), 4, circle()[4], axis=0)
+        star = vfc.Network([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [9, 9, 9]], [[0, 1], [0, 2], [0, 3]])
+        again = vfc.Network(star.points, star.edges + [[1, 0]])
+        nearly = circle(radius=1 + 1e-14)
+        nearly = np.insert(circle(), 4, nearly[4], axis=0)
+        for curves, kind in [(twice, "coincident nodes"), (star, "isolated vertex"),
+                             (again, "duplicate edge"), (circle()[:2], "degenerate loop"),
+                             (nearly, "nearly coincident nodes")]:
+            found = vfc.check_curves(curves)
+            self.assertIn(kind, [defect.kind for defect in found])
+            if any(defect.is_error for defect in found):
+                with self.assertRaises(ValueError):
+                    vfc.simplify(curves)
+            else:
+                vfc.simplify(curves)
+
+    def test_a_curve_outside_or_near_the_wall_is_an_error(self):
+        ball = vfc.Ball((0, 0, 0), 0.9 + 1e-3)
+        ring = circle(radius=0.9)
+        self.assertEqual(self.kinds(ring, domain=ball), [])
+        (kind, is_error, edge), = self.kinds(ring, domain=ball, wall_distance=0.01)
+        self.assertEqual((kind, is_error, len(edge)), ("near wall", True, 2))
+        ring[5] *= 1.1
+        self.assertEqual(self.kinds(ring, domain=ball),
+                         [("outside node", True, [5]), ("outside segment", True, [4, 5]),
+                          ("outside segment", True, [5, 6])])
+        self.assertEqual(vfc.outside(ring, ball), ([5], [[4, 5], [5, 6]]))
+
+    def test_the_wall_distance_is_that_of_whole_edges(self):
+        square = 0.25 + 0.5 * np.column_stack([SQUARE, [0.5] * 4])
+        nearest = vfc.wall_distance(square, vfc.Mesh(CUBE_VERTICES, CUBE_FACES))
+        self.assertAlmostEqual(nearest.distance, 0.25)
+        self.assertRegex(repr(nearest), r"^WallDistance\(distance=0.25, point=<array \(3,\)>, edge=\[")
+        in_square = 0.3 * np.column_stack([SQUARE, [0] * 4]) + [0.1, 0.2, 0]
+        self.assertAlmostEqual(vfc.wall_distance(in_square, vfc.Polygons(SQUARE)).distance, 0.1)
+        with self.assertRaisesRegex(ValueError, "not inside"):
+            vfc.wall_distance(circle(radius=2), vfc.Ball((0, 0, 0), 1))
+
+
+class Chains(unittest.TestCase):
+    def setUp(self):
+        closed = vfc.torus_knot(2, 3, 60)
+        ends = [closed[0] * 10, closed[-2] * 10]  # far outside
+        self.chain = np.vstack([ends[0], closed[:-1], ends[1]])
+
+    def test_an_open_knot_has_shares_and_a_core(self):
+        found = vfc.identify_chain(self.chain, closures=50, find_core=True)
+        self.assertEqual((found.name, found.direct.name), ("3_1", "3_1"))
+        self.assertEqual(sum(knot.count for knot in found.knots), 50)
+        self.assertGreater(found.knots[0].share, 0.9)
+        core, = zip(found.core.first, found.core.last, found.core.name)
+        self.assertTrue(0 <= core[0] < core[1] < len(self.chain) and core[2] == "3_1")
+        self.assertRegex(repr(found), r"^ChainIdentity\(name='3_1', knots=\[KnotShare\(name='3_1'")
+
+    def test_the_fingerprint_is_arrays(self):
+        found = vfc.identify_chain(self.chain, closures=10, stride=20).fingerprint
+        self.assertTrue(set(found.first) <= set(range(0, len(self.chain), 20)))
+        self.assertEqual(found.name[(found.first == 0) & (found.last == len(self.chain) - 1)], ["3_1"])
+        self.assertTrue(np.all(found.share <= 1))
+
+    def test_what_is_wrong_with_a_chain_or_an_option_is_named(self):
+        with self.assertRaisesRegex(ValueError, "closures is 0"):
+            vfc.identify_chain(self.chain, closures=0)
+        with self.assertRaisesRegex(ValueError, r"shape \(n, 3\)"):
+            vfc.identify_chain([self.chain, self.chain])
+        with self.assertRaisesRegex(TypeError, "core"):
+            vfc.identify_chain(self.chain, core=True)
 
 
 class Measures(unittest.TestCase):

@@ -11,14 +11,18 @@ No strand ever passes through another one: every change of a curve is certified 
 predicates. The same input gives the same bits, whatever the number of threads.
 """
 
-from ._results import (ArcConflict, ArcPath, ArcPieces, ArcSpline, Coverage, CurveMeasures,
-                       EmptyRegion, FillingResult, FlowStatistics, LinkIdentity, PlanarDiagram,
-                       PortNeck, ShapeExcess, ThicknessFit, UntanglingResult, Verdict)
+from ._results import (ArcConflict, ArcPath, ArcPieces, ArcSpline, ChainIdentity, ChainSections,
+                       ClosureKnot, Coverage, CurveMeasures, EmptyRegion, FillingResult,
+                       FlowStatistics, KnotShare, LinkIdentity, PlanarDiagram, PortNeck, ShapeExcess,
+                       ThicknessFit, UntanglingResult, Verdict)
 from ._vfc import Interrupted
+from .checks import WallDistance, check_curves, outside, wall_distance
 from .curves import Network
+from .defects import CurveDefect, MeshDefect
 from .domains import Ball, Box, Domain, Implicit, Mesh, Polygons
 from .files import read, write
 from .generators import closed_braid, hard_unknot, random_polygon, torus_knot
-from .measures import arc_spline, coverage, identify, length, measure, outside, tube
-from .meshes import MeshDefect, RepairedMesh, check_mesh, repair
+from .identification import identify, identify_chain
+from .measures import arc_spline, coverage, length, measure, tube
+from .meshes import RepairedMesh, check_mesh, repair
 from .runs import Filled, Simplified, Untangled, fill, simplify, untangle, verify

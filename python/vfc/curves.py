@@ -53,17 +53,21 @@ def _rows(curve: Any, is_closed: bool) -> np.ndarray:
     return rows[:-1] if is_repeated else rows
 
 
+def flat(curves: Curves, closed: Closed = True) -> tuple:
+    """The points of all curves, and which are joined: edges, or where each begins and if it closes."""
+    if isinstance(curves, Network):
+        return np.asarray(curves.points, float), np.asarray(curves.edges)
+    parts = [curves] if _is_one(curves) else list(curves)
+    flags = _flags(closed, len(parts))
+    rows = [_rows(part, flag) for part, flag in zip(parts, flags)]
+    offsets = np.cumsum([0] + [len(part) for part in rows])
+    points = rows[0] if len(rows) == 1 else np.concatenate(rows or [np.empty((0, 3))])
+    return points, offsets.tolist(), flags
+
+
 def to_core(curves: Curves, closed: Closed = True, pin: Any = None) -> _vfc.Curve:
     """The curves as an object of the compiled module."""
-    if isinstance(curves, Network):
-        core = _vfc.Curve(np.asarray(curves.points, float), np.asarray(curves.edges))
-    else:
-        parts = [curves] if _is_one(curves) else list(curves)
-        flags = _flags(closed, len(parts))
-        rows = [_rows(part, flag) for part, flag in zip(parts, flags)]
-        offsets = np.cumsum([0] + [len(part) for part in rows])
-        points = rows[0] if len(rows) == 1 else np.concatenate(rows or [np.empty((0, 3))])
-        core = _vfc.Curve(points, offsets.tolist(), flags)
+    core = _vfc.Curve(*flat(curves, closed))
     if isinstance(pin, str):
         if pin != "ends":
             raise ValueError(f"pin is '{pin}', but must be 'ends' or indices of points")

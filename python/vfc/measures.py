@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 
@@ -34,29 +34,24 @@ def measure(curves: Curves, *, closed: Closed = True, thickness: float = 0,
     return _results.CurveMeasures(**_vfc.measure(to_core(curves, closed), thickness, progress))
 
 
-def identify(curves: Curves, *, progress: Progress = None) -> _results.LinkIdentity:
-    """The name, the polynomials and a diagram of closed curves; proved with up to 10 crossings.
+def coverage(curves: Curves, domain: Domain, thickness: Any, *, closed: Closed = True,
+             samples: int = 20000, random_seed: int = 0,
+             progress: Progress = None) -> _results.Coverage:
+    """Statistics of the distances of uniform samples of the domain to the curves, in thicknesses.
 
     Args:
         curves: the curves
+        domain: the domain
+        thickness: r, in the input's unit: a number, a function of a point, or an array with a value
+            per vertex of a mesh
+        closed: whether the curves are closed, or a list with a value for each
+        samples: the number of samples
+        random_seed: the seed of the samples
         progress: a function of a dictionary; if it returns False, `Interrupted` is raised
     """
-    return _results.made("LinkIdentity", _vfc.identify(to_core(curves), progress))
-
-
-def coverage(curves: Curves, domain: Domain, thickness: float, *, closed: Closed = True,
-             samples: int = 20000, random_seed: int = 0,
-             progress: Progress = None) -> _results.Coverage:
-    """Statistics of the distances of uniform samples of the domain to the curves, in thicknesses."""
     core = to_core(curves, closed)
     return _results.Coverage(
         **_vfc.coverage(core, domain._core, thickness, samples, random_seed, progress))
-
-
-def outside(curves: Curves, domain: Domain, *, closed: Closed = True,
-            progress: Progress = None) -> tuple[list, list]:
-    """The points, and the edges, that are not strictly inside the domain; decided exactly."""
-    return _vfc.outside(to_core(curves, closed), domain._core, progress)
 
 
 def arc_spline(curves: Curves, domain: Optional[Domain] = None, *, closed: Closed = True,

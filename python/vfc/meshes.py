@@ -11,29 +11,8 @@ from typing import Any
 import numpy as np
 
 from . import _vfc
+from .defects import MeshDefect
 from .runs import Progress
-
-
-@dataclass
-class MeshDefect:
-    """A defect of a mesh, or a peculiarity that does no harm.
-
-    Attributes:
-        kind: for example "open boundary" or "self-intersection"
-        is_error: whether the mesh bounds no domain because of it
-        message: what it is, and where
-        vertices: the indices of the vertices concerned
-        faces: the indices of the faces concerned
-    """
-
-    kind: str
-    is_error: bool
-    message: str
-    vertices: np.ndarray
-    faces: np.ndarray
-
-    def __str__(self) -> str:
-        return f"{'error' if self.is_error else 'warning'}: {self.kind}: {self.message}"
 
 
 @dataclass(repr=False)

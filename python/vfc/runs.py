@@ -145,6 +145,11 @@ _COMMON = """
         seconds, thickness, expected_length, expected_nodes, expected_seconds.
 """
 
+PROGRESS = """
+    progress : function of a dict, default None
+        Is called some twenty times a second. If it returns False, `Interrupted` is raised.
+"""
+
 _RAISES = """
     Raises
     ------
@@ -157,11 +162,12 @@ _RAISES = """
 """
 
 
-def _describe(function: Callable, text: str) -> None:
-    function.__doc__ = text + _COMMON + _options.OPTIONS[function.__name__] + _RAISES
+def describe(function: Callable, text: str, common: str = _COMMON) -> None:
+    """Documents a function, with the options that it passes on to the library."""
+    function.__doc__ = text + common + _options.OPTIONS[function.__name__] + _RAISES
 
 
-_describe(untangle, """Moves curves to a short and simple shape, without ever passing through themselves.
+describe(untangle, """Moves curves to a short and simple shape, without ever passing through themselves.
 
     Every change is certified with exact predicates: the result is ambient isotopic to the input.
 
@@ -171,17 +177,17 @@ _describe(untangle, """Moves curves to a short and simple shape, without ever pa
         The curves, in any unit of length.
     domain : Domain, default None
         The domain in which the curves stay, such as a `Mesh`, whose cavities are obstacles.""")
-_describe(fill, """Fills a domain evenly with curves, which never leave it and never touch one another.
+describe(fill, """Fills a domain evenly with curves, which never leave it and never touch one another.
 
     Parameters
     ----------
     domain, faces : array of shape (n, 3), integer array of shape (m, 3)
         Vertices and faces of a closed triangle mesh; or a `Domain` alone. The options `thickness`
         and `direction_field` also take a function of a point or, in a mesh, an array with a row per
-        vertex.
+        vertex; a direction can be one vector.
     curves : curves inside the domain, default None
         The start. By default each connected part of the inside gets a curve.""")
-_describe(simplify, """Removes every point that can be removed without changing the knot type.
+describe(simplify, """Removes every point that can be removed without changing the knot type.
 
     Parameters
     ----------
