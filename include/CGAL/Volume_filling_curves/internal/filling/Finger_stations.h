@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -61,7 +62,7 @@ public:
   }
 
   // Adds points of the domain, no more once the run is to stop.
-  void add_targets(std::size_t seed, Run_watch& watch)
+  void add_targets(std::uint64_t seed, Run_watch& watch)
   {
     std::vector<Vector> roots;
     for(const Finger_station& station : m_stations) roots.push_back(station.position);

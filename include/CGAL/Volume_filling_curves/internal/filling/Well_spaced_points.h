@@ -60,7 +60,7 @@ public:
   {}
 
   // Returns points that also keep the distance from existing ones.
-  std::vector<Vector> operator()(const std::vector<Vector>& existing, std::size_t seed)
+  std::vector<Vector> operator()(const std::vector<Vector>& existing, std::uint64_t seed)
   {
     Random_source random(seed);
     find_candidates(random);
