@@ -4,9 +4,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Author(s) : The Volume_filling_curves authors
-"""make_page.py CORE PAGE: writes the live page, one file that needs no other, with the core in
-WebAssembly, which is in CORE, with three.js, and with the knots to choose from."""
+"""make_page.py CORE.js PAGE: writes the live page, one file that needs no other, with the core, which
+is in CORE.js and CORE.wasm, with three.js, and with the knots and domains to choose from."""
 
+import base64
+import gzip
 import json
 import os
 import pathlib
@@ -30,7 +32,8 @@ def three_js():
 def knots():
     words = (PACKAGE / "data/prime_knots.txt").read_text()
     return {"primeKnots": dict(re.findall(r"^(\w+): (.+)$", words, re.MULTILINE)),
-            "hardUnknot": (PACKAGE / "data/hard_unknot.obj").read_text()}
+            "hardUnknot": (PACKAGE / "data/hard_unknot.obj").read_text(),
+            "torus": (PACKAGE / "data/torus.off").read_text()}
 
 
 def in_script(text):
@@ -38,13 +41,20 @@ def in_script(text):
     return text.replace("</script", "<\\/script").replace("<!--", "<\\!--")
 
 
+def compressed(file):
+    """As the worker decompresses it; as it is, the core takes three times as much."""
+    return base64.b64encode(gzip.compress(file.read_bytes(), mtime=0)).decode()
+
+
 def page(core):
     film = PACKAGE / "demo/Volume_filling_curves/film"
     scripts = {"three.js": three_js(), "core.js": core.read_text(),
                "scene.js": (film / "scene.js").read_text()}
-    for name in ("worker.js", "drawing.js", "page.js"):
+    for name in ("worker.js", "filling_worker.js", "drawing.js", "view.js", "hand.js", "knot.js", "filling.js",
+                 "choices.js", "page.js"):
         scripts[name] = (FOLDER / name).read_text()
     parts = {name: in_script(text) for name, text in scripts.items()}
+    parts["core.wasm"] = compressed(core.with_suffix(".wasm"))
     parts["page.css"] = (FOLDER / "page.css").read_text()
     parts["knots"] = json.dumps(knots()).replace("<", "\\u003c")
     return re.sub(r"/\* ([\w.]+) \*/", lambda mark: parts[mark[1]], (FOLDER / "page.html").read_text())

@@ -1,15 +1,15 @@
 "use strict";
 
-// The worker of the live page: it holds the curve, and flows, searches and pulls it by the core in
+// The worker of the live page: it holds a knot, and flows, searches and pulls it by the core in
 // WebAssembly, while the page stays free to draw. It posts a picture when the page has drawn the
-// last one.
+// last one. Or it holds a domain, and fills it, see filling_worker.js.
 
-/* global createCore */
+/* global CORE, createCore, fill, openDomain */
 
 const SECONDS_OF_SEARCH = 0.05, SECONDS_TO_NAME = 5;
 const MILLISECONDS_BETWEEN_ROPELENGTHS = 500;
 
-let core = null, curve = null;
+let core = null, curve = null, filling = null; // either a curve or a filling
 let loading = null;      // the promise of the core, of which there is one
 let number = 0;          // of the curve among those that were loaded
 let isRunning = false, isWaiting = false, hasChanged = false, isDrawn = true;
@@ -23,14 +23,26 @@ const isBusy = () => curve && (isRunning || curve.isSearching() || target !== nu
 // --- What the page asks for
 
 const actions = {
-  load(data) {
-    const former = curve;
-    curve = make(data.knot);
-    number = data.number;
-    if (former) former.delete();
+  load({input, number: ofInput}) {
+    const loaded = input.domain ? openDomain(input.domain, ofInput) : make(input);
+    for (const former of [curve, filling]) if (former) former.delete();
+    [curve, filling] = input.domain ? [null, loaded] : [loaded, null];
+    number = ofInput;
     isRunning = isNamed = isRefused = false;
     target = null;
   },
+  fill,
+  save({file}) {
+    const saved = curve || filling, contents = {
+      "curve.obj": () => saved.curveObj(), "start.obj": () => saved.startObj(),
+      "curve.cert": () => saved.certificate(),
+    };
+    postMessage({kind: "file", file, content: contents[file]()});
+  },
+  drawn() { isDrawn = true; },
+};
+
+const actionsOnCurves = {
   run() {
     curve.remember();
     isRunning = true;
@@ -67,14 +79,6 @@ const actions = {
     target = null;
     curve.undo();
   },
-  save({file}) {
-    const contents = {
-      "curve.obj": () => curve.curveObj(), "start.obj": () => curve.startObj(),
-      "curve.cert": () => curve.certificate(),
-    };
-    postMessage({kind: "file", file, content: contents[file]()});
-  },
-  drawn() { isDrawn = true; },
 };
 
 function make({name, content, braid, torus, unknot}) {
@@ -164,11 +168,18 @@ function wait() {
   });
 }
 
+async function loadCore() {
+  const compressed = await (await fetch("data:application/gzip;base64," + CORE)).blob();
+  const core = new Response(compressed.stream().pipeThrough(new DecompressionStream("gzip")));
+  return createCore({wasmBinary: await core.arrayBuffer()});
+}
+
 self.onmessage = async ({data}) => {
-  loading = loading || createCore();
+  loading = loading || loadCore();
   core = await loading;
   attempt(() => {
-    actions[data.action](data);
+    const action = actions[data.action] || (curve && actionsOnCurves[data.action]);
+    if (action) action(data);
     if (curve && (data.action !== "drawn" || hasChanged)) show();
   });
   wait();

@@ -4,26 +4,21 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// The core of the live page, as a worker calls it. Coordinates go to and fro in units of the curve
-// as it was loaded: the origin in its middle and a diagonal of 1, for which single precision
-// suffices.
+// The curves of the live page, as a worker calls them. Coordinates go to and fro in units of the
+// box of the curve as it was loaded.
 
 #include "Live_curve.h"
+#include "page_values.h"
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/identify.h>
 
-#include <emscripten/bind.h>
-
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,17 +29,10 @@ using emscripten::val;
 
 // --- Curves in and out
 
-std::string read(const std::string& file)
-{
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 // Reads the content of a file with this name, whose extension is that of its format.
 Curve read_curve(const std::string& name, const std::string& content)
 {
-  std::ofstream(name, std::ios::binary) << content;
+  write_file(name, content);
   Curve curve;
   std::vector<VFC::Curve_defect> defects;
   if(CGAL::IO::read_embedded_curve_network(name, curve, defects)) return curve;
@@ -55,32 +43,12 @@ Curve read_curve(const std::string& name, const std::string& content)
   throw std::invalid_argument("there is no curve");
 }
 
-std::string obj(const Curve& curve)
-{
-  const std::string name = "curve.obj";
-  if(!CGAL::IO::write_curve_network(name, curve))
-    throw std::runtime_error("no memory for the file");
-  return read(name);
-}
-
-val bytes(const std::string& content)
-{
-  const auto* const data = reinterpret_cast<const std::uint8_t*>(content.data());
-  return val(emscripten::typed_memory_view(content.size(), data)).call<val>("slice");
-}
-
 // --- The curve on the page
 
 class Page_curve
 {
 public:
-  explicit Page_curve(const Curve& curve) : m_live(curve)
-  {
-    const auto box = curve.bbox();
-    m_origin = Point((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
-                     (box.zmin() + box.zmax()) / 2);
-    m_unit = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
-  }
+  explicit Page_curve(const Curve& curve) : m_live(curve), m_units(curve.bbox()) {}
 
   bool step() { return m_live.step(); }
   void change_thickness(double factor) { m_live.change_thickness(factor); }
@@ -92,7 +60,7 @@ public:
   // Holds the node that is nearest to a point.
   void hold(double x, double y, double z)
   {
-    const Point p = in_curve(x, y, z);
+    const Point p = m_units.in_input(x, y, z);
     std::size_t nearest = 0;
     for(const std::size_t v : m_live.curve().nodes())
       if(CGAL::compare_distance_to_point(p, m_live.curve().point(v),
@@ -103,7 +71,7 @@ public:
 
   void release() { m_live.release(); }
 
-  double pull(double x, double y, double z) { return m_live.pull(in_curve(x, y, z)); }
+  double pull(double x, double y, double z) { return m_live.pull(m_units.in_input(x, y, z)); }
 
   // -1 if no node is held
   int held_node() const
@@ -120,19 +88,13 @@ public:
   val picture() const
   {
     const Curve shown = m_live.is_searching() ? m_live.searched_curve() : m_live.curve();
-    std::vector<float> coordinates;
-    for(const Point& p : shown.points())
-      for(const double x : {p.x() - m_origin.x(), p.y() - m_origin.y(), p.z() - m_origin.z()})
-        coordinates.push_back(static_cast<float>(x / m_unit));
     val strands = val::array();
     for(std::size_t c = 0; c < shown.number_of_components(); ++c)
       strands.call<void>("push", static_cast<unsigned int>(shown.nodes(c).size()));
     val picture = val::object();
-    picture.set("coordinates",
-                val(emscripten::typed_memory_view(coordinates.size(), coordinates.data()))
-                    .call<val>("slice"));
+    picture.set("coordinates", m_units.coordinates(shown.points()));
     picture.set("strands", strands);
-    picture.set("thickness", m_live.flow().thickness() / m_unit);
+    picture.set("thickness", m_units.length(m_live.flow().thickness()));
     return picture;
   }
 
@@ -175,14 +137,8 @@ public:
   val certificate() const { return bytes(m_live.certificate()); }
 
 private:
-  Point in_curve(double x, double y, double z) const
-  {
-    return Point(m_origin.x() + m_unit * x, m_origin.y() + m_unit * y, m_origin.z() + m_unit * z);
-  }
-
   Live_curve m_live;
-  Point m_origin;
-  double m_unit;
+  const Page_units m_units;
 };
 
 // --- The curves to choose from

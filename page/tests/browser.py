@@ -100,6 +100,10 @@ class Browser:
         self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1,
                  buttons=0 if kind == "mouseReleased" else 1)
 
+    def touch(self, kind, *points):
+        self.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[
+            {"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)])
+
     def press(self, key):
         self.ask("Input.dispatchKeyEvent", type="keyDown", key=key, text=key if len(key) == 1 else "")
         self.ask("Input.dispatchKeyEvent", type="keyUp", key=key)

@@ -2,9 +2,11 @@
 
 // Drives the core of the live page in node, for its tests:
 //   node drive.js CORE steps IN.obj N OUT.obj
+//   node drive.js CORE fill IN.off SHARE RATIO FOLDER  fills a domain; the thickness is this share
+//                                                      of its diagonal
 //   node drive.js CORE pull FOLDER    pulls a ring of the Hopf link at the other one
 //   node drive.js CORE play FOLDER    flows, pulls, searches and undoes, in turn
-// The last two write start.obj, curve.obj and curve.cert to the folder, and what they saw as JSON.
+// The last three write start.obj, curve.obj and curve.cert to the folder, and what they saw as JSON.
 
 const fs = require("fs");
 const path = require("path");
@@ -29,6 +31,15 @@ const commands = {
     for (let k = 0; k < Number(n); ++k) curve.step();
     fs.writeFileSync(output, curve.curveObj());
     return {};
+  },
+
+  fill(core, input, share, ratio, folder) {
+    const filling = core.domain("input.off", fs.readFileSync(input, "utf8"));
+    const asked = filling.unit() * Number(share), stages = new Set(), nodes = [];
+    const show = () => nodes.push(filling.picture().coordinates.length / 3);
+    filling.fill(Number(share), 0, Number(ratio), show, (stage) => stages.add(stage));
+    save(filling, folder);
+    return {asked, stages: [...stages], nodes, ...filling.result()};
   },
 
   // Through the other ring, and far out on its other side.

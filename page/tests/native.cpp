@@ -5,10 +5,12 @@
 // Author(s) : The Volume_filling_curves authors
 
 // The core of the live page, compiled natively, for its tests:
-//   native steps IN.obj N OUT.obj         makes N steps
-//   native verify CERTIFICATE START END   succeeds if the certificate is valid
+//   native steps IN.obj N OUT.obj               makes N steps
+//   native fill IN.off THICKNESS RATIO OUT.obj  fills a domain
+//   native verify CERTIFICATE START END         succeeds if the certificate is valid
 
 #include "Live_curve.h"
+#include "Live_filling.h"
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
@@ -37,6 +39,14 @@ int make_steps(const std::string& in, int n, const std::string& out)
   return CGAL::IO::write_curve_network(out, live.curve()) ? 0 : 1;
 }
 
+int fill(const std::string& in, double thickness, double ratio, const std::string& out)
+{
+  vfc_page::Live_filling live(vfc_page::read_surface(in));
+  live.fill(
+      {thickness, 0, ratio}, [] {}, [](const VFC::Run_progress&) {});
+  return CGAL::IO::write_curve_network(out, live.curve()) ? 0 : 1;
+}
+
 int verify(const std::string& file, const std::string& start, const std::string& end)
 {
   std::ostringstream content;
@@ -51,8 +61,10 @@ int verify(const std::string& file, const std::string& start, const std::string&
 
 int main(int argc, char** argv)
 {
-  const std::string command = argc == 5 ? argv[1] : "";
-  if(command == "steps") return make_steps(argv[2], std::stoi(argv[3]), argv[4]);
-  if(command == "verify") return verify(argv[2], argv[3], argv[4]);
+  const std::string command = argc > 1 ? argv[1] : "";
+  if(command == "steps" && argc == 5) return make_steps(argv[2], std::stoi(argv[3]), argv[4]);
+  if(command == "fill" && argc == 6)
+    return fill(argv[2], std::stod(argv[3]), std::stod(argv[4]), argv[5]);
+  if(command == "verify" && argc == 5) return verify(argv[2], argv[3], argv[4]);
   return 1;
 }

@@ -22,6 +22,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 PACKAGE = FOLDER.parent.parent
 CORE, NATIVE = PACKAGE / "build-page/core.js", PACKAGE / "build-page/native"
 PAGE = PACKAGE / "out/page.html"
+TORUS = PACKAGE / "data/torus.off"
 # Drawn by hand, and with enough iterations for every sum to be rounded many times.
 KNOTS = [PACKAGE / "data/hard_unknot.obj", PACKAGE.parent / "shared/data/paper/ochiai1.obj"]
 
@@ -81,6 +82,21 @@ class The_core(In_folder):
                 self.assertEqual(coordinates(ours), coordinates(theirs))
                 self.assertNotEqual(coordinates(ours), coordinates(knot))
 
+    def test_fills_with_the_bits_of_native_code(self):
+        for ratio in ("1", "2.5"):
+            with self.subTest(ratio):
+                seen = drive("fill", TORUS, "0.05", ratio, self.folder)
+                theirs = self.folder / "native.obj"
+                done = native("fill", TORUS, repr(seen["asked"]), ratio, theirs)
+                self.assertEqual(done.returncode, 0)
+                self.assertEqual(coordinates(self.folder / "curve.obj"), coordinates(theirs))
+                self.assertEqual(seen["status"], "converged")
+                self.assertGreater(seen["withinThickness"], 0.7)
+                self.assertEqual(seen["stages"], ["preparing", "branching", "flowing", "measuring"])
+                self.assertLess(seen["nodes"][0], 20)  # a circle, whose branches are seen to grow
+                self.assertGreater(len(set(seen["nodes"])), 10)
+                self.check_certificate()
+
     def test_pulls_no_ring_through_another(self):
         seen = drive("pull", self.folder)
         self.assertEqual(abs(seen["before"]), 1)
@@ -114,7 +130,21 @@ class The_page(In_folder):
 
     def choose(self, name):
         self.browser.value(f"element('knot').value = '{name}'; loadChoice()")
-        self.browser.wait("picture.number === number && !view.isMoving")
+        self.browser.wait("picture && picture.number === number && !view.isMoving")
+
+    def slide(self, name, value):
+        self.browser.value(f"element('{name}').value = {value}; "
+                           f"element('{name}').dispatchEvent(new Event('input', {{bubbles: true}}))")
+
+    def open_domain(self, name):
+        self.open()
+        self.browser.value(f"element('knot').value = 'Domains to fill/{name}'; loadChoice()")
+        self.browser.wait("domain !== null && domain.number === number")
+
+    def tubes(self):
+        """What is drawn of the curve, as a checksum of the positions of its triangles."""
+        return self.browser.value("""scene.meshes.reduce((sum, {geometry}) =>
+          sum + geometry.attributes.position.array.reduce((a, x, k) => a + x * (k % 7), 0), 0)""")
 
     def number(self, name):
         return float(self.browser.value(f"element('{name}').textContent"))
@@ -170,6 +200,53 @@ class The_page(In_folder):
         self.assertEqual(self.saved("save-picture", "curve.png").read_bytes()[1:4], b"PNG")
         self.check_calm()
 
+    def test_fills_a_domain_before_ones_eyes(self):
+        self.open_domain("Torus")
+        self.slide("filling-thickness", -4.4)
+        self.slide("ratio", 1)
+        self.assertEqual(self.browser.value("element('ratio-value').textContent"), "1 : 2")
+        self.browser.click("fill")
+        self.browser.wait("grown !== null && isFilling && element('save-curve').disabled")
+        self.browser.wait("!isFilling && !grown.isWaiting && element('status').textContent === 'converged'")
+        self.assertGreater(float(self.browser.value("element('within').textContent").rstrip(" %")), 70)
+        self.assertEqual(self.number("strands"), 1)
+        self.assertGreater(self.number("filling-length"), 10)
+        self.assertGreater(self.number("bend-radius"), 0)
+        tubes = self.tubes()
+        self.slide("tube", -1)
+        self.browser.wait("!scene.isWaiting")
+        self.assertNotEqual(self.tubes(), tubes)
+        self.slide("glass", 0)
+        self.assertFalse(self.browser.value("scene.domain.visible"))
+        self.slide("glass", 0.4)
+        self.assertEqual(self.browser.value("scene.domain.material.opacity"), 0.4)
+        for button, name in (("save-start", "start.obj"), ("save-curve", "curve.obj"),
+                             ("save-certificate", "curve.cert")):
+            self.saved(button, name)
+        self.check_certificate()
+        self.choose("Prime knots/3_1")
+        self.assertTrue(self.browser.value("domain === null && scene.domain === null"))
+        self.check_calm()
+
+    def test_rounds_bends_and_stops(self):
+        self.open_domain("Frame")
+        self.slide("filling-thickness", -5.5)
+        self.browser.value("scene.canvas.focus()")
+        self.browser.press(" ")
+        self.browser.wait("grown !== null && isFilling")
+        self.browser.press(" ")
+        self.assertEqual(self.browser.value("element('status').textContent"), "stopped")
+        self.assertTrue(self.browser.value("element('save-curve').disabled"))
+        self.slide("filling-thickness", -4)
+        self.slide("bend", 0.8)
+        self.browser.click("fill")
+        self.browser.wait("!isFilling && element('status').textContent !== 'stopped'")
+        required = self.number("bend-value")
+        if self.browser.value("element('status').textContent") == "converged":
+            self.assertGreater(self.number("bend-radius"), 0.99 * required)
+        self.assertGreater(self.number("bend-radius"), 0.5 * required)
+        self.check_calm()
+
     def test_opens_files_and_says_what_is_wrong_with_them(self):
         self.open()
         square = "v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 1\\nl 1 2 3 4 1\\n"
@@ -178,6 +255,45 @@ class The_page(In_folder):
         self.browser.value("openFile(new File(['v 0 0 0\\nv 1 0 x\\n'], 'bad.obj'))")
         self.browser.wait("element('message').textContent.includes(\"line 2: 'x' is not a number\")")
         self.assertEqual(self.browser.value("element('name').textContent"), "0_1 (proved)")
+        three_faces = "OFF\\n4 3 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 2 1\\n3 0 1 3\\n3 1 2 3\\n"
+        self.browser.value(f"openFile(new File(['{three_faces}'], 'open.off'))")
+        self.browser.wait("element('message').textContent.includes('closed')")
+        self.assertTrue(self.browser.value("domain === null"))
+        tetrahedron = three_faces.replace("4 3 0", "4 4 0") + "3 2 0 3\\n"
+        self.browser.value(f"openFile(new File(['{tetrahedron}'], 'tetrahedron.OFF'))")
+        self.browser.wait("domain !== null && domain.triangles.length === 12")
+
+    def test_steps_once_and_changes_the_thickness(self):
+        self.open()
+        self.choose("Prime knots/3_1")
+        length = self.number("length")
+        self.browser.click("step")
+        self.browser.wait(f"Number(element('length').textContent) < {length} && !picture.isRunning")
+        length = self.number("length")
+        self.browser.press(".")
+        self.browser.wait(f"Number(element('length').textContent) < {length} && !picture.isRunning")
+        thickness = self.browser.value("picture.thickness")
+        self.slide("thickness", -1)
+        self.browser.wait(f"Math.abs(picture.thickness / {thickness} - 0.5) < 1e-6")
+        tubes = self.tubes()
+        self.slide("tube", 1)
+        self.assertNotEqual(self.tubes(), tubes)
+        self.check_calm()
+
+    def test_turns_and_zooms_by_keys_and_by_wheel(self):
+        self.open()
+        self.browser.value("scene.canvas.focus()")
+        view = "[scene.azimuth, scene.elevation, scene.distance]"
+        azimuth, elevation, distance = self.browser.value(view)
+        for key in ("ArrowRight", "ArrowUp", "+"):
+            self.browser.press(key)
+        turned = self.browser.value(view)
+        self.assertNotEqual(turned[0], azimuth)
+        self.assertNotEqual(turned[1], elevation)
+        self.assertLess(turned[2], distance)
+        self.browser.press("-")
+        self.assertAlmostEqual(self.browser.value("scene.distance"), distance)
+        self.check_calm()
 
     def test_takes_knots_that_are_drawn(self):
         turns = [2 * math.pi * k / 90 for k in range(90)]
@@ -201,6 +317,28 @@ class The_page(In_folder):
             self.assertIn(name, [f"{name} (proved)" for name in names])
         self.check_calm()
 
+    def test_can_be_used_with_fingers(self):
+        self.open(400, 800)
+        self.choose("Links/Hopf link")
+        x, y, *_ = self.browser.value(STRANDS_AT_ONE_DEPTH)
+        self.browser.touch("touchStart", (x, y))
+        self.browser.wait("picture.held >= 0")
+        length = self.number("length")
+        self.browser.touch("touchMove", (x + 30, y))
+        self.browser.wait(f"Number(element('length').textContent) !== {length}")
+        self.browser.touch("touchEnd")
+        self.browser.wait("picture.held < 0")
+        azimuth, distance = self.browser.value("[scene.azimuth, scene.distance]")
+        self.browser.touch("touchStart", (5, 5))
+        self.browser.touch("touchMove", (65, 5))
+        self.browser.touch("touchEnd")
+        self.browser.wait(f"scene.azimuth !== {azimuth}")
+        self.browser.touch("touchStart", (5, 5), (5, 105))
+        self.browser.touch("touchMove", (5, 5), (5, 205))
+        self.browser.touch("touchEnd")
+        self.browser.wait(f"scene.distance < {distance}")
+        self.check_calm()
+
     def test_can_be_used_on_a_phone_and_with_keys(self):
         self.open(400, 800)
         self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), 400)
@@ -217,6 +355,10 @@ class The_page(In_folder):
         self.browser.wait("picture.held < 0")
         self.browser.press(" ")
         self.browser.wait("element('message').textContent === 'The curve is tight.'")
+        self.browser.value("element('knot').value = 'Domains to fill/Knotted tube'; loadChoice()")
+        self.browser.wait("domain !== null")
+        self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), 400)
+        self.assertGreater(self.browser.value("scene.canvas.clientHeight"), 300)
         self.check_calm()
 
 

@@ -25,8 +25,8 @@ class Player {
     element("iteration").textContent = frame.iteration;
     element("length").textContent = frame.length.toPrecision(5);
     element("nodes").textContent = frame.nodes;
-    this.scene.showCurve(frame.strands, numbers(frame.points, Float32Array),
-      film.tube * Math.pow(2, element("tube").value));
+    const radius = film.tube * Math.pow(2, element("tube").value);
+    this.scene.showCurve(frame.strands, numbers(frame.points, Float32Array), () => radius);
   }
 
   play() {

@@ -37,7 +37,24 @@ function frames(points, isClosed) {
   return tangents.map((tangent, i) => ({tangent, normal: turned(normals[i], tangent, (twist * i) / n)}));
 }
 
-// The triangles of tubes, as they grow strand by strand.
+// Twice as many points, those between by the four-point scheme of Dyn, Levin and Gregory (1987); or,
+// beside a corner of more than 45 degrees, in the middle. It changes the picture only: tubes around
+// the 150 nodes of a tight knot have visible facets.
+function rounded(points, isClosed) {
+  const n = points.length;
+  const edge = (i) => sum(points[(i + 1) % n], points[i], -1);
+  const isGentle = (i) => (isClosed || (i > 0 && i < n - 1)) &&
+    dot(unit(edge((i + n - 1) % n)), unit(edge(i % n))) > Math.SQRT1_2;
+  return points.flatMap((p, i) => {
+    if (!isClosed && i === n - 1) return [p];
+    const middle = sum(p, edge(i), 0.5);
+    if (!isGentle(i) || !isGentle((i + 1) % n)) return [p, middle];
+    const outer = sum(points[(i + n - 1) % n], points[(i + 2) % n], 1);
+    return [p, sum(sum(middle, middle, 1 / 8), outer, -1 / 16)];
+  });
+}
+
+// The triangles of tubes, as they grow strand by strand. The radius is a function of the point.
 class Tubes {
   constructor(radius, sides) {
     Object.assign(this, {radius, sides, positions: [], normals: [], triangles: []});
@@ -59,10 +76,10 @@ class Tubes {
   }
 
   addRing(p, {tangent, normal}) {
-    const first = this.positions.length / 3;
+    const first = this.positions.length / 3, radius = this.radius(p);
     for (let k = 0; k < this.sides; ++k) {
       const out = turned(normal, tangent, (2 * Math.PI * k) / this.sides);
-      this.addVertex(sum(p, out, this.radius), out);
+      this.addVertex(sum(p, out, radius), out);
     }
     return first;
   }
@@ -75,7 +92,8 @@ class Tubes {
   }
 
   addCap(end, inner, ring, isFirst) {
-    const out = unit(sum(end, inner, -1)), tip = this.addVertex(sum(end, out, this.radius / 2), out);
+    const out = unit(sum(end, inner, -1));
+    const tip = this.addVertex(sum(end, out, this.radius(end) / 2), out);
     for (let k = 0; k < this.sides; ++k) {
       const edge = [ring + k, ring + (k + 1) % this.sides];
       this.triangles.push(tip, ...(isFirst ? edge.reverse() : edge));
@@ -94,13 +112,14 @@ class Tubes {
 // The geometries of a curve, one per color. A strand is [number of points, 1 if closed or else 0,
 // component]; the coordinates are those of all strands, one after the other.
 function geometries(strands, coordinates, radius, numberOfColors) {
-  const many = 20000;
-  const sides = coordinates.length > 3 * many ? 6 : 12;
+  const few = 1000, many = 20000, numberOfPoints = coordinates.length / 3;
+  const sides = numberOfPoints > many ? 6 : 12;
   const tubes = Array.from({length: numberOfColors}, () => new Tubes(radius, sides));
   let first = 0;
   for (const [n, isClosed, component] of strands) {
     const point = (i) => Array.from(coordinates.subarray(3 * (first + i), 3 * (first + i + 1)));
-    const points = Array.from({length: n}, (_, i) => point(i));
+    let points = Array.from({length: n}, (_, i) => point(i));
+    for (let k = numberOfPoints; k < few; k *= 2) points = rounded(points, isClosed === 1);
     tubes[component % tubes.length].add(points, isClosed === 1);
     first += n;
   }
@@ -156,12 +175,22 @@ class Scene {
   }
 
   addDomain(points, triangles) {
+    this.removeDomain();
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
     geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
     geometry.computeVertexNormals();
     const glass = {color: 0x6c84a0, transparent: true, depthWrite: false, side: THREE.DoubleSide};
     this.domain = this.add(geometry, new THREE.MeshPhongMaterial(glass));
+  }
+
+  removeDomain() {
+    if (!this.domain) return;
+    this.scene.remove(this.domain);
+    this.domain.geometry.dispose();
+    this.domain.material.dispose();
+    this.domain = null;
+    this.draw();
   }
 
   showCurve(strands, coordinates, radius) {

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#include "Live_filling.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+
+namespace vfc_page {
+
+namespace {
+
+// Shows the curve after each iteration.
+struct Filling_viewer : VFC::Default_curve_flow_visitor
+{
+  template <typename Flow>
+  void on_start(const Flow&)
+  {
+    show();
+  }
+
+  template <typename Flow>
+  void on_iteration(const Flow&)
+  {
+    show();
+  }
+
+  const std::function<void()>& show;
+};
+
+} // namespace
+
+Live_filling::Mesh read_surface(const std::string& file)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  std::vector<Live_filling::Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  if(!CGAL::IO::read_polygon_soup(file, points, polygons, CGAL::parameters::verbose(false)) ||
+     polygons.empty())
+    throw std::invalid_argument("this is not a complete file of a surface");
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for(const auto& polygon : polygons)
+    for(std::size_t i = 2; i < polygon.size(); ++i) {
+      if((std::max)({polygon[0], polygon[i - 1], polygon[i]}) >= points.size())
+        throw std::invalid_argument("a face has a vertex that is not in the file");
+      triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
+    }
+  if(!PMP::is_polygon_soup_a_polygon_mesh(triangles))
+    throw std::invalid_argument("more than two faces meet in an edge, or neighbors have opposite "
+                                "orientations; 'vfc repair' can mend the mesh");
+  Live_filling::Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  return mesh;
+}
+
+void Live_filling::fill(const Filling_settings& settings,
+                        const std::function<void()>& show,
+                        const std::function<void(const VFC::Run_progress&)>& report)
+{
+  VFC::Filling_parameters<Point> parameters;
+  if(settings.ratio == 1)
+    parameters.thickness = settings.thickness;
+  else
+    parameters.thickness_field = thickness_field(settings.thickness, settings.ratio);
+  parameters.bend_radius = settings.bend_radius;
+  parameters.certificate = &m_certificate;
+  parameters.progress = [&](const VFC::Run_progress& progress) {
+    if(progress.stage == VFC::Run_stage::BRANCHING) show();
+    report(progress);
+    return true;
+  };
+  m_curve = Curve();
+  m_result = VFC::fill(m_curve, m_domain, parameters, Filling_viewer{{}, show});
+}
+
+// The thickness varies linearly, which takes no function that libraries compute differently, and is
+// the given one in the middle.
+std::function<double(const Live_filling::Point&)> Live_filling::thickness_field(double thickness,
+                                                                                double ratio) const
+{
+  const CGAL::Bbox_3 box = m_domain.bbox();
+  int axis = 0;
+  for(int k = 1; k < 3; ++k)
+    if((box.max)(k) - (box.min)(k) > (box.max)(axis) - (box.min)(axis)) axis = k;
+  const double low = (box.min)(axis), side = (box.max)(axis)-low;
+  return [=](const Point& p) {
+    const double t = std::clamp((p[axis] - low) / side, 0., 1.);
+    return 2 * thickness * ((1 - t) + t * ratio) / (1 + ratio);
+  };
+}
+
+std::vector<std::vector<Live_filling::Point>> Live_filling::strands() const
+{
+  std::vector<std::vector<Point>> strands;
+  std::vector<bool> is_seen(m_curve.number_of_nodes() + m_curve.number_of_removed_nodes());
+  for(const std::size_t first : m_curve.nodes()) {
+    if(is_seen[first]) continue;
+    strands.emplace_back();
+    std::size_t last = first, v = first;
+    do {
+      is_seen[v] = true;
+      strands.back().push_back(m_curve.point(v));
+      const std::size_t next = m_curve.neighbor(v, m_curve.neighbor(v, 1) == last ? 0 : 1);
+      last = v;
+      v = next;
+    } while(v != first);
+  }
+  return strands;
+}
+
+Live_filling::Curve Live_filling::start() const
+{
+  return Curve(m_result.start);
+}
+
+} // namespace vfc_page

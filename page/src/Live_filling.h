@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_LIVE_FILLING_H
+#define VFC_LIVE_FILLING_H
+
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+#include <CGAL/Volume_filling_curves/fill.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vfc_page {
+
+namespace VFC = CGAL::Volume_filling_curves;
+
+// What a user can choose, with lengths in the mesh's unit.
+struct Filling_settings
+{
+  double thickness = 0;   // 0: the default one of fill()
+  double bend_radius = 0; // 0: none is required
+  double ratio = 1;       // of the thicknesses at the ends of the longest side of the mesh's box
+};
+
+// The inside of a mesh, and the curve that fills it, which can be seen while it grows.
+class Live_filling
+{
+public:
+  using Curve = VFC::Curve_network_3<>;
+  using Point = Curve::Point_3;
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Result = VFC::Filling_result<Point>;
+
+  // \throws std::invalid_argument unless the mesh bounds a domain
+  explicit Live_filling(const Mesh& mesh) : m_mesh(mesh), m_domain(mesh) {}
+
+  // Fills the domain, by one thread. Calls show() after each change that can be seen, and report()
+  // every few milliseconds.
+  // \throws std::invalid_argument if the settings do not suit the domain
+  void fill(const Filling_settings& settings,
+            const std::function<void()>& show,
+            const std::function<void(const VFC::Run_progress&)>& report);
+
+  const Mesh& mesh() const { return m_mesh; }
+  CGAL::Bbox_3 box() const { return m_domain.bbox(); }
+  const Curve& curve() const { return m_curve; }
+  const Result& result() const { return m_result; }
+
+  // The nodes of each strand in their order, also while the curve branches.
+  std::vector<std::vector<Point>> strands() const;
+
+  // The circles that the curve grew from, where the certificate begins.
+  Curve start() const;
+  std::string certificate() const { return m_certificate.bytes(); }
+
+private:
+  std::function<double(const Point&)> thickness_field(double thickness, double ratio) const;
+
+  const Mesh m_mesh;
+  const VFC::Triangle_mesh_domain_3<> m_domain;
+  Curve m_curve;
+  Result m_result;
+  VFC::Isotopy_certificate m_certificate;
+};
+
+// Reads a closed surface from a file, and cuts its polygons into triangles.
+// \throws std::invalid_argument unless there is one
+Live_filling::Mesh read_surface(const std::string& file);
+
+} // namespace vfc_page
+
+#endif // VFC_LIVE_FILLING_H
