@@ -320,6 +320,8 @@ class Filling(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "a Domain"):
             vfc.fill(CUBE_VERTICES, thickness=0.1)
 
+        with self.assertRaisesRegex(TypeError, "is a tuple, but must be a Domain"):
+            vfc.coverage(circle(), (CUBE_VERTICES, CUBE_FACES), 0.1)
     def test_the_thickness_can_vary(self):
         by_function = vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=lambda p: 0.1 + 0.05 * p[2])
         by_vertex = vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=0.1 + 0.05 * CUBE_VERTICES[:, 2])

@@ -13,7 +13,7 @@ import numpy as np
 from . import _vfc
 from .curves import Closed, Curves, flat, to_core
 from .defects import CurveDefect
-from .domains import Domain
+from .domains import Domain, core_of
 from .representation import Short
 from .runs import Progress
 
@@ -40,7 +40,7 @@ def outside(curves: Curves, domain: Domain, *, closed: Closed = True,
     Returns:
         the indices of points, among those of all curves, and a pair of such indices for each edge
     """
-    return _vfc.outside(to_core(curves, closed), domain._core, progress)
+    return _vfc.outside(to_core(curves, closed), core_of(domain), progress)
 
 
 def wall_distance(curves: Curves, domain: Domain, *, closed: Closed = True,
@@ -52,7 +52,7 @@ def wall_distance(curves: Curves, domain: Domain, *, closed: Closed = True,
     Raises:
         ValueError: if the curves are not inside
     """
-    return WallDistance(**_vfc.wall_distance(to_core(curves, closed), domain._core, progress))
+    return WallDistance(**_vfc.wall_distance(to_core(curves, closed), core_of(domain), progress))
 
 
 def check_curves(curves: Curves, *, closed: Closed = True, domain: Optional[Domain] = None,
@@ -73,12 +73,12 @@ def check_curves(curves: Curves, *, closed: Closed = True, domain: Optional[Doma
     defects = [CurveDefect(**defect) for defect in found]
     if core is None or domain is None:
         return defects
-    points, edges = _vfc.outside(core, domain._core, progress)
+    points, edges = _vfc.outside(core, core_of(domain), progress)
     defects += [_error("outside node", "a point is not strictly inside", [point]) for point in points]
     defects += [_error("outside segment", "an edge is not strictly inside", edge) for edge in edges]
     if edges or not wall_distance > 0:
         return defects
-    nearest = WallDistance(**_vfc.wall_distance(core, domain._core, progress))
+    nearest = WallDistance(**_vfc.wall_distance(core, core_of(domain), progress))
     if nearest.distance < wall_distance:
         message = f"an edge comes as near to the boundary as {nearest.distance:.6g}"
         defects.append(_error("near wall", message, nearest.edge))

@@ -23,6 +23,14 @@ class Domain:
         return f"{type(self).__name__}({self._description})"
 
 
+def core_of(domain: Any) -> _vfc.Domain:
+    """The domain as an object of the compiled module, or None for None."""
+    if domain is not None and not isinstance(domain, Domain):
+        raise TypeError(f"the domain is a {type(domain).__name__}, but must be a Domain, such as "
+                        "Mesh(vertices, faces)")
+    return domain and domain._core
+
+
 class Mesh(Domain):
     """The inside of a closed triangle mesh.
 

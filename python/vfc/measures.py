@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _results, _vfc
 from .curves import Closed, Curves, to_core
-from .domains import Domain
+from .domains import Domain, core_of
 from .runs import Progress
 
 
@@ -51,7 +51,7 @@ def coverage(curves: Curves, domain: Domain, thickness: Any, *, closed: Closed =
     """
     core = to_core(curves, closed)
     return _results.Coverage(
-        **_vfc.coverage(core, domain._core, thickness, samples, random_seed, progress))
+        **_vfc.coverage(core, core_of(domain), thickness, samples, random_seed, progress))
 
 
 def arc_spline(curves: Curves, domain: Optional[Domain] = None, *, closed: Closed = True,
@@ -67,7 +67,7 @@ def arc_spline(curves: Curves, domain: Optional[Domain] = None, *, closed: Close
     Returns:
         an `ArcSpline`, which says whether it is certified to be ambient isotopic to the curves
     """
-    result = _vfc.arc_spline(to_core(curves, closed), domain and domain._core, progress)
+    result = _vfc.arc_spline(to_core(curves, closed), core_of(domain), progress)
     return _results.made("ArcSpline", result)
 
 

@@ -10,7 +10,7 @@ from typing import Any, Callable, Optional
 
 from . import _options, _results, _vfc
 from .curves import Closed, Curves, from_core, origins, size, to_core
-from .domains import Domain, Mesh
+from .domains import Domain, Mesh, core_of
 
 Progress = Optional[Callable[[dict], Any]]
 
@@ -81,7 +81,7 @@ def untangle(curves: Curves, *, domain: Optional[Domain] = None, closed: Closed 
              **options: Any) -> Untangled:
     core = to_core(curves, closed, pin)
     record = _record(certificate)
-    result = _vfc.untangle(core, domain and domain._core, options, record, progress)
+    result = _vfc.untangle(core, core_of(domain), options, record, progress)
     return Untangled(**_results.with_classes("UntanglingResult", result),
                      curves=from_core(core, curves), origin=origins(core, curves),
                      certificate=_bytes(record))
@@ -97,7 +97,7 @@ def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, clo
     given = [] if curves is None else curves
     core = to_core(given, closed, pin)
     record = _record(certificate)
-    result = _vfc.fill(core, domain._core, options, record, progress)
+    result = _vfc.fill(core, core_of(domain), options, record, progress)
     return Filled(**_results.with_classes("FillingResult", result),
                   curves=from_core(core, given), closed=core.closedness(),
                   certificate=_bytes(record))
@@ -127,7 +127,7 @@ def verify(certificate: bytes, start: Curves, end: Curves, *, domain: Optional[D
         a `Verdict`, which is true if the record proves that the curves are ambient isotopic
     """
     core = _vfc.Certificate(bytes(certificate))
-    result = _vfc.verify(core, to_core(start, closed), to_core(end, closed), domain and domain._core,
+    result = _vfc.verify(core, to_core(start, closed), to_core(end, closed), core_of(domain),
                          progress)
     return _results.Verdict(**result)
 

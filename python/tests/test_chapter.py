@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+"""Test of the manual's chapter: its code runs from top to bottom, as a reader would type it."""
+
+import contextlib
+import importlib.util
+import io
+import os
+import pathlib
+import re
+import tempfile
+import unittest
+
+CHAPTER = pathlib.Path(__file__).parents[2] / "doc/Volume_filling_curves/python.txt"
+OPTIONAL = ("matplotlib", "tqdm")
+
+
+def blocks():
+    return [block for block in re.findall(r"\\verbatim\n(.*?)\\endverbatim", CHAPTER.read_text(), re.S)
+            if not block.startswith("apt-get")]
+
+
+def is_runnable(block):
+    wanted = set(re.findall(r"^(?:import|from) (\w+)", block, re.M)) & set(OPTIONAL)
+    return all(importlib.util.find_spec(name) for name in wanted)
+
+
+class Chapter(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder.name)
+
+    def test_its_code_runs_and_prints_what_it_says(self):
+        names, printed = {}, io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            for block in filter(is_runnable, blocks()):
+                exec(compile(block, str(CHAPTER), "exec"), names)
+        for words in ("3_1* True", "3_1* 0.71", "8_18", "near wall", "open boundary"):
+            self.assertIn(words, printed.getvalue())
+
+
+if __name__ == "__main__":
+    unittest.main()
