@@ -58,6 +58,8 @@ function rounded(points, isClosed) {
 class Tubes {
   constructor(radius, sides) {
     Object.assign(this, {radius, sides, positions: [], normals: [], triangles: []});
+    const angles = Array.from({length: sides}, (_, k) => (2 * Math.PI * k) / sides);
+    this.circle = angles.map((angle) => [Math.cos(angle), Math.sin(angle)]);
   }
 
   add(points, isClosed) {
@@ -76,10 +78,11 @@ class Tubes {
   }
 
   addRing(p, {tangent, normal}) {
-    const first = this.positions.length / 3, radius = this.radius(p);
-    for (let k = 0; k < this.sides; ++k) {
-      const out = turned(normal, tangent, (2 * Math.PI * k) / this.sides);
-      this.addVertex(sum(p, out, radius), out);
+    const first = this.positions.length / 3, radius = this.radius(p), across = cross(tangent, normal);
+    for (const [c, s] of this.circle) {
+      const [x, y, z] = normal.map((a, k) => c * a + s * across[k]);
+      this.positions.push(p[0] + radius * x, p[1] + radius * y, p[2] + radius * z);
+      this.normals.push(x, y, z);
     }
     return first;
   }
