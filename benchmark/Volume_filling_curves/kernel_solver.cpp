@@ -47,7 +47,7 @@ void conjugate_gradients(benchmark::State& state, Sample make_sample)
   const double tolerance = 1e-4;
   vfc::internal::Tridiagonal_conjugate_gradients solve;
   for(auto _ : state) {
-    const Vector_field d = solve(p, no_contacts, b, tolerance);
+    const Vector_field d = solve(p, no_contacts, b, {}, tolerance);
     benchmark::DoNotOptimize(d.data());
   }
   state.counters["entries_per_row"] =

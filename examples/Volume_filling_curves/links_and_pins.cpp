@@ -4,7 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Untangles links, reports whether they are linked, and untangles an arc with pinned ends.
+// Untangles links, reports whether they are linked, and untangles arcs with pinned and with sliding
+// ends.
 
 #include <CGAL/Volume_filling_curves/untangle.h>
 
@@ -20,6 +21,7 @@ namespace VFC = CGAL::Volume_filling_curves;
 
 using Curve = VFC::Curve_network_3<>;
 using Point_3 = Curve::Point_3;
+using Vector_3 = Curve::Traits::Vector_3;
 using Polyline = std::vector<Point_3>;
 
 // An ellipse in a plane that is orthogonal to y or to z
@@ -71,9 +73,27 @@ bool does_arc_stay_pinned()
   return pinned == 3;
 }
 
+// An arc between the planes z = 0 and z = 3, on which its ends slide.
+bool does_arc_become_vertical()
+{
+  Polyline arc;
+  for(int i = 0; i <= 60; ++i) arc.emplace_back(0.05 * i, std::sin(0.3 * i), 0.05 * i);
+  //! [slide]
+  Curve curve(arc);
+  for(const std::size_t v : {std::size_t(0), curve.number_of_nodes() - 1})
+    curve.set_constraint(v, VFC::Node_constraint::on_plane(curve.point(v), Vector_3(0, 0, 1)));
+
+  VFC::untangle(curve);
+  //! [slide]
+  const Point_3 first = curve.point(0), last = curve.point(curve.number_of_nodes() - 1);
+  std::cout << "arc between planes: from (" << first << ") to (" << last << ")\n";
+  return std::abs(last.x() - first.x()) < 0.1 && first.z() == 0 && last.z() == 0.05 * 60;
+}
+
 int main()
 {
   const bool is_ok = status_of_link(2) == VFC::Link_status::LINKED &&
-                     status_of_link(5) == VFC::Link_status::TRIVIAL && does_arc_stay_pinned();
+                     status_of_link(5) == VFC::Link_status::TRIVIAL && does_arc_stay_pinned() &&
+                     does_arc_become_vertical();
   return is_ok ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
@@ -104,7 +105,11 @@ public:
    * none is given, and remeshes the curve, by certified operations, to the edge lengths that the
    * parameters require. The flow sets the clearance of the guard.
    *
-   * Pinned nodes stay where they are.
+   * Pinned nodes stay where they are, and sliding nodes move along their sets, see
+   * `Node_constraint`. Steps move nodes on straight segments; hence nodes on lines and planes
+   * deviate from these by the rounding of coordinates, and nodes near a bent boundary by less than
+   * \f$s^2 / (8 \rho)\f$ from their distance, where \f$s\f$ is the length of a step and
+   * \f$\rho\f$ the radius of curvature. Deviations do not add up.
    *
    * \param guard the guard of the curve
    * \param parameters \vfcNamedParams{Curve_flow_parameters}
@@ -112,7 +117,8 @@ public:
    * \pre the network has no garbage
    *
    * \throws std::invalid_argument if a parameter is not positive and finite; `thickness`,
-   * `coupling` and `time_step` may be 0
+   * `coupling` and `time_step` may be 0; and if a node slides along the boundary, but there is no
+   * domain
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
@@ -290,7 +296,8 @@ public:
   /// returns the length of all edges.
   double length() const { return m_direction.length(); }
 
-  /// returns the gradient of the energy at each node; zero at pinned nodes.
+  /// returns the gradient of the energy at each node, along the set in which the node moves; zero
+  /// at pinned nodes.
   const Vector_field& gradient() const { return m_direction.gradient(); }
 
   /// returns r times the sum of the norms of the nodes' gradients, divided by the sum of the nodes'
@@ -340,6 +347,7 @@ private:
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     m_parameters.thickness = m_motion.thickness().number();
     internal::check_parameters(m_parameters);
+    internal::check_constraints<typename Guard::Boundary>(curve());
     if(!m_motion.thickness().is_given()) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
           curve(), parameters_in_domain().number_of_directions, m_guard.watch());

@@ -171,10 +171,12 @@ public:
   }
 
   /// removes node `v` and joins its two neighbors by an edge if that is certified, and returns
-  /// whether it did. Ends, junctions and pinned nodes stay, and a closed component keeps 3 edges.
+  /// whether it did. Ends, junctions and constrained nodes stay (see
+  /// `Curve_network_3::is_removable()`), and a closed component keeps 3 edges.
   bool remove_node(size_type v)
   {
-    return change_if(!m_curve.is_pinned(v) && m_certifier.is_removal_safe(v, m_clearance, m_bends),
+    return change_if(m_curve.is_removable(v) &&
+                         m_certifier.is_removal_safe(v, m_clearance, m_bends),
                      [&] { m_editor.remove_node(v); });
   }
 
@@ -266,8 +268,14 @@ public:
 
   /// @}
 
-  /// pins or unpins node `v`, like `Curve_network_3::set_pinned()`.
+  /// pins or frees node `v`, like `Curve_network_3::set_pinned()`.
   void set_pinned(size_type v, bool is_pinned = true) { m_editor.set_pinned(v, is_pinned); }
+
+  /// sets the set in which node `v` may move, like `Curve_network_3::set_constraint()`.
+  void set_constraint(size_type v, const Node_constraint& constraint)
+  {
+    m_editor.set_constraint(v, constraint);
+  }
 
   /// closes the gaps of removed nodes, renumbers the nodes along the curve, and returns the former
   /// index of each node.

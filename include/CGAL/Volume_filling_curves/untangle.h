@@ -49,8 +49,9 @@ namespace Volume_filling_curves {
  *
  * Every change is certified with exact predicates; hence the result is ambient isotopic to the
  * input, whatever the status. Nodes are inserted and removed; `Curve_network_3::origin()` returns
- * the input index of a node. Components keep their order and orientation, and pinned nodes stay
- * where they are.
+ * the input index of a node. Components keep their order and orientation, pinned nodes stay where
+ * they are, and sliding nodes stay on their sets (see `Node_constraint`). Curves with sliding nodes
+ * flow, whatever the strategy.
  *
  * A component with ends keeps its knot if all of its ends are pinned: no strand slips off them. The
  * type of an open knot is that of its closure by straight rays from the ends, which point away from

@@ -17,6 +17,7 @@
 // The gradient against finite differences of the energy that it is the gradient of.
 namespace test_energy_gradient {
 
+namespace VFC = CGAL::Volume_filling_curves;
 using namespace flow_test;
 using internal::Medial_spheres;
 
@@ -39,7 +40,8 @@ struct Energy
     gradient.add_length(tensions);
     gradient.add_medial_spheres(spheres, std::vector<double>(curve.number_of_nodes(), thickness),
                                 medial_weight);
-    return gradient.result();
+    return gradient.projected(
+        {curve, internal::Boundary<VFC::Unbounded_domain_3<Network::Traits>>()});
   }
 
   // The centers, with spheres below r / 2 taken for smaller ones: R - (r / 2 - R).

@@ -10,10 +10,12 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+#include <CGAL/Volume_filling_curves/internal/domain/depth_differences.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -69,7 +71,7 @@ private:
   {
     if(x.rows() == 0) return;
     const Vector extent = sides(x);
-    for(int i = 0; i < 3; ++i) m_is_axis[i] = extent[i] > 0;
+    m_is_axis = {extent[0] > 0, extent[1] > 0, extent[2] > 0};
   }
 
   template <typename Network, typename Domain>
@@ -79,14 +81,7 @@ private:
     const double depth = depth_up_to(domain, curve.point(v), reach * distance);
     if(!(depth < reach * distance)) return;
     const double step = (std::min)(distance, depth) / 2; // stays inside
-    const auto depth_at = [&](int axis, double offset) {
-      Vector p = x;
-      p[axis] += offset;
-      return domain.distance(to_point(p, curve.traits()));
-    };
-    Vector gradient;
-    for(int i = 0; i < 3; ++i)
-      if(m_is_axis[i]) gradient[i] = depth_at(i, step) - depth_at(i, -step);
+    const Vector gradient = depth_differences(domain, x, step, m_is_axis, curve.traits());
     const double norm = gradient.norm(); // 2 steps at a plane
     if(!(norm > step)) return;           // between two walls, or far outside of the plane
     const Vector normal = gradient / norm;
@@ -94,7 +89,7 @@ private:
   }
 
   std::vector<Plane> m_planes;
-  bool m_is_axis[3] = {true, true, true};
+  std::array<bool, 3> m_is_axis = {true, true, true};
 };
 
 } // namespace internal

@@ -19,6 +19,7 @@
 #include <CGAL/Volume_filling_curves/internal/polylines/matrix_conversions.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -52,7 +53,8 @@ class Origin_interpolation;
  * edges.
  *
  * Components may be closed or open, junctions (nodes with more than two edges) are allowed, and
- * nodes can be pinned. Nodes are numbered from 0 along the curve, component after component.
+ * nodes can be pinned or slide on a set, see `Node_constraint`. Nodes are numbered from 0 along the
+ * curve, component after component.
  *
  * Anyone can read a network, but after construction only `Isotopy_guard_3` changes its coordinates
  * and edges, and certifies every change with exact predicates. (Assignment replaces the whole
@@ -289,11 +291,29 @@ public:
   /// `curve_origins()` assigns every node a point of the input.
   size_type origin(size_type v) const { return m_topology.origin(v); }
 
-  /// returns whether node `v` is pinned, that is, whether the flow does not move it.
-  bool is_pinned(size_type v) const { return m_topology.is_pinned(v); }
+  /// returns the set in which a flow may move node `v`.
+  const Node_constraint& constraint(size_type v) const { return m_topology.constraint(v); }
 
-  /// pins or unpins node `v`.
-  void set_pinned(size_type v, bool is_pinned = true) { m_topology.set_pinned(v, is_pinned); }
+  /// sets the set in which a flow may move node `v`; takes time linear in the number of different
+  /// constraints.
+  void set_constraint(size_type v, const Node_constraint& constraint)
+  {
+    m_topology.set_constraint(v, constraint);
+  }
+
+  /// returns whether node `v` is free, neither pinned nor sliding.
+  bool is_free(size_type v) const { return m_topology.is_free(v); }
+
+  /// returns whether node `v` is pinned, that is, whether its constraint is
+  /// `Node_constraint::fixed()`.
+  bool is_pinned(size_type v) const { return m_topology.is_fixed(v); }
+
+  /// pins node `v`, or frees it.
+  void set_pinned(size_type v, bool is_pinned = true) { m_topology.set_fixed(v, is_pinned); }
+
+  /// returns whether node `v` may be removed: it has two edges, and is free or has the constraint
+  /// that a node inserted in its place would have, see `Node_constraint`.
+  bool is_removable(size_type v) const { return m_topology.is_removable(v); }
 
   /// pins all nodes with one edge.
   void pin_ends()

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_numbering.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Input_chains.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -67,8 +68,23 @@ public:
 
   std::size_t origin(std::size_t v) const { return m_nodes[v].origin; }
   std::size_t component(std::size_t v) const { return m_nodes[v].component; }
-  bool is_pinned(std::size_t v) const { return m_nodes[v].is_pinned; }
-  void set_pinned(std::size_t v, bool is_pinned) { m_nodes[v].is_pinned = is_pinned; }
+
+  const Node_constraint& constraint(std::size_t v) const
+  {
+    return m_constraints[m_nodes[v].constraint];
+  }
+
+  bool is_free(std::size_t v) const { return m_nodes[v].constraint == free; }
+  bool is_fixed(std::size_t v) const { return m_nodes[v].constraint == fixed; }
+  void set_fixed(std::size_t v, bool is_fixed) { m_nodes[v].constraint = is_fixed ? fixed : free; }
+
+  // Linear in the number of different constraints.
+  void set_constraint(std::size_t v, const Node_constraint& constraint)
+  {
+    const auto known = std::find(m_constraints.begin(), m_constraints.end(), constraint);
+    m_nodes[v].constraint = narrow(static_cast<std::size_t>(known - m_constraints.begin()));
+    if(known == m_constraints.end()) m_constraints.push_back(constraint);
+  }
 
   std::size_t number_of_components() const { return m_components.count(); }
   std::size_t first_node(std::size_t c) const { return m_components.first_node(c); }
@@ -93,14 +109,25 @@ public:
   // date.
   bool has_garbage() const { return m_has_garbage; }
 
-  // Splits edge e = (a, c) into e = (a, b) and a new last edge (b, c); b is the new last node.
+  // Whether the node has two edges, and no constraint is lost with it.
+  bool is_removable(std::size_t v) const
+  {
+    if(degree(v) != 2) return false;
+    if(is_free(v)) return true;
+    const std::size_t a = opposite(v, incident_edge(v, 0)), c = opposite(v, incident_edge(v, 1));
+    return m_nodes[v].constraint == constraint_between(a, c);
+  }
+
+  // Splits edge e = (a, c) into e = (a, b) and a new last edge (b, c); b is the new last node, and
+  // may slide like a and c.
   std::size_t insert_node(std::size_t e)
   {
     const Index b = narrow(checked(m_nodes.size() + 1) - 1);
     const Index f = narrow(checked(m_edges.size() + 1) - 1);
     m_has_garbage = true;
-    const Index c = m_edges[e][1];
+    const Index a = m_edges[e][0], c = m_edges[e][1];
     Node node;
+    node.constraint = constraint_between(a, c);
     node.component = m_nodes[c].component;
     node.edges = {narrow(e), f};
     m_nodes.push_back(std::move(node));
@@ -196,12 +223,14 @@ public:
   }
 
 private:
+  static constexpr Index free = 0, fixed = 1; // the first constraints in the list
+
   struct Node
   {
     boost::container::small_vector<Index, 2> edges;
     Index origin = narrow(null);
     Index component = narrow(null);
-    bool is_pinned = false;
+    Index constraint = free; // in the list of constraints
   };
 
   static constexpr Index narrow(std::size_t i) { return static_cast<Index>(i); }
@@ -213,6 +242,15 @@ private:
       throw std::length_error("a network has fewer than 2^32 nodes and edges, not " +
                               std::to_string(count));
     return count;
+  }
+
+  // The constraint of a node inserted between two others: that of the one that slides, if the other
+  // one slides on the same set or is fixed.
+  Index constraint_between(std::size_t v, std::size_t w) const
+  {
+    const Index a = m_nodes[v].constraint, b = m_nodes[w].constraint;
+    if(a == fixed) return b == fixed ? free : b;
+    return a == b || b == fixed ? a : free;
   }
 
   void mark_removed(std::size_t v, std::size_t e)
@@ -256,6 +294,7 @@ private:
   }
 
   std::vector<Node> m_nodes;
+  std::vector<Node_constraint> m_constraints = {Node_constraint(), Node_constraint::fixed()};
   std::vector<std::array<Index, 2>> m_edges; // source and target
   Curve_components m_components;
   Input_chains m_input;

@@ -100,6 +100,11 @@ public:
 
   void set_pinned(std::size_t v, bool is_pinned) { m_network.set_pinned(v, is_pinned); }
 
+  void set_constraint(std::size_t v, const Node_constraint& constraint)
+  {
+    m_network.set_constraint(v, constraint);
+  }
+
   // Has the network become another one that has come from the same input, see
   // Curve_topology::with_edges(). Observers are not called: there must be none.
   void replace(const std::vector<Point_3>& points,

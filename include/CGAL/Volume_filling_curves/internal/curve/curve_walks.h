@@ -37,10 +37,18 @@ bool is_closed_everywhere(const Network& curve)
 }
 
 template <typename Network>
-bool has_pinned_node(const Network& curve)
+bool has_constrained_node(const Network& curve)
 {
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-    if(curve.is_pinned(v)) return true;
+    if(!curve.is_free(v)) return true;
+  return false;
+}
+
+template <typename Network>
+bool has_sliding_node(const Network& curve)
+{
+  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+    if(curve.constraint(v).is_sliding()) return true;
   return false;
 }
 

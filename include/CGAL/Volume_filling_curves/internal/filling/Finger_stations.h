@@ -120,18 +120,18 @@ private:
 
   double thickness(const Vector& p) const { return m_thickness(to_point(p, curve().traits())); }
 
-  // Divides the edges of each component into stretches as long as the spacing of stations. Pinned
-  // edges are left out, unless a component has no others.
+  // Divides the edges of each component into stretches as long as the spacing of stations. Edges
+  // between constrained nodes are left out, unless a component has no others.
   void add_stretches_of_curves()
   {
     halve_long_edges();
     std::vector<bool> has_free_edge(curve().number_of_components(), false);
     for(std::size_t e = 0; e < curve().number_of_edges(); ++e)
-      if(!is_pinned(e)) has_free_edge[component(e)] = true;
+      if(!is_constrained(e)) has_free_edge[component(e)] = true;
     std::vector<std::size_t> last(curve().number_of_components(), Finger_station::none);
     for(std::size_t e = 0; e < curve().number_of_edges(); ++e) {
       const std::size_t c = component(e);
-      if(is_pinned(e) && has_free_edge[c]) continue;
+      if(is_constrained(e) && has_free_edge[c]) continue;
       const Vector a = to_vector(curve().point(curve().source(e)));
       const Vector b = to_vector(curve().point(curve().target(e)));
       const Vector middle = (a + b) / 2;
@@ -149,9 +149,9 @@ private:
 
   std::size_t component(std::size_t e) const { return curve().component(curve().source(e)); }
 
-  bool is_pinned(std::size_t e) const
+  bool is_constrained(std::size_t e) const
   {
-    return curve().is_pinned(curve().source(e)) && curve().is_pinned(curve().target(e));
+    return !curve().is_free(curve().source(e)) && !curve().is_free(curve().target(e));
   }
 
   // The halves of an edge keep its index and get a new last one.

@@ -38,8 +38,10 @@ template <typename Traits>
 Curve_network_3<Traits> scaled(Curve_network_3<Traits> curve, double factor)
 {
   Network_editor<Curve_network_3<Traits>> editor(curve);
-  for(const std::size_t v : curve.nodes())
+  for(const std::size_t v : curve.nodes()) {
     editor.move_node(v, scaled(curve.point(v), factor, curve.traits()));
+    if(!curve.is_free(v)) editor.set_constraint(v, curve.constraint(v).scaled(factor));
+  }
   return curve;
 }
 

@@ -58,7 +58,8 @@ private:
     while(!m_candidates.empty() && !(watch != nullptr && watch->must_stop())) {
       const auto [change, v, a, c] = m_candidates.top();
       m_candidates.pop();
-      if(!is_removable(v) || m_curve.neighbor(v, 0) != a || m_curve.neighbor(v, 1) != c) continue;
+      if(!m_curve.is_removable(v) || m_curve.neighbor(v, 0) != a || m_curve.neighbor(v, 1) != c)
+        continue;
       if(!remove(v)) continue;
       ++count;
       add_candidate(a);
@@ -67,11 +68,9 @@ private:
     return count;
   }
 
-  bool is_removable(std::size_t v) const { return m_curve.degree(v) == 2 && !m_curve.is_pinned(v); }
-
   void add_candidate(std::size_t v)
   {
-    if(!is_removable(v)) return;
+    if(!m_curve.is_removable(v)) return;
     const std::size_t a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
     const double change = squared_distance_to_segment(position(v), position(a), position(c));
     if(change <= m_max_distance * m_max_distance) m_candidates.emplace(change, v, a, c);

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/flow/Contact_stiffness.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Tangent_projection.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Tridiagonal_conjugate_gradients.h>
 #include <CGAL/Volume_filling_curves/internal/flow/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
@@ -23,7 +24,8 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Solver of P d = b for three right-hand sides: by sparse Cholesky factorization while that is
-// faster, and by conjugate gradients for large P, in parallel with a parallel tag.
+// faster, and by conjugate gradients for large P, in parallel with a parallel tag, or in the
+// tangents of sliding nodes.
 template <typename ConcurrencyTag = Sequential_tag>
 class Direction_solver
 {
@@ -31,11 +33,13 @@ public:
   Vector_field operator()(const Sparse_matrix& p,
                           const Vector_field& b,
                           const Contact_stiffness& contacts = Contact_stiffness(),
+                          const Tangent_projection& project = Tangent_projection(),
                           Run_watch* watch = nullptr)
   {
     if(contacts.has_contacts())
-      return m_conjugate_gradients(p, contacts, b, rough_tolerance, watch);
-    if(p.rows() > max_factorized) return m_conjugate_gradients(p, contacts, b, tolerance, watch);
+      return m_conjugate_gradients(p, contacts, b, project, rough_tolerance, watch);
+    if(p.rows() > max_factorized || project.has_sliding_nodes())
+      return m_conjugate_gradients(p, contacts, b, project, tolerance, watch);
     m_factorization.compute(p);
     // b serves as a direction if the factorization breaks down
     if(m_factorization.info() != Eigen::Success) return b;

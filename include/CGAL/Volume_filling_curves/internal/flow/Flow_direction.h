@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/flow/Contact_stiffness.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_solver.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Tangent_projection.h>
 #include <CGAL/Volume_filling_curves/internal/flow/energy_gradient.h>
 #include <CGAL/Volume_filling_curves/internal/flow/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
@@ -65,6 +66,7 @@ public:
   {
     m_positions = coordinates(curve);
     m_weights = node_weights(curve, m_positions);
+    m_project = Tangent_projection(curve, boundary);
     m_length = std::accumulate(m_weights.begin(), m_weights.end(), 0.);
     update_spheres(curve, boundary, parameters, thickness, statistics, watch);
     const Stage_timer stage(statistics.seconds_direction);
@@ -72,7 +74,7 @@ public:
     m_vectors = m_solver(preconditioner<ConcurrencyTag>(parameters, curve, m_positions, m_weights,
                                                         thickness, m_spheres,
                                                         m_field ? &m_preference : nullptr),
-                         -m_gradient, contacts(curve, parameters, thickness), watch);
+                         -m_gradient, contacts(curve, parameters, thickness), m_project, watch);
   }
 
   const Vector_field& positions() const { return m_positions; }
@@ -116,9 +118,9 @@ private:
       m_preference.directions = edge_directions(curve, m_field);
       gradient.add_direction_preference(m_preference, tensions);
     }
-    m_pull = gradient.sum_of_norms();
+    m_pull = sum_of_norms(gradient.projected(m_project));
     gradient.add_medial_spheres(m_spheres, thickness, parameters.medial_weight);
-    m_gradient = gradient.result();
+    m_gradient = gradient.projected(m_project);
     double weight = 0;
     for(std::size_t v = 0; v < m_weights.size(); ++v)
       if(!curve.is_pinned(v)) weight += m_weights[v];
@@ -137,6 +139,7 @@ private:
   Direction_field m_field;
   Direction_preference m_preference;
   Direction_solver<ConcurrencyTag> m_solver;
+  Tangent_projection m_project;
   Vector_field m_positions, m_gradient, m_vectors;
   std::vector<double> m_weights; // per node
   Medial_spheres m_spheres;

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Strand_separator.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
@@ -80,8 +81,10 @@ public:
     if(direction.isZero(0)) return false;
     const double scale =
         parameters.time_step > 0 ? parameters.time_step : m_size.next(direction, thickness);
-    const Motion_outcome outcome = motion_outcome(
-        m_guard.template advance_nodes<ConcurrencyTag>(positions + scale * direction), direction);
+    Vector_field targets = positions + scale * direction;
+    project_targets(m_guard.curve(), m_guard.boundary(), targets);
+    const Motion_outcome outcome =
+        motion_outcome(m_guard.template advance_nodes<ConcurrencyTag>(targets), direction);
     m_size.note_fraction(outcome.mean_fraction);
     if(outcome.is_shortened()) ++statistics.shortened_steps;
     const bool is_separation_due = outcome.are_nodes_held || m_separation > 0;

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -90,8 +91,6 @@ private:
     return (m_spacing[m_curve.source(e)] + m_spacing[m_curve.target(e)]) / 2;
   }
 
-  bool can_remove(std::size_t v) const { return m_curve.degree(v) == 2 && !m_curve.is_pinned(v); }
-
   // the length of the edge that would replace node v
   double length_without(std::size_t v) const
   {
@@ -104,14 +103,14 @@ private:
     for(const std::size_t v : {first, second}) // these edges change, or are joined
       for(std::size_t k = 0; k < m_curve.degree(v); ++k)
         m_is_due[m_curve.incident_edge(v, k)] = true;
-    if(!can_remove(first)) std::swap(first, second);
-    if(!can_remove(first)) return;
-    if(can_remove(second) && length_without(second) < length_without(first))
+    if(!m_curve.is_removable(first)) std::swap(first, second);
+    if(!m_curve.is_removable(first)) return;
+    if(m_curve.is_removable(second) && length_without(second) < length_without(first))
       std::swap(first, second);
     if(length_without(first) > 2 * m_spacing[first])
       count(m_guard.move_node(first, middle(first)));
     else if(!m_guard.remove_node(first))
-      count(can_remove(second) && length_without(second) <= 2 * m_spacing[second] &&
+      count(m_curve.is_removable(second) && length_without(second) <= 2 * m_spacing[second] &&
             m_guard.remove_node(second));
   }
 
@@ -121,13 +120,15 @@ private:
     const bool is_done = halve_edge(m_guard, e);
     if(is_done) m_spacing.push_back(h);
     count(is_done);
+    if(is_done && !m_curve.is_free(m_curve.target(e)))
+      m_guard.move_node(m_curve.target(e), middle(m_curve.target(e)));
   }
 
+  // of the neighbors, or the point nearest to it in the set in which the node moves
   typename Traits::Point_3 middle(std::size_t v) const
   {
-    return to_point(
-        Vector((position(m_curve.neighbor(v, 0)) + position(m_curve.neighbor(v, 1))) / 2),
-        m_curve.traits());
+    const Vector target = (position(m_curve.neighbor(v, 0)) + position(m_curve.neighbor(v, 1))) / 2;
+    return to_point(Node_set(m_curve, m_guard.boundary(), v).nearest(target), m_curve.traits());
   }
 
   void count(bool is_done) { m_number_of_refusals += is_done ? 0 : 1; }

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_projection.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Strand_separator.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
@@ -116,6 +117,7 @@ private:
     Shape_projection(m_guard.curve(), m_limits, *m_pairs, m_walls)(x, sweeps, is_tense);
     Vector_field targets(static_cast<Eigen::Index>(x.size()), 3);
     for(std::size_t v = 0; v < x.size(); ++v) set_row(targets, v, x[v]);
+    project_targets(m_guard.curve(), m_guard.boundary(), targets);
     const std::vector<double> fractions = m_guard.template advance_nodes<ConcurrencyTag>(targets);
     const bool is_any_held = std::find(fractions.begin(), fractions.end(), 0.) != fractions.end();
     const bool have_strands_parted = is_any_held && part_strands();

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
@@ -111,8 +112,9 @@ private:
   {
     if(m_curve.is_pinned(v) || m_is_done[v]) return;
     m_is_done[v] = true;
+    const Node_set set(m_curve, m_guard.boundary(), v);
     for(const double fraction : {1., 0.25}) {
-      const Vector target = to_vector(m_curve.point(v)) + fraction * motion;
+      const Vector target = set.nearest(to_vector(m_curve.point(v)) + fraction * motion);
       if(!m_guard.move_node(v, to_point(target, m_curve.traits()))) continue;
       m_have_moved = true;
       return;

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/flow/Contact_stiffness.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Tangent_projection.h>
 #include <CGAL/Volume_filling_curves/internal/flow/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -28,7 +29,7 @@ namespace internal {
 // coupling along medial spheres; some ten iterations suffice, in linear time each. P is an
 // M-matrix, hence its tridiagonal part is positive definite. It remains so with contacts, which are
 // stronger, since a part of their stiffness is added to the diagonal. Contacts are applied one
-// after another.
+// after another. Projections keep residuals and directions in the tangents of sliding nodes.
 template <typename ConcurrencyTag = Sequential_tag>
 class Tridiagonal_conjugate_gradients
 {
@@ -38,6 +39,7 @@ public:
   Vector_field operator()(const Sparse_matrix& p,
                           const Contact_stiffness& contacts,
                           const Vector_field& b,
+                          const Tangent_projection& project,
                           double tolerance,
                           Run_watch* watch = nullptr)
   {
@@ -51,10 +53,13 @@ public:
     for(int k = 0; k < max_iterations && left > goal; ++k) {
       check(watch);
       apply_inverse();
+      project(m_image);
       const double last_rho = rho;
       rho = dot(m_residual, m_image);
       turn(rho / last_rho);
-      left = advance(rho / (multiply(p) + contacts.add_product(m_direction, m_image)), x);
+      const double stiffness = multiply(p) + contacts.add_product(m_direction, m_image);
+      project(m_image);
+      left = advance(rho / stiffness, x);
     }
     return x;
   }

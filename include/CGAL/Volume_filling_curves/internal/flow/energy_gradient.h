@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_preference.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Tangent_projection.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -21,7 +22,6 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -84,7 +84,7 @@ std::vector<double> component_tensions(const Network& curve,
 
 // Gradient of the two-term energy E = length + alpha / 2 * sum_i w_i (1 / N) sum_l |x_i - m_il|^2
 // with the sphere centers m_il = x_i + R_il x_l and the weights w_i, half of the edges at a node,
-// held fixed (sections 3.1 and 3.3 of the paper). Zero at pinned nodes. Each node sums the forces
+// held fixed (sections 3.1 and 3.3 of the paper). Each node sums the forces
 // of its edges and spheres, hence nodes are independent, and processed in parallel with a parallel
 // tag. Linear time.
 template <typename Network, typename ConcurrencyTag = Sequential_tag>
@@ -150,20 +150,12 @@ public:
     });
   }
 
-  // The sum of the norms of the terms so far, without pinned nodes.
-  double sum_of_norms() const
+  // Returns the sum of the terms so far along the sets in which nodes move, zero at pinned nodes.
+  Vector_field projected(const Tangent_projection& project) const
   {
-    double sum = 0;
-    for(std::size_t v = 0; v < size(); ++v)
-      if(!m_curve.is_pinned(v)) sum += row(m_gradient, v).norm();
-    return sum;
-  }
-
-  Vector_field result()
-  {
-    for(std::size_t v = 0; v < size(); ++v)
-      if(m_curve.is_pinned(v)) set_row(m_gradient, v, Vector());
-    return std::move(m_gradient);
+    Vector_field gradient = m_gradient;
+    project(gradient);
+    return gradient;
   }
 
 private:

@@ -40,7 +40,7 @@ public:
       node.position = to_vector(curve.point(v));
       node.name = static_cast<Index>(v);
       node.component = static_cast<Index>(curve.component(v));
-      node.is_fixed = curve.degree(v) != 2 || curve.is_pinned(v);
+      node.is_fixed = curve.degree(v) != 2 || !curve.is_free(v);
       for(std::size_t k = 0; k < 2 && curve.degree(v) == 2; ++k)
         node.edges[k] = static_cast<Index>(curve.incident_edge(v, k));
       m_nodes.push_back(node);

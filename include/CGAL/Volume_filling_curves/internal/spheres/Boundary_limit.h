@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,7 +27,9 @@ struct No_boundary_limit
 
 // Medial spheres limited by the boundary of a domain. To cover the domain, the curve must come
 // within r of all of it: only the centers must lie inside. To keep clear of the boundary as of
-// another strand (section 3.2 of the paper), the spheres must.
+// another strand (section 3.2 of the paper), the spheres must. Nodes that slide along the boundary
+// feel no boundary: its share in their motion is orthogonal to it, but for errors of sampled
+// directions, which held a curve on a sphere 0.2 r away from a great circle.
 template <typename Network, typename Boundary>
 class Boundary_limit
 {
@@ -39,8 +42,9 @@ public:
   // limited.
   void limit_centers(const Medial_spheres& spheres, std::size_t c, Planar_rays& rays) const
   {
-    if(m_wall != Wall::COVER) return;
-    const auto& p = m_curve.point(spheres.circles()[c].node);
+    const std::size_t v = spheres.circles()[c].node;
+    if(m_wall != Wall::COVER || slides_along_boundary(v)) return;
+    const auto& p = m_curve.point(v);
     rays.source = to_vector(p);
     if(m_boundary.is_farther(rays.source, rays.longest())) return;
     rays.normal = spheres.circles()[c].normal();
@@ -52,8 +56,9 @@ public:
   // before.
   void limit_spheres(Medial_spheres& spheres, std::size_t c, double limited_radius) const
   {
-    if(m_wall != Wall::KEEP_CLEAR) return;
-    const auto& p = m_curve.point(spheres.circles()[c].node);
+    const std::size_t v = spheres.circles()[c].node;
+    if(m_wall != Wall::KEEP_CLEAR || slides_along_boundary(v)) return;
+    const auto& p = m_curve.point(v);
     double largest = 0;
     for(std::size_t l = 0; l < spheres.number_of_directions(); ++l)
       largest = (std::max)(largest, spheres.radius(c, l));
@@ -70,6 +75,11 @@ public:
   }
 
 private:
+  bool slides_along_boundary(std::size_t v) const
+  {
+    return m_curve.constraint(v).kind() == Node_constraint::Kind::BOUNDARY;
+  }
+
   const Network& m_curve;
   const Boundary& m_boundary;
   Wall m_wall;

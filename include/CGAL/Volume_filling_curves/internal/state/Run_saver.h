@@ -19,6 +19,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
 #include <CGAL/Volume_filling_curves/internal/state/State_archive.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 #include <array>
@@ -141,23 +142,26 @@ void copy_curve(State_archive& archive, Network& curve)
   using Editor = Network_editor<Network>;
   std::vector<Vector> points;
   std::vector<std::array<std::size_t, 2>> edges;
-  std::vector<std::size_t> origins, pinned;
+  std::vector<std::size_t> origins, constrained;
+  std::vector<Node_constraint> constraints;
   auto labels = Editor::labels(curve);
   for(const std::size_t v : curve.nodes()) {
     points.push_back(to_vector(curve.point(v)));
     origins.push_back(curve.origin(v));
-    if(curve.is_pinned(v)) pinned.push_back(v);
+    if(curve.is_free(v)) continue;
+    constrained.push_back(v);
+    constraints.push_back(curve.constraint(v));
   }
   for(const std::size_t e : curve.edges()) edges.push_back({curve.source(e), curve.target(e)});
-  archive(points, edges, origins, pinned, labels);
+  archive(points, edges, origins, constrained, constraints, labels);
   if(!archive.is_reading()) return;
   archive.require(points.size() == origins.size());
   for(const Vector& p : points) archive.require(is_in_range(p));
   Editor(curve).replace(to_points(points, curve.traits()), edges, origins, labels);
-  for(const std::size_t v : curve.nodes()) curve.set_pinned(v, false);
-  for(const std::size_t v : pinned) {
-    archive.require(v < points.size());
-    curve.set_pinned(v);
+  for(const std::size_t v : curve.nodes()) curve.set_constraint(v, Node_constraint());
+  for(std::size_t k = 0; k < constrained.size(); ++k) {
+    archive.require(k < constraints.size() && constrained[k] < points.size());
+    curve.set_constraint(constrained[k], constraints[k]);
   }
 }
 

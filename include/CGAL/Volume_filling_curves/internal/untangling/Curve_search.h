@@ -192,7 +192,7 @@ private:
     simplify(m_run.guard, nullptr);
     search.apply(m_run.guard, [&] { return !m_run.watch.must_stop(); });
     m_run.guard.collect_garbage();
-    if(has_pinned_node(m_curve)) return;
+    if(has_constrained_node(m_curve)) return;
     try {
       rescale_to_length(m_run.guard, length);
     } catch(const Run_stopped&) { // the curve then keeps its size

@@ -173,7 +173,7 @@ public:
     return !Guard::Boundary::is_bounded && m_run.parameters.lower_ropelength && is_at_end &&
            !m_rules.is_curve_too_thin() && !m_rules.is_at_limit() &&
            m_flow.curve().number_of_components() > 0 && is_closed_everywhere(m_flow.curve()) &&
-           !has_pinned_node(m_flow.curve());
+           !has_constrained_node(m_flow.curve());
   }
 
   // Returns the status of the run: that of the flow, unless the descent is interrupted or unties a

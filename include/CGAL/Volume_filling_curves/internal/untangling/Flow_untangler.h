@@ -165,7 +165,7 @@ private:
     if(m_coarse_phase.is_on()) flow_coarsely(false);
     if constexpr(!Guard::Boundary::is_bounded)
       if(m_finish.can_lower_ropelength(status)) status = lower_ropelength(status);
-    if(status == Untangling_status::UNKNOTTED && !has_pinned_node(m_flow.curve()))
+    if(status == Untangling_status::UNKNOTTED && !has_constrained_node(m_flow.curve()))
       m_finish.settle();
   }
 

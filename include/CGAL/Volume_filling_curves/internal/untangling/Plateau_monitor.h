@@ -69,7 +69,7 @@ private:
   template <typename Network>
   bool may_be_single_unknot(const Network& curve)
   {
-    if(curve.number_of_components() != 1 || !curve.is_closed(0) || has_pinned_node(curve))
+    if(curve.number_of_components() != 1 || !curve.is_closed(0) || has_constrained_node(curve))
       return false;
     if(m_answer == Answer::UNKNOWN) m_answer = may_be_unknot(curve) ? Answer::YES : Answer::NO;
     return m_answer == Answer::YES;

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Curve_search.h>
@@ -39,8 +40,7 @@ public:
   Untangling_result operator()()
   {
     const auto kept = m_run.saver.keep([this](State_archive& archive) { copy(archive); });
-    // with rays the search might take the curve out of their sphere
-    if(m_run.parameters.strategy == Untangling_strategy::FLOW || m_run.rays.are_needed())
+    if(m_run.parameters.strategy == Untangling_strategy::FLOW || !can_search())
       return fitting_flow();
     const bool is_flowing = m_run.saver.is_resuming();
     Untangling_status status = is_flowing ? Untangling_status::CONVERGED : prepare_flow();
@@ -58,6 +58,9 @@ public:
 private:
   static constexpr double thinning = 0.7;             // of a flow after one that has jammed
   static constexpr double thickness_of_rings = 0.025; // in units of the length: 100 to 200 edges
+
+  // The search might take the curve out of the sphere of rays, or sliding nodes off their sets.
+  bool can_search() const { return !m_run.rays.are_needed() && !has_sliding_node(m_curve); }
 
   // Searches, and sets the thickness of the flow that follows.
   Untangling_status prepare_flow()

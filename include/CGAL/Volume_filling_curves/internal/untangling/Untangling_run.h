@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
@@ -75,12 +76,15 @@ private:
   {
     check_parameters(m_parameters);
     check_embedded(m_curves);
+    check_constraints<typename Guard::Boundary>(m_curves);
     check_thickness(m_parameters.thickness, box_diagonal(m_curves), "the curves");
     if(!m_parameters.keep_length) return;
     for(std::size_t v = 0; v < m_curves.number_of_nodes(); ++v)
-      if(m_curves.is_pinned(v))
+      if(!m_curves.is_free(v))
         refuse_value(internal_np::keep_length_t(), "true",
-                     "node " + std::to_string(v) + " is pinned, so the curves cannot be scaled");
+                     "node " + std::to_string(v) +
+                         (m_curves.is_pinned(v) ? " is pinned" : " slides") +
+                         ", so the curves cannot be scaled");
   }
 
   // Result for curves whose check was interrupted, and which are unchanged.
@@ -153,7 +157,8 @@ private:
   {
     if(Guard::Boundary::is_bounded || m_parameters.thickness > 0 ||
        m_parameters.strategy != Untangling_strategy::AUTO ||
-       result.status == Untangling_status::INTERRUPTED || !is_closed_everywhere(input))
+       result.status == Untangling_status::INTERRUPTED || !is_closed_everywhere(input) ||
+       has_sliding_node(input))
       return false;
     try {
       return (result.status != Untangling_status::UNKNOTTED || are_unknots(unknot_proofs(input))) &&

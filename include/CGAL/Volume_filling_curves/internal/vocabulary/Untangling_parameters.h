@@ -37,7 +37,8 @@ struct Untangling_parameters : Curve_run_parameters
 {
   Untangling_parameters() { preconditioner = Preconditioner::CONTACT; }
 
-  /// The method of untangling. Open curves with pinned ends always flow.
+  /// The method of untangling. Open curves with pinned ends and curves with sliding nodes always
+  /// flow.
   Untangling_strategy strategy = Untangling_strategy::AUTO;
 
   /// The number of independent searches; the one that succeeds with the fewest moves provides the
@@ -61,12 +62,12 @@ struct Untangling_parameters : Curve_run_parameters
   /// one thickness apart, the mean edge is at most 0.15 thicknesses long, and every certified
   /// motion counts as an iteration. The ropelength never ends higher, not even at a limit; the
   /// gradient of the flow, which weighs spheres, grows again. The option has no effect on proved
-  /// unknots, on curves with ends, junctions or pinned nodes, inside a domain, and with the
+  /// unknots, on curves with ends, junctions or constrained nodes, inside a domain, and with the
   /// strategy `SEARCH`. See `Untangling_result::is_ropelength_lowered`.
   bool lower_ropelength = false;
 
   /// Whether to scale the result, and the returned thickness, to the length of the input, by
-  /// certified steps. Not possible with pinned nodes, hence not with open polylines.
+  /// certified steps. Not possible with constrained nodes, hence not with open polylines.
   bool keep_length = false;
 };
 
