@@ -5,6 +5,7 @@
 
 import ast
 import concurrent.futures
+import inspect
 import os
 import pathlib
 import re
@@ -163,11 +164,11 @@ class Interruption(unittest.TestCase):
         signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in a background job
 
     def interrupted_after(self, call, seconds=0.3):
-        """How long it took from Ctrl-C until the call ended, in seconds."""
+        """The time from Ctrl-C until the call ended, in seconds of a processor: others may be busy."""
         sent = []
 
         def send():
-            sent.append(time.monotonic())
+            sent.append(time.process_time())
             os.kill(os.getpid(), signal.SIGINT)
         timer = threading.Timer(seconds, send)
         timer.start()
@@ -177,7 +178,7 @@ class Interruption(unittest.TestCase):
                 time.sleep(5)
         finally:
             timer.cancel()
-        return time.monotonic() - sent[0]
+        return time.process_time() - sent[0]
 
     def test_ctrl_c_ends_every_long_call(self):
         polygon = vfc.random_polygon(20000)
@@ -195,7 +196,7 @@ class Interruption(unittest.TestCase):
                      lambda: vfc.fill(vfc.Polygons(SQUARE), thickness=1e-3),
                      lambda: vfc.coverage(circle(), vfc.Ball((0, 0, 0), 2), 0.1, samples=10**8),
                      lambda: vfc.coverage(polygon, cube, 0.1, samples=10**7),
-                     lambda: vfc.outside(polygon, half_space),
+                     lambda: vfc.outside(circle(400000, radius=0.5), half_space),
                      lambda: vfc.wall_distance(circle(400000, radius=0.9), vfc.Ball((0, 0, 0), 1)),
                      lambda: vfc.check_curves(chain, closed=False),
                      lambda: vfc.check_curves(circle(400000, radius=0.5), domain=half_space),
@@ -207,7 +208,7 @@ class Interruption(unittest.TestCase):
                      lambda: vfc.tube(chain, 0.1, closed=False),
                      lambda: vfc.Mesh(*tube), lambda: vfc.check_mesh(*tube),
                      lambda: vfc.repair(tube[0], tube[1][1:])]:
-            self.assertLess(self.interrupted_after(call, 0.1), 2)  # on a busy machine
+            self.assertLess(self.interrupted_after(call, 0.1), 0.5, inspect.getsource(call))
 
 
 class Filling(unittest.TestCase):
@@ -319,9 +320,9 @@ class Filling(unittest.TestCase):
                 make()
         with self.assertRaisesRegex(TypeError, "a Domain"):
             vfc.fill(CUBE_VERTICES, thickness=0.1)
-
         with self.assertRaisesRegex(TypeError, "is a tuple, but must be a Domain"):
             vfc.coverage(circle(), (CUBE_VERTICES, CUBE_FACES), 0.1)
+
     def test_the_thickness_can_vary(self):
         by_function = vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=lambda p: 0.1 + 0.05 * p[2])
         by_vertex = vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=0.1 + 0.05 * CUBE_VERTICES[:, 2])

@@ -55,10 +55,11 @@ void merge_equal_points(Mesh_soup& soup, Mesh_findings& findings)
                        {0, copies});
 }
 
-void remove_degenerate_faces(Mesh_soup& soup, Mesh_findings& findings)
+void remove_degenerate_faces(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch)
 {
   std::size_t kept = 0;
   for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    watch.check();
     const auto [a, b, c] = soup.faces[f];
     if(!CGAL::collinear(soup.points[a], soup.points[b], soup.points[c])) {
       soup.faces[kept] = soup.faces[f];
@@ -91,10 +92,11 @@ void remove_isolated_points(Mesh_soup& soup, Mesh_findings& findings)
   PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.faces);
 }
 
-void find_repeated_faces(const Mesh_soup& soup, Mesh_findings& findings)
+void find_repeated_faces(const Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch)
 {
   std::map<Mesh_soup::Face, std::size_t> first;
   for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    watch.check();
     Mesh_soup::Face corners = soup.faces[f];
     std::sort(corners.begin(), corners.end());
     const auto [it, is_new] = first.insert({corners, f});
@@ -109,7 +111,7 @@ void find_repeated_faces(const Mesh_soup& soup, Mesh_findings& findings)
 
 } // namespace
 
-void check_soup(Mesh_soup& soup, Mesh_findings& findings)
+void check_soup(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch)
 {
   if(soup.points.empty() || soup.faces.empty())
     return findings.add_error("no geometry",
@@ -118,11 +120,12 @@ void check_soup(Mesh_soup& soup, Mesh_findings& findings)
   check_indices(soup, findings);
   if(findings.has_error()) return;
   soup.number_points();
+  watch.check();
   if(const auto fault = rules::size_fault(soup.points)) findings.add_error(*fault);
   merge_equal_points(soup, findings);
-  remove_degenerate_faces(soup, findings);
+  remove_degenerate_faces(soup, findings, watch);
   remove_isolated_points(soup, findings);
-  find_repeated_faces(soup, findings);
+  find_repeated_faces(soup, findings, watch);
 }
 
 } // namespace vfc

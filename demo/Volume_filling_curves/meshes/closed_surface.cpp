@@ -104,8 +104,10 @@ Mesh closed_surface(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch)
     PMP::orient_polygon_soup(soup.points, soup.faces,
                              CGAL::parameters::visitor(Orientation_visitor(&found)));
   report_bad_edges(found, soup, findings);
+  watch.check();
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
+  watch.check();
   report_holes(found, mesh, soup, findings);
   report_self_intersections(mesh, soup, findings, watch);
   if(findings.has_error()) return mesh;

@@ -18,7 +18,7 @@ Mesh_and_defects examine(Mesh_soup soup, Mesh_findings& findings, Work_watch& wa
 {
   Mesh_and_defects result;
   result.number_of_vertices_in_file = soup.points.size();
-  if(!findings.has_error() || findings.is_mendable()) check_soup(soup, findings);
+  if(!findings.has_error() || findings.is_mendable()) check_soup(soup, findings, watch);
   if(!soup.faces.empty() && !soup.file_indices.empty())
     result.mesh = closed_surface(soup, findings, watch);
   result.is_valid = !findings.has_error();

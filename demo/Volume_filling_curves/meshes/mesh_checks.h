@@ -20,7 +20,8 @@ namespace vfc {
 
 // Check of single points and triangles, which merges equal points and drops points without a face.
 // Degenerate triangles are errors, and are removed for subsequent checks. O(n log n).
-void check_soup(Mesh_soup& soup, Mesh_findings& findings);
+// \throws Work_stopped
+void check_soup(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch);
 
 // Construction of a mesh that bounds a domain from triangles, and search for obstacles to that:
 // edges of one or of more than two faces, and faces that meet elsewhere than in a common vertex or

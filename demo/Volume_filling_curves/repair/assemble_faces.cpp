@@ -34,17 +34,21 @@ std::size_t drop_faces_without_three_corners(std::vector<Mesh_soup::Face>& faces
 
 } // namespace
 
-std::string assemble_faces(const Mesh_soup& soup, Mesh& mesh)
+std::string assemble_faces(const Mesh_soup& soup, Mesh& mesh, Work_watch& watch)
 {
   auto points = soup.points;
   auto faces = soup.faces;
   PMP::merge_duplicate_points_in_polygon_soup(points, faces);
+  watch.check();
   const std::size_t degenerate = drop_faces_without_three_corners(faces);
   const std::size_t repeated = PMP::merge_duplicate_polygons_in_polygon_soup(points, faces);
   PMP::remove_isolated_points_in_polygon_soup(points, faces); // they belong to no valid mesh
+  watch.check();
   PMP::orient_polygon_soup(points, faces);
+  watch.check();
   mesh.clear();
   PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
+  watch.check();
   PMP::stitch_borders(mesh);
   mesh.collect_garbage(); // stitching leaves gaps in the numbering
   std::string done;

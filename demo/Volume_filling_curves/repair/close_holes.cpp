@@ -103,7 +103,7 @@ std::string close_holes(Mesh& mesh, Work_watch& watch)
       width_of_closed = (std::max)(width_of_closed, width_of(hole, soup));
     }
   if(closed == 0) return "";
-  assemble_faces(soup, mesh);
+  assemble_faces(soup, mesh, watch);
   return counted(closed, "hole") + " closed, " + (closed == 1 ? "" : "the widest ") + "of width " +
          to_text(width_of_closed);
 }

@@ -62,7 +62,7 @@ std::string merge_near_vertices(Mesh& mesh, Work_watch& watch)
   Mesh_soup soup = soup_of(mesh);
   for(Mesh_soup::Face& face : soup.faces)
     for(std::size_t& v : face) v = groups.of(v);
-  assemble_faces(soup, mesh);
+  assemble_faces(soup, mesh, watch);
   return counted(merged, "vertex of a border merged with another one",
                  "vertices of borders merged with others") +
          " at the same place, but for rounding";

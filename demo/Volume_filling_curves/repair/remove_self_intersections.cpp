@@ -39,7 +39,7 @@ constexpr double min_area = 0.5;     // of the shell's
 constexpr double max_distance = 0.1; // of the shell's diagonal
 
 // returns the faces that are not selected, without the scraps among them
-Mesh rest_of(const Mesh& shell, const Face_selection& selection)
+Mesh rest_of(const Mesh& shell, const Face_selection& selection, Work_watch& watch)
 {
   Mesh_soup rest = soup_of(shell);
   std::size_t kept = 0;
@@ -47,7 +47,7 @@ Mesh rest_of(const Mesh& shell, const Face_selection& selection)
     if(!selection.has(f)) rest.faces[kept++] = rest.faces[f];
   rest.faces.resize(kept);
   Mesh mesh;
-  assemble_faces(rest, mesh);
+  assemble_faces(rest, mesh, watch);
   std::vector<Mesh> parts = shells_apart(mesh);
   const double scrap = max_area_of_scraps * PMP::area(shell);
   const auto is_scrap = [&](const Mesh& part) { return PMP::area(part) < scrap; };
@@ -63,7 +63,7 @@ void cut_out(Mesh& shell, Work_watch& watch)
     Face_selection selection(shell, watch);
     if(selection.is_empty()) return;
     for(std::size_t i = 0; i < rings; ++i) selection.add_ring(shell);
-    shell = rest_of(shell, selection);
+    shell = rest_of(shell, selection, watch);
     close_holes(shell, watch);
   }
 }

@@ -77,7 +77,7 @@ Mending repair_mesh(const Mesh_soup& soup, double alpha, Mesh& mesh, Work_watch&
     return is_sound(mesh, watch);
   };
   watch.begin("assembling faces");
-  note(assemble_faces(soup, mesh));
+  note(assemble_faces(soup, mesh, watch));
   if(!has_area(mesh)) return mending;
   const Mesh assembled = mesh;
   for(int round = 0; round < max_rounds && !is_mended(); ++round) {

@@ -21,7 +21,7 @@ namespace vfc {
 
 // Merges points at the same position, drops faces that use a vertex twice or occur twice, and
 // orients the others consistently. O(n log n).
-std::string assemble_faces(const Mesh_soup& soup, Mesh& mesh);
+std::string assemble_faces(const Mesh_soup& soup, Mesh& mesh, Work_watch& watch);
 
 // Merges vertices of borders that are closer than 1e-6 of the mesh's diagonal: equal points that an
 // exporter rounded differently.

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
@@ -83,6 +84,7 @@ template <typename Traits,
   static_assert(internal::check_domain<Domain, typename Traits::Point_3>());
   CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
+    const internal::Watched_scope scope(watch);
     internal::check_embedded(curve);
     if constexpr(!std::is_same_v<Domain, Unbounded_domain_3<Traits>>)
       internal::check_inside(curve, domain);

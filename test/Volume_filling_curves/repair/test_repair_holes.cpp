@@ -121,7 +121,8 @@ TEST_F(Repair, mends_what_has_stitched_and_remaining_borders)
       soup.faces.push_back({f[0], f[1], random() % soup.points.size()});
     }
     vfc::Mesh assembled;
-    vfc::assemble_faces(faces_of(soup), assembled);
+    vfc::Work_watch watch;
+    vfc::assemble_faces(faces_of(soup), assembled, watch);
     EXPECT_FALSE(assembled.has_garbage());
     mend(soup, 0.5);
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/curve_strands.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -31,7 +32,8 @@ namespace internal {
 // Arcs at the corners of a polygon. At a corner p whose edges turn by the angle 2 a, the arc that
 // is tangent to both edges at the distance t from p has the radius t / tan(a); t is half the
 // shorter edge, hence arcs of neighbors do not overlap, and the radius is Rawdon's MinRad. Straight
-// corners, ends and junctions have no arc. Plain double; linear time.
+// corners, ends and junctions have no arc. Plain double; linear time. \throws Run_stopped in a
+// Watched_scope
 template <typename Network>
 class Arc_spline_builder
 {
@@ -73,10 +75,12 @@ private:
     path.is_closed = strand.is_closed;
     const std::vector<Corner> corners = corners_of(nodes, path.is_closed);
     std::vector<std::array<Vector, 2>> ends; // of the rest of each edge
+    unsigned calls = 0;
     for(std::size_t i = 0; i + 1 < nodes.size(); ++i)
       ends.push_back(ends_of_rest(position(nodes[i]), position(nodes[i + 1]),
                                   corners[i].tangent_length, corners[i + 1].tangent_length));
     for(std::size_t i = 0; i < ends.size(); ++i) {
+      check_sometimes(nullptr, calls);
       if(ends[i][0] != ends[i][1]) add(path, segment(nodes[i], ends[i][0], ends[i][1]));
       const Corner& corner = corners[i + 1];
       if(corner.tangent_length > 0)
@@ -88,8 +92,11 @@ private:
   std::vector<Corner> corners_of(const std::vector<std::size_t>& nodes, bool is_closed) const
   {
     std::vector<Corner> corners(nodes.size());
-    for(std::size_t i = 1; i + 1 < nodes.size(); ++i)
+    unsigned calls = 0;
+    for(std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+      check_sometimes(nullptr, calls);
       corners[i] = corner(nodes[i - 1], nodes[i], nodes[i + 1]);
+    }
     if(is_closed)
       corners.front() = corners.back() = corner(nodes[nodes.size() - 2], nodes[0], nodes[1]);
     return corners;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -112,9 +113,11 @@ private:
   // Appends one turn around the axis; returns the strand at which it ends.
   std::size_t run_around(std::size_t strand, std::size_t samples, Polygon& curve) const
   {
+    unsigned calls = 0;
     for(std::size_t sector = 0; sector < m_sectors.size(); ++sector) {
       const int letter = m_sectors[sector][strand];
       for(std::size_t i = 0; i < samples; ++i) {
+        check_sometimes(nullptr, calls);
         const double t = static_cast<double>(i) / static_cast<double>(samples);
         curve.push_back(position(strand, letter, sector, t));
       }

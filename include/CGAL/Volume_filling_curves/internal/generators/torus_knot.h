@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -42,8 +43,10 @@ inline Polygons torus_knot(int p, int q, std::size_t number_of_nodes, std::uint6
       (std::max)(samples_per_turn * static_cast<std::size_t>(turns + std::abs(q) / components),
                  samples_per_node * (number_of_nodes / static_cast<std::size_t>(components)));
   Polygons curves(static_cast<std::size_t>(components));
+  unsigned calls = 0;
   for(std::size_t c = 0; c < curves.size(); ++c)
     for(std::size_t i = 0; i < samples; ++i) {
+      check_sometimes(nullptr, calls);
       const double t = static_cast<double>(i) / static_cast<double>(samples);
       const double shift = static_cast<double>(c) / p; // of the strands around the core
       const auto [x, y] = cos_sin(turns * t);
