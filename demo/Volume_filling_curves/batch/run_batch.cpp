@@ -128,8 +128,10 @@ private:
   {
     const File_options& files = m_command_line.files;
     *files.input = item.input;
-    *files.output = item.stem + '.' + m_command_line.batch.format;
-    remove_unfinished(*files.output);
+    if(const std::string& format = m_command_line.batch.format; !format.empty()) {
+      *files.output = item.stem + '.' + format;
+      remove_unfinished(*files.output);
+    }
     for(std::size_t i = 0; i < m_endings.size(); ++i) {
       if(m_endings[i].empty()) continue;
       *files.others[i] = item.stem + '.' + m_endings[i];

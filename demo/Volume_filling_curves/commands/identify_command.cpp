@@ -85,13 +85,18 @@ int identify_each(Session& session, Common_options common, const Identify_option
   return status;
 }
 
-int run(Session& session, const Common_options& common, const Identify_options& options)
+int run(Session& session, const Command_line& command_line, const Identify_options& options)
 {
   if(!options.fingerprint.empty()) check_fingerprint(options.fingerprint);
   for(const std::string& file : options.files) session.add_input(file);
   session.outputs().add("--fingerprint", options.fingerprint);
-  if(options.files.size() > 1) return identify_each(session, common, options);
-  session.print_result(identify_file(session, options.files[0], options));
+  if(options.files.size() > 1) return identify_each(session, command_line.options, options);
+  const std::string names = identify_file(session, options.files[0], options);
+  if(!command_line.batch.list.empty()) {
+    session.print_summary(names);
+    return GOAL_REACHED;
+  }
+  session.print_result(names);
   print_details(session, session.report());
   return GOAL_REACHED;
 }
@@ -117,11 +122,10 @@ void add_chain_options(CLI::App& command, Identify_options& options)
 void add_identify_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Identify_options>();
-  const Common_options& common = command_line.options;
   CLI::App& command = command_line.add_command(
       "identify", "what knots or links closed curves and open chains form",
-      [options, &common](Session& session) { return run(session, common, *options); });
-  add_curves(command, options->files);
+      [options, &command_line](Session& session) { return run(session, command_line, *options); });
+  CLI::Option& curves = add_curves(command, options->files);
   command
       .add_option("--codes", options->codes,
                   "write the diagram: pd, gauss or dt, or several of them with commas")
@@ -133,6 +137,12 @@ void add_identify_command(Command_line& command_line)
       .type_name("SECONDS");
   add_reading_flags(command, options->reading);
   add_chain_options(command, *options);
+  add_file(command, "-o,--output", options->folder, "folder of a batch")
+      .type_name("DIR")
+      ->group("Many runs");
+  add_batch_options(command, curves,
+                    {&options->files.front(), &options->folder, {&options->fingerprint}},
+                    command_line, false);
   command.footer(
       "Prints the name of the knot, (proved) or consistent with its polynomials; then keys of the\n"
       "report, - for what is not known. All of them are exact: they are those of a diagram that\n"

@@ -21,13 +21,14 @@ class Session;
 
 struct Identify_options
 {
-  std::vector<std::string> files;
+  std::vector<std::string> files = std::vector<std::string>(1); // a batch sets the first anew
   std::vector<std::string> codes;
   // a stride of 0 is the default, which depends on the chain
   CGAL::Volume_filling_curves::Chain_parameters chain;
   std::string fingerprint;
   double time_limit = std::numeric_limits<double>::infinity();
   Curve_reading reading;
+  std::string folder; // of a batch
 };
 
 // Each function identifies the curves of a file, reports what it finds, and returns the lines with

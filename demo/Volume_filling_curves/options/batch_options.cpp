@@ -28,21 +28,25 @@ void read_shard(const std::string& text, Batch_options& options)
 void add_batch_options(CLI::App& command,
                        CLI::Option& input,
                        const File_options& files,
-                       Command_line& command_line)
+                       Command_line& command_line,
+                       bool writes_curves)
 {
   Batch_options& options = command_line.batch;
   const std::string argument = input.get_name();
-  const auto start_batch = [&options, &input, &command_line, files](const std::string& list) {
+  const auto start_batch = [&options, &input, &command_line, files,
+                            writes_curves](const std::string& list) {
     options.list = list;
+    if(!writes_curves) options.format.clear();
     input.required(false); // is asked for only after all options were read
     command_line.files = files;
   };
   CLI::Option& batch = *command.add_option_function<std::string>(
       "--batch", start_batch,
       "many runs: a file with the name of a " + argument +
-          " per line. The output is then a folder for NAME.obj of each of them and "
+          " per line. The output is then a folder for " +
+          (writes_curves ? "NAME.obj of each of them and " : "") +
           "results.jsonl, with a report per line; runs listed there are not repeated. The names "
-          "given for other files are extensions of NAME");
+          "given for other files are extensions of the input's NAME");
   batch.type_name("LIST")->excludes(&input);
   for(const char* one_for_all : {"--report", "--checkpoint", "--resume"})
     if(CLI::Option* const other = command.get_option_no_throw(one_for_all)) batch.excludes(other);
@@ -53,6 +57,10 @@ void add_batch_options(CLI::App& command,
           "of LIST only the lines K, K + N, K + 2 N, ...")
       ->type_name("K/N")
       ->needs(&batch);
+  if(!writes_curves) {
+    command.get_option("--output")->needs(&batch);
+    return;
+  }
   command
       .add_option("--format", options.format,
                   "of the results of a batch: obj, polylines.txt, ply, vtp, vect, xyz, txt or dat")

@@ -25,7 +25,7 @@ struct Command_line;
 struct Batch_options
 {
   std::string list; // a file with the name of an input in each line, or empty for a single run
-  std::string format = "obj";
+  std::string format = "obj"; // of the curves, or empty if the command writes none
   std::size_t shard = 1, number_of_shards = 1;
 };
 
@@ -38,11 +38,13 @@ struct File_options
   std::function<std::string()> follower = nullptr; // another file whose name follows from them
 };
 
-// Lets a command run in batches. The option `input` of the command is no longer required then.
+// Lets a command run in batches. The option `input` of the command is no longer required then. A
+// command that writes no curves has an output only in batches: the folder with the reports.
 void add_batch_options(CLI::App& command,
                        CLI::Option& input,
                        const File_options& files,
-                       Command_line& command_line);
+                       Command_line& command_line,
+                       bool writes_curves = true);
 
 } // namespace vfc
 

@@ -119,6 +119,54 @@ TEST_F(Command_line_batch, fills_meshes)
   EXPECT_EQ(results("filled")[1]["input"], "tetrahedron.off");
 }
 
+TEST_F(Command_line_batch, identifies_curves)
+{
+  make_curves();
+  fs::create_directory(path("more"));
+  ASSERT_EQ(run("generate braid --word '1 -2 1 -2' -o more/a.obj").status, 0);
+  write("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 0 0\nv 6 0 0\nl 1 2 3 1\nl 4 5\n");
+  write("list", "a.obj\nopen.obj\nmore/a.obj\n");
+  const Finished batch = run("identify --batch list -o names --codes gauss");
+  EXPECT_EQ(batch.status, 4);
+  EXPECT_EQ(batch.out, "runs 3, done 2, error 1, reports in names/results.jsonl\n");
+  EXPECT_EQ(files("names"), std::set<std::string>({"results.jsonl"}));
+  const std::vector<Json> lines = results("names");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0]["name"], "3_1");
+  EXPECT_EQ(lines[1]["error"]["file"], "open.obj");
+  EXPECT_EQ(lines[2]["input"], "more/a.obj");
+  EXPECT_EQ(lines[2]["name"], "4_1");
+  ASSERT_EQ(run("identify more/a.obj --codes gauss --report single.json").status, 0);
+  for(const std::string key : {"is_proved", "chirality", "codes", "homfly_polynomial"})
+    EXPECT_EQ(lines[2][key], json("single.json")[key]) << key;
+}
+
+TEST_F(Command_line_batch, identifies_no_curve_twice_and_all_in_shards)
+{
+  make_curves();
+  const std::string command = "identify --batch list -o names";
+  EXPECT_EQ(run(command + " --shard 2/2").status, 0);
+  ASSERT_EQ(results("names").size(), 1u);
+  EXPECT_EQ(results("names")[0]["input"], "b.obj");
+  EXPECT_EQ(run(command).status, 0);
+  ASSERT_EQ(results("names").size(), 2u);
+  EXPECT_EQ(results("names")[1]["input"], "a.obj");
+  const std::string before = read("names/results.jsonl");
+  EXPECT_EQ(run(command).status, 0);
+  EXPECT_EQ(read("names/results.jsonl"), before);
+}
+
+TEST_F(Command_line_batch, draws_a_fingerprint_of_each_chain)
+{
+  make_curves();
+  write("list", "a.obj\nb.obj\n");
+  const std::string options = " --open --closures 5 --stride 10 --fingerprint ";
+  EXPECT_EQ(run("identify --batch list -o chains" + options + "csv").status, 0);
+  EXPECT_EQ(files("chains"), std::set<std::string>({"a.csv", "b.csv", "results.jsonl"}));
+  ASSERT_EQ(run("identify a.obj" + options + "single.csv").status, 0);
+  EXPECT_EQ(read("chains/a.csv"), read("single.csv"));
+}
+
 TEST_F(Command_line_batch, the_gravest_status_counts_also_of_earlier_runs)
 {
   make_curves();
@@ -203,6 +251,9 @@ TEST_F(Command_line_batch, takes_the_place_of_input_and_report)
   expect_refused("simplify a.obj -o x.obj --shard 1/2", 1, "--batch");
   expect_refused("simplify a.obj -o x.obj --format vtp", 1, "--batch");
   expect_refused("simplify --batch list -o x --map y/z", 1, "y/z");
+  expect_refused("identify a.obj -o x", 1, "--batch");
+  expect_refused("identify a.obj --batch list -o x", 1, "excludes");
+  expect_refused("identify --batch list", 1, "--output");
   EXPECT_FALSE(exists("x"));
 }
 
