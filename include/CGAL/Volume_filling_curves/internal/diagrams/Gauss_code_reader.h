@@ -65,7 +65,7 @@ private:
                                   " has passes or a second '-' beside the '-' of a component "
                                   "without crossings");
     if(is_pass) {
-      read_pass(m_position);
+      read_pass();
       return;
     }
     ++m_position;
@@ -78,16 +78,16 @@ private:
   }
 
   // The crossing with its level and sign, like "O1+"
-  void read_pass(std::size_t& i)
+  void read_pass()
   {
-    const std::size_t start = i;
-    const bool is_over = m_text[i++] == 'O';
-    const std::uint32_t name = read_number(m_text, i);
-    const char sign = i < m_text.size() ? m_text[i] : ' ';
-    if(i == start + 1 || (sign != '+' && sign != '-'))
-      throw std::invalid_argument("'" + m_text.substr(start, i - start) +
+    const std::size_t start = m_position;
+    const bool is_over = m_text[m_position++] == 'O';
+    const std::uint32_t name = read_number(m_text, m_position);
+    const char sign = m_position < m_text.size() ? m_text[m_position] : ' ';
+    if(m_position == start + 1 || (sign != '+' && sign != '-'))
+      throw std::invalid_argument("'" + m_text.substr(start, m_position - start) +
                                   "' is not a pass with a sign, like O1+");
-    ++i;
+    ++m_position;
     const std::size_t c = m_numbers.emplace(name, m_signs.size()).first->second;
     if(c == m_signs.size()) {
       m_signs.push_back(sign);

@@ -116,11 +116,9 @@ private:
     if(m_open.empty()) fail(m_position - 1, m_position, "closes a bracket that is not open");
     const Bracket bracket = m_open.back();
     m_open.pop_back();
-    const char open = m_text[bracket.position];
-    if(c != (open == '('   ? ')'
-             : open == '[' ? ']'
-                           : '}') ||
-       m_is_loop || (m_arcs.size() - bracket.number_of_arcs) % 4 != 0)
+    const std::string pair{m_text[bracket.position], c};
+    if((pair != "()" && pair != "[]" && pair != "{}") || m_is_loop ||
+       (m_arcs.size() - bracket.number_of_arcs) % 4 != 0)
       fail(bracket.position, m_position, "is not a list of crossings with four arcs each");
   }
 
