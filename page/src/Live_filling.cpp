@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace vfc_page {
 
@@ -36,26 +38,53 @@ struct Filling_viewer : VFC::Default_curve_flow_visitor
   const std::function<void()>& show;
 };
 
+using Polygons = std::vector<std::vector<std::size_t>>;
+
+// Numbers are from 0, as in the sentences of the library.
+[[noreturn]] void refuse(const std::string& defect)
+{
+  throw std::invalid_argument(defect + "; 'vfc repair' mends the mesh");
+}
+
+// \throws std::invalid_argument if two faces have an edge in the same direction
+void check_edges(const Polygons& polygons)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> faces;
+  for(std::size_t f = 0; f < polygons.size(); ++f)
+    for(std::size_t i = 0; i < polygons[f].size(); ++i) {
+      const std::size_t a = polygons[f][i], b = polygons[f][(i + 1) % polygons[f].size()];
+      if(a == b)
+        refuse("face " + std::to_string(f) + " has vertex " + std::to_string(a) + " twice");
+      const auto [edge, is_new] = faces.emplace(std::pair(a, b), f);
+      if(!is_new)
+        refuse("faces " + std::to_string(edge->second) + " and " + std::to_string(f) +
+               " have opposite orientations, or more than two faces meet in the edge from vertex " +
+               std::to_string(a) + " to " + std::to_string(b));
+    }
+}
+
 } // namespace
 
 Live_filling::Mesh read_surface(const std::string& file)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<Live_filling::Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
+  Polygons polygons;
   if(!CGAL::IO::read_polygon_soup(file, points, polygons, CGAL::parameters::verbose(false)) ||
      polygons.empty())
     throw std::invalid_argument("this is not a complete file of a surface");
+  check_edges(polygons);
   std::vector<std::array<std::size_t, 3>> triangles;
   for(const auto& polygon : polygons)
     for(std::size_t i = 2; i < polygon.size(); ++i) {
-      if((std::max)({polygon[0], polygon[i - 1], polygon[i]}) >= points.size())
-        throw std::invalid_argument("a face has a vertex that is not in the file");
+      const std::size_t last = (std::max)({polygon[0], polygon[i - 1], polygon[i]});
+      if(last >= points.size())
+        throw std::invalid_argument("a face has vertex " + std::to_string(last) +
+                                    ", which is not in the file");
       triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
     }
   if(!PMP::is_polygon_soup_a_polygon_mesh(triangles))
-    throw std::invalid_argument("more than two faces meet in an edge, or neighbors have opposite "
-                                "orientations; 'vfc repair' can mend the mesh");
+    refuse("parts of the surface meet in a vertex only");
   Live_filling::Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
   return mesh;

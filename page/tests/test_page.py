@@ -20,7 +20,7 @@ from browser import Browser
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 PACKAGE = FOLDER.parent.parent
-CORE, NATIVE = PACKAGE / "build-page/core.js", PACKAGE / "build-page/native"
+CORE, NATIVE = PACKAGE / "build-page/core.js", PACKAGE / "build-page/native/native"
 PAGE = PACKAGE / "out/page.html"
 TORUS = PACKAGE / "data/torus.off"
 # Drawn by hand, and with enough iterations for every sum to be rounded many times.
@@ -258,6 +258,9 @@ class The_page(In_folder):
         three_faces = "OFF\\n4 3 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 2 1\\n3 0 1 3\\n3 1 2 3\\n"
         self.browser.value(f"openFile(new File(['{three_faces}'], 'open.off'))")
         self.browser.wait("element('message').textContent.includes('closed')")
+        twisted = three_faces.replace("3 0 1 3", "3 1 0 3")
+        self.browser.value(f"openFile(new File(['{twisted}'], 'twisted.off'))")
+        self.browser.wait("element('message').textContent.startsWith('faces 0 and 1 have opposite')")
         self.assertTrue(self.browser.value("domain === null"))
         tetrahedron = three_faces.replace("4 3 0", "4 4 0") + "3 2 0 3\\n"
         self.browser.value(f"openFile(new File(['{tetrahedron}'], 'tetrahedron.OFF'))")
