@@ -167,7 +167,7 @@ template <typename Traits>
 template <typename Traits>
 [[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
 {
-  return internal::least_bend_radius(curve);
+  return internal::min_bend_radius(curve);
 }
 
 /// returns the corner with the least bend radius, see `min_bend_radius()`. Linear time.

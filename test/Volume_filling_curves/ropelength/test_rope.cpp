@@ -36,7 +36,7 @@ Rope rope_of(const std::vector<Polygon>& polygons, double radius = 1)
   return Rope(internal::closed_network(polygons), radius);
 }
 
-double least_bend_radius(const Rope& rope)
+double min_bend_radius(const Rope& rope)
 {
   double least = 1e300;
   for(std::size_t v = 0; v < rope.size(); ++v)
@@ -136,14 +136,14 @@ TEST(Rope, unbends_where_it_kinks)
     }
   Rope kinked = rope_of({square}), loose = rope_of({circle(20, 1.1)});
   const std::vector<Vector> before = loose.x;
-  ASSERT_LT(least_bend_radius(kinked), 0.2);
+  ASSERT_LT(min_bend_radius(kinked), 0.2);
   std::vector<Vector> workspace;
   for(int k = 0; k < 1000; ++k) {
     internal::pull(kinked, 0, workspace);
     internal::straighten(kinked);
   }
   internal::straighten(loose);
-  EXPECT_NEAR(least_bend_radius(kinked), 1, 1e-3);
+  EXPECT_NEAR(min_bend_radius(kinked), 1, 1e-3);
   EXPECT_EQ(loose.x, before);
 }
 

@@ -95,7 +95,7 @@ Corner tightest_corner(const Network& curve)
 
 // The least bend radius at a node of a component without junctions; infinity if all are straight.
 template <typename Network>
-double least_bend_radius(const Network& curve)
+double min_bend_radius(const Network& curve)
 {
   return tightest_corner(curve).bend_radius;
 }

@@ -137,7 +137,7 @@ private:
 template <typename Network>
 double tube_radius(const Network& curve, Run_watch* watch = nullptr)
 {
-  return Doubly_critical_distance<Network>(curve)(2 * least_bend_radius(curve), watch) / 2;
+  return Doubly_critical_distance<Network>(curve)(2 * internal::min_bend_radius(curve), watch) / 2;
 }
 
 // Whether the first closed curves have a lower ropelength than the second ones, and about as few
