@@ -72,11 +72,27 @@ TEST(Unfilled_space, is_pushed_into_where_it_is_far_though_no_region)
 
 TEST(Unfilled_space, is_none_near_a_boundary_that_is_to_be_kept_clear_of)
 {
+  // all of the box but its outermost 2 r is within 2 r of the middle
+  const Domain domain(Point(-0.3, -0.3, -0.3), Point(0.3, 0.3, 0.3));
+  const Samples samples(domain, 2000, 1);
+  const internal::Boundary_distances<Domain> boundary_distances(domain, samples.points());
+  const Network dot(std::vector<Point>{Point(0, 0, 0), Point(0.01, 0, 0)});
+  const std::vector<double> distances = sample_distances(dot, samples);
+  const auto fraction = [&](Wall wall) {
+    return internal::Unfilled_space<Network, Samples>(samples, boundary_distances, wall)
+        .fraction(distances, thickness);
+  };
+  EXPECT_LT(fraction(Wall::KEEP_CLEAR), 0.05);
+  EXPECT_GT(fraction(Wall::COVER), 0.5);
+}
+
+// All of the stick is within 2 r of its boundary.
+TEST(Unfilled_space, counts_where_nothing_can_keep_clear_of_the_boundary)
+{
   const Thin_stick stick;
-  EXPECT_TRUE(stick.unfilled(Wall::KEEP_CLEAR).unreached_points(stick.circle, thickness).empty());
-  const std::vector<double> distances = sample_distances(stick.circle, stick.samples);
-  EXPECT_EQ(stick.unfilled(Wall::KEEP_CLEAR).fraction(distances, thickness), 0);
-  EXPECT_GT(stick.unfilled(Wall::COVER).fraction(distances, thickness), 0.5);
+  const auto unfilled = stick.unfilled(Wall::KEEP_CLEAR);
+  EXPECT_GT(unfilled.fraction(unfilled.distances(stick.circle), thickness), 0.25);
+  EXPECT_FALSE(unfilled.unreached_points(stick.circle, thickness).empty());
 }
 
 } // namespace test_unfilled_space

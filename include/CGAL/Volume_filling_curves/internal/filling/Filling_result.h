@@ -110,8 +110,9 @@ struct Filling_result
   double medial_radius = 0; ///< the mean medial radius, capped at the boundary and at 2 r
   double gradient_norm = 0; ///< the final `Curve_flow_3::gradient_norm()`
   /// the unfilled share of the volume, which is farther than 2 r from the curve; with
-  /// `Wall::KEEP_CLEAR`, the volume within 2 r of the boundary does not count, nor does the volume
-  /// nearer to it than a `wall_distance`. NaN if there was no time to measure it
+  /// `Wall::KEEP_CLEAR`, the volume within 2 r of the boundary, or within half the radius of the
+  /// widest ball inside if that is less, does not count, nor does the volume nearer to it than a
+  /// `wall_distance`. NaN if there was no time to measure it
   double unfilled_fraction = 0;
   /// the share of the whole volume that is farther than 2 r from the curve; differs from
   /// `unfilled_fraction` only with `Wall::KEEP_CLEAR` or a `wall_distance`

@@ -51,11 +51,12 @@ public:
                  const Distances& boundary_distances,
                  Wall wall,
                  double wall_distance = 0)
-      : m_samples(samples),
-        m_boundary_distances(boundary_distances),
-        m_wall(wall),
-        m_wall_distance(wall_distance)
-  {}
+      : m_samples(samples), m_boundary_distances(boundary_distances), m_wall_distance(wall_distance)
+  {
+    const std::vector<double>& depths = boundary_distances.up_to_limit();
+    if(wall == Wall::KEEP_CLEAR && !depths.empty())
+      m_max_clear_layer = *std::max_element(depths.begin(), depths.end()) / 2;
+  }
 
   const Samples& samples() const { return m_samples; }
 
@@ -154,14 +155,16 @@ private:
   static constexpr std::size_t max_cells = 1000000;
 
   // The distances of the samples to the curve, 0 where it is to keep clear of the boundary: pushed
-  // there, the curve would stay compressed.
+  // there, the curve would stay compressed. The layer to keep clear of is 2 r thick, but at most
+  // half as thick as the domain is deep: otherwise nothing was to be covered in a tube with a
+  // radius of 2 r, and any curve in it had filled it.
   template <typename Thickness>
   std::vector<double> to_be_covered(std::vector<double> distances, const Thickness& thickness) const
   {
-    if(m_wall == Wall::COVER && m_wall_distance == 0) return distances;
+    if(m_max_clear_layer == 0 && m_wall_distance == 0) return distances;
     for(std::size_t k = 0; k < distances.size(); ++k) {
       const double r = thickness(m_samples.points()[k]);
-      const double clear = (std::max)(m_wall == Wall::KEEP_CLEAR ? 2 * r : 0, m_wall_distance);
+      const double clear = (std::max)((std::min)(2 * r, m_max_clear_layer), m_wall_distance);
       if(m_boundary_distances[k] < clear) distances[k] = 0;
     }
     return distances;
@@ -169,8 +172,8 @@ private:
 
   const Samples& m_samples;
   const Distances& m_boundary_distances;
-  const Wall m_wall;
   const double m_wall_distance;
+  double m_max_clear_layer = 0; // at the boundary; 0 if the curve covers it
 };
 
 } // namespace internal
