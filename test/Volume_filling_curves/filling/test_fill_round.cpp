@@ -15,6 +15,8 @@
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
@@ -25,9 +27,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -201,6 +205,34 @@ TEST(Fill_round, says_where_a_constraint_is_not_reached)
   EXPECT_NEAR(result.shape_excesses.front().value, VFC::min_bend_radius(curve), 1e-9);
   EXPECT_EQ(result.shape_excesses.front().limit, 0.9);
   EXPECT_NE(result.reason.find("bends with a radius of"), std::string::npos) << result.reason;
+}
+
+// Nodes that are pinned can neither bend nor part; the curve has settled nevertheless.
+TEST(Fill_round, does_not_call_a_curve_stalled_that_cannot_be_polished)
+{
+  using Flow = VFC::Curve_flow_3<Traits, Box>;
+  constexpr int n = 24;
+  std::vector<Point> points;
+  for(int k = 0; k <= n; ++k) {
+    const double angle = 2 * CGAL_PI * (k % n) / n;
+    points.emplace_back(3 + std::cos(angle), 3 + std::sin(angle), 3);
+  }
+  Curve ring(points);
+  for(const std::size_t v : ring.nodes()) ring.set_pinned(v, true);
+  VFC::Isotopy_guard_3<Traits, Box> guard(ring, box);
+  VFC::Filling_parameters<Point> parameters;
+  parameters.bend_radius = 2.5;
+  VFC::internal::Run_watch watch;
+  VFC::Default_curve_flow_visitor visitor;
+  VFC::internal::Run_saver saver(parameters, [] { return std::string(); });
+  VFC::internal::Filling_record record;
+  const Flow::Thickness thickness(1);
+  VFC::internal::Filling_stage_runner<Flow, VFC::Default_curve_flow_visitor> runner(
+      guard, parameters, thickness, watch, visitor, saver, record);
+  runner.run(VFC::internal::Filling_stage::polishing(), thickness);
+  EXPECT_FALSE(runner.flow().is_shaped());
+  EXPECT_EQ(record.statistics.iterations, 5u);
+  EXPECT_EQ(runner.end(), std::nullopt);
 }
 
 TEST(Fill_round, refuses_a_radius_beyond_the_domain)

@@ -118,7 +118,7 @@ public:
       resume(stage, thickness);
     else
       start(stage, thickness);
-    while(!(m_end = end_between_steps()) && !is_over(stage)) {
+    while(!(m_end = end_between_steps(stage)) && !is_over(stage)) {
       m_idle_steps.note(step());
       note();
       m_lengths.add(m_flow.length());
@@ -168,6 +168,7 @@ private:
       m_flow.go_on(p, thickness); // edges stay as they are
     else
       m_flow.set_parameters(p, thickness);
+    m_idle_steps = {};
     m_lengths = {};
     m_lengths.add(m_flow.length());
   }
@@ -175,7 +176,8 @@ private:
   bool is_over(const Filling_stage& stage) const
   {
     return m_lengths.has_settled(stage.window, stage.change_of_length) ||
-           (stage.phase == Shape_phase::POLISHING && m_flow.is_shaped());
+           (stage.phase == Shape_phase::POLISHING &&
+            (m_flow.is_shaped() || m_idle_steps.are_too_many()));
   }
 
   // Goes on in the middle of a stage.
@@ -203,19 +205,21 @@ private:
   }
 
   // Asking again, as a resumed run does, changes nothing.
-  std::optional<Filling_status> end_between_steps()
+  std::optional<Filling_status> end_between_steps(const Filling_stage& stage)
   {
-    const std::optional<Filling_status> end = end_before_step();
+    const std::optional<Filling_status> end = end_before_step(stage);
     if(end != Filling_status::STALLED) m_saver.offer(end.has_value());
     return end;
   }
 
-  std::optional<Filling_status> end_before_step()
+  // A curve that cannot be polished further has settled, as near to its shape as it could.
+  std::optional<Filling_status> end_before_step(const Filling_stage& stage)
   {
     if(m_watch.is_interrupted()) return Filling_status::INTERRUPTED;
     if(m_flow.statistics().iterations >= m_parameters.number_of_iterations || !is_time_left())
       return Filling_status::LIMIT;
-    if(m_idle_steps.are_too_many()) return Filling_status::STALLED;
+    if(stage.phase != Shape_phase::POLISHING && m_idle_steps.are_too_many())
+      return Filling_status::STALLED;
     if(!m_visitor.go_further(m_flow)) return Filling_status::INTERRUPTED;
     return std::nullopt;
   }

@@ -114,6 +114,7 @@ private:
 
   bool project(std::vector<Vector> x, int sweeps, bool is_tense)
   {
+    const std::vector<Vector> former = positions();
     Shape_projection(m_guard.curve(), m_limits, *m_pairs, m_walls)(x, sweeps, is_tense);
     Vector_field targets(static_cast<Eigen::Index>(x.size()), 3);
     for(std::size_t v = 0; v < x.size(); ++v) set_row(targets, v, x[v]);
@@ -121,8 +122,10 @@ private:
     const std::vector<double> fractions = m_guard.template advance_nodes<ConcurrencyTag>(targets);
     const bool is_any_held = std::find(fractions.begin(), fractions.end(), 0.) != fractions.end();
     const bool have_strands_parted = is_any_held && part_strands();
-    return have_strands_parted ||
-           std::any_of(fractions.begin(), fractions.end(), [](double f) { return f > 0; });
+    bool has_moved = have_strands_parted;
+    for(std::size_t v = 0; v < x.size(); ++v)
+      has_moved = has_moved || (fractions[v] > 0 && x[v] != former[v]);
+    return has_moved;
   }
 
   // Moves strands that block one another apart before the next projection: nodes whose projection
