@@ -4,11 +4,13 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace test_filling_estimates {
 
@@ -41,6 +43,20 @@ TEST(Filling_estimates, leave_every_strand_a_tube)
   const double area = 1 / length_of_filling(1, 1);
   EXPECT_GT(area, 2 * std::sqrt(3.));
   EXPECT_LT(area, 1.2 * 2 * std::sqrt(3.));
+}
+
+// A torus of radii 1 and 0.35, filled with r = 0.0402: its nodes and CPU seconds.
+TEST(Filling_estimates, tell_a_round_filling_from_another)
+{
+  const double volume = 2.404, r = 0.0402;
+  const CGAL::Volume_filling_curves::internal::Filling_size plain(volume, {}, 0.2),
+      round(volume, {}, 0.2, 3, true);
+  EXPECT_NEAR(plain.number_of_nodes(r) / 36420, 1, 0.1);
+  EXPECT_NEAR(plain.seconds(r) / 5.8, 1, 0.2);
+  EXPECT_NEAR(round.number_of_nodes(r) / 23093, 1, 0.1);
+  EXPECT_NEAR(round.seconds(r) / 13.5, 1, 0.2);
+  EXPECT_EQ(round.length(r), plain.length(r));
+  EXPECT_EQ(round.thickness_with(1e5), plain.thickness_with(1e5)); // as many on the way
 }
 
 } // namespace test_filling_estimates

@@ -64,7 +64,11 @@ public:
         m_distances(domain, m_samples.points(), sufficient_distance(), &watch, ConcurrencyTag()),
         m_parts(m_samples, m_distances, watch),
         m_widest_radius(m_parts.max_radius()),
-        m_size(m_samples.volume(), m_distances.up_to_limit(), parameters.spacing, Space::dimension)
+        m_size(m_samples.volume(),
+               m_distances.up_to_limit(),
+               parameters.spacing,
+               Space::dimension,
+               shape_goal(parameters).is_given())
   {
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();

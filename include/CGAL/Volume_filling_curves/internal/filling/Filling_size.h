@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 
@@ -38,9 +39,18 @@ public:
   static constexpr double max_nodes_by_default = 2e5, max_nodes_of_thin_by_default = 2e6;
 
   // Takes the volume, or the area of a planar domain, the distances of uniform samples to the
-  // boundary, and the length of edges in units of the thickness.
-  Filling_size(double volume, std::vector<double> distances, double spacing, int dimension = 3)
-      : m_is_planar(dimension == 2), m_volume(volume), m_edge(mean_edge * spacing)
+  // boundary, the length of edges in units of the thickness, and whether the filling is round.
+  Filling_size(double volume,
+               std::vector<double> distances,
+               double spacing,
+               int dimension = 3,
+               bool is_round = false)
+      : m_is_planar(dimension == 2),
+        m_is_round(is_round),
+        m_volume(volume),
+        m_edge(mean_edge * spacing),
+        m_last_edge(is_round ? mean_round_edge * (std::max)(spacing, Filling_stage::coarse_spacing)
+                             : m_edge)
   {
     if(distances.empty()) return;
     const std::size_t outermost = distances.size() / 5;
@@ -56,15 +66,26 @@ public:
     return (std::max)(length_of_filling(m_volume, thickness), m_area / (4 * thickness));
   }
 
+  // of the result
   double number_of_nodes(double thickness) const
+  {
+    return length(thickness) / (m_last_edge * thickness);
+  }
+
+  // on the way, at most: until its bends open, a round filling has the edges of any other
+  double max_number_of_nodes(double thickness) const
   {
     return length(thickness) / (m_edge * thickness);
   }
 
-  // with one thread, see run_filling
-  double seconds(double thickness) const { return seconds_per_node * number_of_nodes(thickness); }
+  // with one thread
+  double seconds(double thickness) const
+  {
+    return seconds_of_survey + (m_is_round ? seconds_per_round_node : seconds_per_node) *
+                                   max_number_of_nodes(thickness);
+  }
 
-  // returns the thickness that leads to this number of nodes
+  // returns the thickness that leads to this largest number of nodes
   double thickness_with(double nodes) const
   {
     if(m_is_planar)
@@ -78,7 +99,7 @@ public:
   // lengths in the caller's unit.
   void check(double thickness, double most, double unit) const
   {
-    const double nodes = number_of_nodes(thickness);
+    const double nodes = max_number_of_nodes(thickness);
     if(!(nodes > most)) return;
     std::ostringstream demand;
     demand.imbue(std::locale::classic());
@@ -93,13 +114,18 @@ public:
 private:
   // In units of the shortest: on the domains of run_filling there are 3.6 to 3.7 nodes per r with
   // edges of at least 0.2 r.
-  static constexpr double mean_edge = 1.37;
+  static constexpr double mean_edge = 1.37, mean_round_edge = 1.47;
   // The bunny with 949,000 nodes takes 131 s and 1.3 GB.
-  static constexpr double seconds_per_node = 1.5e-4, gigabytes_per_node = 1.4e-6;
+  static constexpr double gigabytes_per_node = 1.4e-6;
+  // Fitted to the CPU time of 11 fillings, and of 9 round ones, of nine domains with 2,000 to 36,000
+  // nodes: they take 0.65 to 1.28 times, and round ones 0.79 to 1.18 times, as long; a thin round
+  // one, whose limits are not reached, takes 2.65 times as long (2026-11-25).
+  static constexpr double seconds_of_survey = 0.3;
+  static constexpr double seconds_per_node = 1.45e-4, seconds_per_round_node = 3.8e-4;
 
-  bool m_is_planar;
-  double m_volume, m_edge;
-  double m_area = 0; // of the boundary; its length in the plane
+  bool m_is_planar, m_is_round;
+  double m_volume, m_edge, m_last_edge; // edges in units of the thickness
+  double m_area = 0;                    // of the boundary; its length in the plane
 };
 
 } // namespace internal
