@@ -8,6 +8,7 @@
 
 #include "files/Output_files.h"
 #include "files/mesh_files.h"
+#include "files/polygon_files.h"
 #include "formats/curve_formats.h"
 #include "session/Session.h"
 
@@ -36,6 +37,7 @@ static std::string expected_curve(const std::string& file, const Defects& defect
   const bool is_curve_format = curve_format_of(file) != nullptr;
   if(has(curves::Curve_defect_kind::FACES_ONLY) || (!is_curve_format && is_mesh_file(file)))
     return "a valid curve; it holds a surface";
+  if(is_polygon_file(file)) return "a valid curve; it holds polygons, which vfc fill fills";
   return has(curves::Curve_defect_kind::JUNCTION) ? "a valid curve; --network accepts junctions"
                                                   : "a valid curve";
 }

@@ -123,14 +123,14 @@ void report_filling(Report& report,
                     const Filling_result& result,
                     bool is_out_of_time)
 {
+  report_strands(report, result.min_strand_distance, result.closest_points);
+  report["crowded_fraction"] = result.crowded_fraction;
   report_measures(report, curve, domain, result, is_out_of_time);
   report_work(report, result.statistics);
   report["medial_radius"] = result.medial_radius;
   report["gradient_norm"] = result.gradient_norm;
   report_coverage(report, result.coverage);
-  report_strands(report, result.min_strand_distance, result.closest_points);
   report_wall(report, result.min_wall_distance, result.point_nearest_to_wall);
-  report["crowded_fraction"] = result.crowded_fraction;
   report["unfilled_fraction"] = result.unfilled_fraction;
   report["uncovered_fraction"] = result.uncovered_fraction;
   if(result.are_empty_regions_known) report_empty_regions(report, result.empty_regions);

@@ -72,6 +72,7 @@ void report_wall(Report& report, double distance, const Curve::Point_3& point)
 
 namespace {
 
+// Fillings report what their run has measured.
 template <typename NamedParameters>
 void measure_strands(Report& report,
                      const Curve& curve,
@@ -107,7 +108,7 @@ void report_shape(Report& report,
   report["linking_matrix"] = unless_interrupted([&] { return curves::linking_matrix(curve, np); });
   if(thickness > 0) {
     report["thickness"] = thickness;
-    measure_strands(report, curve, thickness, np);
+    if(report["min_strand_distance"].is_null()) measure_strands(report, curve, thickness, np);
     constexpr double cap = 2; // in units of the thickness: many spheres touch nothing at all
     constexpr std::size_t directions = 16;
     report["medial_radius"] = unless_interrupted(
