@@ -38,6 +38,7 @@ void add_density_options(CLI::App& command, Fill_options& options)
 // How round the curve is.
 void add_shape_options(CLI::App& command, Fill_options& options)
 {
+  CLI::Option& preview = *command.add_flag("--preview", "without rounding; the default");
   command.add_flag("--finish", options.parameters.round_bends,
                    "round bends to a radius of 0.85 r, and push strands 1.6 r apart; takes three "
                    "to five times as long");
@@ -47,6 +48,8 @@ void add_shape_options(CLI::App& command, Fill_options& options)
   add_number(command, "--strand-distance", options.parameters.strand_distance,
              "least distance of strands, instead of 1.6 r; implies --finish")
       .type_name("D");
+  for(const char* rounding : {"--finish", "--bend-radius", "--strand-distance"})
+    preview.excludes(command.get_option(rounding));
 }
 
 // A curve with the symmetry of its domain.

@@ -341,6 +341,18 @@ TEST_F(Command_line_fill, bad_direction_fields_are_named)
   EXPECT_EQ(run("fill cube.off -o c.obj --direction-weight 1").status, 1) << "there is no field";
 }
 
+TEST_F(Command_line_fill, a_preview_is_not_rounded)
+{
+  make_cube();
+  const std::string fill = "fill cube.off --thickness 1 --preview -o x.obj ";
+  EXPECT_EQ(run(fill).status, 0);
+  for(const std::string rounding : {"--finish", "--bend-radius 1", "--strand-distance 1"}) {
+    const Finished refused = run(fill + "--force " + rounding);
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("--preview excludes --"), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
 {
   make_cube();
