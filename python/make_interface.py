@@ -103,7 +103,7 @@ def python_type(kind):
     if inner := re.match(r"std::vector<(.*)>$", kind):
         item = python_type(inner[1])
         return item if is_in_arrays(inner[1]) else f"list[{item}]"
-    if inner := re.match(r"(\w+)<Point_3>$", kind):
+    if inner := re.match(r"(\w+)<(?:Point_3)?>$", kind):
         return RESULTS[inner[1]]
     return "np.ndarray" if "Point" in kind else "str"
 

@@ -24,11 +24,14 @@
 #include "session/interruption.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/untangled_shape.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -70,8 +73,10 @@ void check_flow_thickness(const Curve& curve,
 {
   constexpr double harmless_spacing = 0.01;
   const double asked = parameters.thickness, spacing = parameters.spacing;
+  const double least = curves::internal::min_thickness_for(parameters);
   check_thickness(asked, spacing, curve);
-  if(asked > 0 || spacing >= harmless_spacing) return;
+  check_thickness((std::min)(least, curves::internal::box_diagonal(curve)), spacing, curve);
+  if(asked > 0 || least > 0 || spacing >= harmless_spacing) return;
   try {
     const double found = curves::default_thickness<CGAL::Parallel_if_available_tag>(
         curve, parameters.number_of_directions, curves::parameters::progress(patience));
@@ -148,11 +153,15 @@ int run(Session& session, const Untangle_options& options)
   session.report()["input"] = options.file;
   session.report()["seed"] = options.parameters.random_seed;
   session.add_input(options.file, "--output");
+  const bool is_search = options.parameters.strategy == Untangling_strategy::SEARCH;
   if(!options.domain.empty()) {
     session.add_input(options.domain);
-    if(options.parameters.strategy == Untangling_strategy::SEARCH)
+    if(is_search)
       throw Usage_error("--domain: needs --strategy flow, since tighten ignores domains");
   }
+  if(is_search && curves::internal::shape_goal(options.parameters).is_given())
+    throw Usage_error("--bend-radius, --strand-distance: need --strategy flow or auto, since the "
+                      "polygons of tighten are not round");
   plan_outputs(session.outputs(), options);
   plan_checkpoints(session, options.saving);
   session.require_output();
@@ -200,7 +209,8 @@ void add_untangle_command(Command_line& command_line)
       "The curve moves until it is proved unknotted, is tight, or stops making progress; it never\n"
       "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run\n"
       "and write the current curve; a second one ends at once.\n"
-      "Exit status: 0 unknotted or converged, 2 a limit was reached, 3 stalled, 5 interrupted.");
+      "Exit status: 0 unknotted or converged, 2 limit reached or constraint not reached,\n"
+      "3 stalled, 5 interrupted.");
 }
 
 } // namespace vfc

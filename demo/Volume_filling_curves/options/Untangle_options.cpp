@@ -60,6 +60,12 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
              "r, the distance that strands keep from the medial surface between them, in the "
              "input's unit; default: the 25th percentile of the medial radii")
       .type_name("R");
+  add_number(command, "--bend-radius", parameters.bend_radius,
+             "least radius of bends of the result; r grows to R / 0.75")
+      .type_name("R");
+  add_number(command, "--strand-distance", parameters.strand_distance,
+             "least distance of strands of the result; r grows to D / 0.95")
+      .type_name("D");
   add_flow_options(command, parameters);
 }
 

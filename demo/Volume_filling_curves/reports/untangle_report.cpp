@@ -12,6 +12,7 @@
 #include "session/Session.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,7 @@ Exit_status exit_status(Untangling_status status)
   case Untangling_status::CONVERGED:
   case Untangling_status::UNKNOTTED:
     return GOAL_REACHED;
+  case Untangling_status::CONSTRAINT_NOT_REACHED:
   case Untangling_status::LIMIT:
     return LIMIT_REACHED;
   case Untangling_status::STALLED:
@@ -121,6 +123,8 @@ void report_run(Report& report,
   else
     report_knottedness(report, curve, Patience(patience));
   report["gradient_norm"] = result.gradient_norm;
+  if(!result.shape_excesses.empty())
+    report["reason"] = curves::internal::shape_reason(result.shape_excesses);
   if(result.fitting_thickness > 0) report["fitting_thickness"] = result.fitting_thickness;
   report_work(report, result.statistics);
   if(strategy == curves::Untangling_strategy::SEARCH) report["iterations"] = result.sweeps;
@@ -157,7 +161,10 @@ std::string summary(Session& session, const Curve& curve, const Untangling_resul
          ", thickness " + (result.thickness > 0 ? to_text(result.thickness) : "unknown") +
          ", gradient " +
          (std::isnan(result.gradient_norm) ? "unknown" : to_text(result.gradient_norm)) +
-         remark(curve, result) + '\n';
+         remark(curve, result) + '\n' +
+         (result.shape_excesses.empty()
+              ? ""
+              : curves::internal::shape_reason(result.shape_excesses) + '\n');
 }
 
 } // namespace vfc

@@ -209,7 +209,7 @@ public:
   internal::Shape_check check_shape(const internal::Shape_goal& goal,
                                     const std::vector<double>& thickness) const
   {
-    return {ConcurrencyTag(), curve(), internal::Shape_limits(goal, thickness)};
+    return {ConcurrencyTag(), curve(), internal::Shape_limits(curve(), goal, thickness)};
   }
   /// \endcond
 

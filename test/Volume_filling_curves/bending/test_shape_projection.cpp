@@ -74,7 +74,7 @@ Shape_limits limits(const Curve& curve, double bend_radius, double strand_distan
   Shape_goal goal;
   goal.bend_radius.length = bend_radius;
   goal.strand_distance.length = strand_distance;
-  return Shape_limits(goal, std::vector<double>(curve.number_of_nodes(), 1));
+  return Shape_limits(curve, goal, std::vector<double>(curve.number_of_nodes(), 1));
 }
 
 std::vector<Vector> positions(const Curve& curve)
@@ -150,7 +150,7 @@ TEST(Strand_pairs, are_those_nearer_than_the_mean_of_their_limits)
   for(const Point& p : curve.points()) thickness.push_back(0.02 + 0.5 * p.x());
   Shape_goal goal;
   goal.strand_distance.in_thickness = 1;
-  const Strand_pairs pairs(sequential, curve, Shape_limits(goal, thickness), 0);
+  const Strand_pairs pairs(sequential, curve, Shape_limits(curve, goal, thickness), 0);
   std::set<std::array<std::size_t, 2>> found;
   for(const auto& [e, f] : pairs.pairs()) found.insert({e, f});
   EXPECT_EQ(found.size(), pairs.pairs().size());

@@ -187,6 +187,24 @@ TEST_F(Command_line_motion, finish_lowers_the_ropelength_of_a_knot)
   EXPECT_LT(json("ideal.json")["ropelength"], 1.01 * ideal);
 }
 
+TEST_F(Command_line_motion, limits_of_the_shape_are_kept_or_told)
+{
+  make_trefoil();
+  const std::string untangle = "untangle trefoil.obj --report r.json --force -o ";
+  const std::string limits = " --bend-radius 0.2 --strand-distance 0.3 ";
+  ASSERT_EQ(run(untangle + "kept.obj --certificate kept.cert" + limits).status, 0);
+  EXPECT_GE(json("r.json")["min_bend_radius"], 0.2);
+  EXPECT_GE(json("r.json")["min_clearance"], 0.3);
+  EXPECT_EQ(run("check --certificate kept.cert trefoil.obj kept.obj").status, 0);
+  const double too_much = 0.1 * json("r.json")["length_start"].get<double>();
+  const Finished told =
+      run(untangle + "told.obj --keep-length --strand-distance " + std::to_string(too_much));
+  EXPECT_EQ(told.status, 2);
+  EXPECT_EQ(json("r.json")["status"], "constraint_not_reached");
+  EXPECT_NE(told.out.find("strands have a distance of"), std::string::npos) << told.out;
+  EXPECT_EQ(run(untangle + "x.obj --strategy tighten" + limits).status, 1);
+}
+
 TEST_F(Command_line_motion, signals_interrupt_and_save_the_curve)
 {
   make_tangle();

@@ -56,18 +56,36 @@ struct Shape_goal
   }
 };
 
-// Limits of a shape at each node.
+// Limits of a shape at each node. Closing rays have none, and turn at any angle from the curve.
 struct Shape_limits
 {
-  Shape_limits(const Shape_goal& goal, const std::vector<double>& thickness)
+  template <typename Network>
+  Shape_limits(const Network& curve, const Shape_goal& goal, const std::vector<double>& thickness)
   {
-    for(const double r : thickness) {
-      bend_radius.push_back(goal.bend_radius.at(r));
-      strand_distance.push_back(goal.strand_distance.at(r));
+    for(std::size_t v = 0; v < thickness.size(); ++v) {
+      bend_radius.push_back(is_at_ray(curve, v) ? 0 : goal.bend_radius.at(thickness[v]));
+      strand_distance.push_back(is_in_ray(curve, v) ? 0 : goal.strand_distance.at(thickness[v]));
     }
   }
 
   std::vector<double> bend_radius, strand_distance;
+
+private:
+  template <typename Network>
+  static bool is_in_ray(const Network& curve, std::size_t v)
+  {
+    return curve.is_pinned(v) && curve.origin(v) == Network::null_node();
+  }
+
+  template <typename Network>
+  static bool is_at_ray(const Network& curve, std::size_t v)
+  {
+    if(!curve.is_pinned(v)) return false;
+    if(is_in_ray(curve, v)) return true;
+    for(std::size_t k = 0; k < curve.degree(v); ++k)
+      if(is_in_ray(curve, curve.neighbor(v, k))) return true;
+    return false;
+  }
 };
 
 } // namespace internal

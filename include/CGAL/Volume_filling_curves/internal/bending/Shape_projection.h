@@ -49,7 +49,7 @@ public:
       : m_paths(curve), m_limits(limits), m_pairs(pairs), m_walls(walls)
   {
     for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-      m_mobility.push_back(curve.is_pinned(v) ? 0 : 1);
+      m_mobility.push_back(curve.is_free(v) ? 1 : 0);
   }
 
   // Sweeps over nodes at x. A tense curve keeps the lengths of its edges; otherwise they are
@@ -285,7 +285,7 @@ private:
   const Shape_limits& m_limits;
   const Strand_pairs& m_pairs;
   const Wall_planes& m_walls;
-  std::vector<double> m_mobility; // of each node, 0 if it is pinned
+  std::vector<double> m_mobility; // of each node, 0 if it is pinned or slides
 };
 
 } // namespace internal

@@ -42,7 +42,7 @@ public:
       for(std::size_t v = 0; v < distances.size(); ++v) {
         check_sometimes(nullptr, counter);
         const double distance = boundary.wall_distance() + distances[v];
-        if(!curve.is_pinned(v) && !boundary.is_farther(row(x, v), reach * distance))
+        if(curve.is_free(v) && !boundary.is_farther(row(x, v), reach * distance))
           add(curve, boundary.domain(), v, distance);
       }
     }

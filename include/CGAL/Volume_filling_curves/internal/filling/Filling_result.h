@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Shape_excess_3.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <array>
@@ -73,21 +74,6 @@ inline std::ostream& operator<<(std::ostream& out, Filling_status status)
 {
   return out << to_string(status);
 }
-
-/// \ingroup PkgVolumeFillingCurvesRef
-/// \headerfile CGAL/Volume_filling_curves/fill.h
-///
-/// The point where a filling exceeds a limit of its shape most.
-///
-/// \tparam Point_3 the type of points
-template <typename Point_3>
-struct Shape_excess_3
-{
-  Point_3 point;       ///< on the curve
-  double value = 0;    ///< the bend radius or the distance of strands there, in the input's unit
-  double limit = 0;    ///< the one that is required there
-  bool is_bend = true; ///< whether it is a bend, or else a distance of strands
-};
 
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/fill.h

@@ -117,9 +117,9 @@ private:
   static constexpr double mean_edge = 1.37, mean_round_edge = 1.47;
   // The bunny with 949,000 nodes takes 131 s and 1.3 GB.
   static constexpr double gigabytes_per_node = 1.4e-6;
-  // Fitted to the CPU time of 11 fillings, and of 9 round ones, of nine domains with 2,000 to 36,000
-  // nodes: they take 0.65 to 1.28 times, and round ones 0.79 to 1.18 times, as long; a thin round
-  // one, whose limits are not reached, takes 2.65 times as long (2026-11-25).
+  // Fitted to the CPU time of 11 fillings, and of 9 round ones, of eight domains with 2,000 to
+  // 36,000 nodes: they take 0.65 to 1.28 times, and round ones 0.79 to 1.18 times, as long; a thin
+  // round one, whose limits are not reached, takes 2.65 times as long (2026-11-25).
   static constexpr double seconds_of_survey = 0.3;
   static constexpr double seconds_per_node = 1.45e-4, seconds_per_round_node = 3.8e-4;
 

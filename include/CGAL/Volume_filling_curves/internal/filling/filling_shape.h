@@ -9,23 +9,14 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
-
-#include <iomanip>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The shape that is required of a filling, and where it was not reached.
+// The shape that is required of a filling.
 
 // In units of the thickness. With a bend radius of 0.85 r the strands still touch one another; with
 // r bends jam before that, and 70 instead of 82 % of the volume are within r.
@@ -50,30 +41,6 @@ Shape_goal shape_goal(const Filling_parameters<Point_3>& parameters)
   goal.bend_radius = {radius, radius > 0 ? 0 : bend_radius_of_thickness};
   goal.strand_distance = {distance, distance > 0 ? 0 : strand_distance_of_thickness};
   return goal;
-}
-
-template <typename Point_3, typename Traits>
-std::vector<Shape_excess_3<Point_3>> shape_excesses(const Shape_check& check, const Traits& traits)
-{
-  std::vector<Shape_excess_3<Point_3>> excesses;
-  for(const bool is_bend : {true, false}) {
-    const Shape_extreme& extreme = is_bend ? check.bend : check.strands;
-    if(!extreme.is_kept())
-      excesses.push_back({to_point(extreme.point, traits), extreme.value, extreme.limit, is_bend});
-  }
-  return excesses;
-}
-
-template <typename Point_3>
-std::string shape_reason(const std::vector<Shape_excess_3<Point_3>>& excesses)
-{
-  std::ostringstream text;
-  text << std::setprecision(3);
-  for(const Shape_excess_3<Point_3>& excess : excesses)
-    text << (text.tellp() > 0 ? "; " : "")
-         << (excess.is_bend ? "the curve bends with a radius of " : "strands have a distance of ")
-         << excess.value << ", not " << excess.limit << ", at " << point_text(excess.point);
-  return text.str();
 }
 
 } // namespace internal

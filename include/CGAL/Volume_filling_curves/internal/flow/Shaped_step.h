@@ -37,7 +37,7 @@ class Shaped_step
 {
 public:
   Shaped_step(Guard& guard, const Shape_goal& goal, const std::vector<double>& thickness)
-      : m_guard(guard), m_limits(goal, thickness)
+      : m_guard(guard), m_limits(guard.curve(), goal, thickness)
   {}
 
   // Takes the direction of each node, the longest displacement of a motion, and the number of steps

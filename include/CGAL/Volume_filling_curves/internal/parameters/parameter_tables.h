@@ -99,7 +99,9 @@ constexpr auto parameter_table(const Untangling_parameters* p)
                       parameter<tolerance_t>(&P::tolerance, Range::NOT_NEGATIVE),
                       parameter<stop_at_proof_t>(&P::stop_at_proof),
                       parameter<lower_ropelength_t>(&P::lower_ropelength),
-                      parameter<keep_length_t>(&P::keep_length)));
+                      parameter<keep_length_t>(&P::keep_length),
+                      parameter<bend_radius_t>(&P::bend_radius, Range::NOT_NEGATIVE),
+                      parameter<strand_distance_t>(&P::strand_distance, Range::NOT_NEGATIVE)));
 }
 
 // Table of Filling_parameters. The thickness has two rows: a number and a function.

@@ -83,7 +83,12 @@ public:
   Untangling_status status_beyond(Untangling_status end)
   {
     look_for_proof();
-    if(is_proved()) return Untangling_status::UNKNOTTED;
+    return is_proved() ? Untangling_status::UNKNOTTED : status_unless_stopped(end);
+  }
+
+  // The status of a curve that takes its shape after the flow, unless the run is to stop.
+  Untangling_status status_unless_stopped(Untangling_status end)
+  {
     if(is_at_limit()) return Untangling_status::LIMIT;
     return is_interrupted() ? Untangling_status::INTERRUPTED : end;
   }

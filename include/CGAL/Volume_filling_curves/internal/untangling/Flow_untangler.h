@@ -15,7 +15,9 @@
 #include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_finish.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_stop_rules.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Shape_finish.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/untangled_shape.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
@@ -160,21 +162,29 @@ private:
     m_flow.set_spacing(parameters(is_coarse).spacing);
   }
 
+  // What follows the flow has no state of its own: a run that is cut short resumes from its end.
   void finish(Untangling_status& status)
   {
+    const bool is_cut_short_before = is_cut_short(status);
+    const Run_state start = is_cut_short_before ? Run_state() : m_run.saver.state_if_saving();
     if(m_coarse_phase.is_on()) flow_coarsely(false);
     if constexpr(!Guard::Boundary::is_bounded)
       if(m_finish.can_lower_ropelength(status)) status = lower_ropelength(status);
     if(status == Untangling_status::UNKNOTTED && !has_constrained_node(m_flow.curve()))
       m_finish.settle();
+    if(takes_shape(status)) status = m_shape_finish(status);
+    if(!is_cut_short_before && is_cut_short(status)) m_run.saver.offer_last(start);
   }
 
-  // The descent has no state of its own: a run that is cut short resumes where it began.
+  bool takes_shape(Untangling_status status) const
+  {
+    return shape_goal(m_run.parameters).is_given() && !is_cut_short(status) &&
+           (status != Untangling_status::STALLED || m_start.is_last);
+  }
+
   Untangling_status lower_ropelength(Untangling_status status_of_flow)
   {
-    const Run_state start = m_run.saver.state_if_saving();
     const Untangling_status status = m_finish.lower_ropelength(status_of_flow);
-    if(is_cut_short(status)) m_run.saver.offer_last(start);
     try {
       m_flow.update();
     } catch(const Run_stopped&) { // the gradient is that of the motion before
@@ -187,7 +197,7 @@ private:
     Untangling_result result;
     result.status = status;
     m_rules.write_proofs(result);
-    result.is_round = m_finish.is_round();
+    result.is_round = m_finish.is_round() && !m_shape_finish.has_changed_curve();
     result.is_ropelength_lowered = m_finish.is_ropelength_lowered();
     result.thickness = m_flow.thickness();
     result.fitting_thickness = m_rules.fitting_thickness();
@@ -206,6 +216,7 @@ private:
   Flow_start m_start;
   Flow_stop_rules<Flow, Visitor> m_rules{m_run, m_flow, m_start};
   Flow_finish<Flow, Visitor> m_finish{m_run, m_flow, m_start, m_rules};
+  Shape_finish<Flow, Visitor> m_shape_finish{m_run, m_flow, m_rules};
   Coarse_phase m_coarse_phase;
   std::size_t m_number_of_turns = 0;
   bool m_are_rays_turning = false;

@@ -9,7 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
@@ -23,6 +27,7 @@
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/untangled_shape.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
@@ -47,6 +52,7 @@ class Untangling_run
 
   using Guard = typename Surroundings::Guard;
   using Network = typename Guard::Curve_network;
+  using Shape_point = Curve_flow_traits_3<>::Point_3; // of an Untangling_result
 
 public:
   Untangling_run(Network& curves,
@@ -78,6 +84,7 @@ private:
     check_embedded(m_curves);
     check_constraints<typename Guard::Boundary>(m_curves);
     check_thickness(m_parameters.thickness, box_diagonal(m_curves), "the curves");
+    check_shape();
     if(!m_parameters.keep_length) return;
     for(std::size_t v = 0; v < m_curves.number_of_nodes(); ++v)
       if(!m_curves.is_free(v))
@@ -85,6 +92,19 @@ private:
                      "node " + std::to_string(v) +
                          (m_curves.is_pinned(v) ? " is pinned" : " slides") +
                          ", so the curves cannot be scaled");
+  }
+
+  void check_shape() const
+  {
+    const double size = box_diagonal(m_curves);
+    const double radius = m_parameters.bend_radius, distance = m_parameters.strand_distance;
+    if(radius > size)
+      refuse_value(internal_np::bend_radius_t(), radius, not_larger_than("the curves", size));
+    if(distance > size)
+      refuse_value(internal_np::strand_distance_t(), distance, not_larger_than("the curves", size));
+    if(shape_goal(m_parameters).is_given() && m_parameters.strategy == Untangling_strategy::SEARCH)
+      refuse_value(internal_np::strategy_t(), m_parameters.strategy,
+                   "must be flow or auto if there is a bend_radius or a strand_distance");
   }
 
   // Result for curves whose check was interrupted, and which are unchanged.
@@ -110,6 +130,7 @@ private:
     Untangling_result result = untangle_with_rays(guard, saver);
     guard.set_watch(nullptr); // the rest cannot be interrupted
     if(m_parameters.keep_length) rescale(guard, length, result);
+    if(shape_goal(m_parameters).is_given()) compare_with_limits(result);
     result.statistics.certified_changes = guard.number_of_certified_changes();
     result.statistics.refused_changes = guard.number_of_refused_changes();
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
@@ -119,6 +140,7 @@ private:
   Untangling_result untangle_with_rays(Guard& guard, Run_saver& saver)
   {
     Untangling_parameters parameters = m_parameters; // adding rays sets the thickness
+    parameters.thickness = (std::max)(parameters.thickness, min_thickness_for(parameters));
     Closing_rays<Guard> rays(guard);
     if(!saver.is_resuming()) m_surroundings.add_rays(rays, parameters);
     const auto kept = saver.keep([&](State_archive& archive) {
@@ -129,6 +151,20 @@ private:
     Untangling_result result = m_surroundings.untangle(context);
     result.is_closure_kept = rays.can_turn_outwards();
     return result;
+  }
+
+  // Without the rays, and scaled.
+  void compare_with_limits(Untangling_result& result) const
+  {
+    const Shape_limits limits(m_curves, shape_goal(m_parameters),
+                              std::vector<double>(m_curves.number_of_nodes(), result.thickness));
+    result.shape_excesses = shape_excesses<Shape_point>(
+        Shape_check(typename Surroundings::Flow::Concurrency_tag(), m_curves, limits),
+        Curve_flow_traits_3<>());
+    const bool has_settled = result.status == Untangling_status::CONVERGED ||
+                             result.status == Untangling_status::UNKNOTTED;
+    if(has_settled && !result.shape_excesses.empty())
+      result.status = Untangling_status::CONSTRAINT_NOT_REACHED;
   }
 
   std::string fingerprint() const
@@ -156,7 +192,7 @@ private:
   bool is_tighter_than_result(const Network& input, const Untangling_result& result)
   {
     if(Guard::Boundary::is_bounded || m_parameters.thickness > 0 ||
-       m_parameters.strategy != Untangling_strategy::AUTO ||
+       shape_goal(m_parameters).is_given() || m_parameters.strategy != Untangling_strategy::AUTO ||
        result.status == Untangling_status::INTERRUPTED || !is_closed_everywhere(input) ||
        has_sliding_node(input))
       return false;

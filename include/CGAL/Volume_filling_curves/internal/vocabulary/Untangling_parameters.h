@@ -69,6 +69,19 @@ struct Untangling_parameters : Curve_run_parameters
   /// Whether to scale the result, and the returned thickness, to the length of the input, by
   /// certified steps. Not possible with constrained nodes, hence not with open polylines.
   bool keep_length = false;
+
+  /// The least radius with which the result may bend, in the input's unit: that of the arcs that
+  /// round its corners, see `min_bend_radius()`. 0 (default) stands for none. Once the flow has
+  /// ended, certified steps round the curve until the limits of its shape are kept; these steps
+  /// count as iterations. The `thickness` is then at least `bend_radius` / 0.75, with which tight
+  /// curves hardly bend more. Where a limit is not reached, the run ends as
+  /// `Untangling_status::CONSTRAINT_NOT_REACHED`. Not with the strategy `SEARCH`.
+  double bend_radius = 0;
+
+  /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
+  /// curve between them, pi times `bend_radius`, or pi/2 times the distance. 0 (default) stands for
+  /// none; otherwise like `bend_radius`, with a `thickness` of at least this distance / 0.95.
+  double strand_distance = 0;
 };
 
 } // namespace Volume_filling_curves

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Shape_excess_3.h>
 
 #include <cstddef>
 #include <ostream>
@@ -23,11 +24,14 @@ namespace Volume_filling_curves {
 /// The outcome of untangling.
 enum class Untangling_status
 {
-  CONVERGED,  ///< the gradient is below the tolerance, and contacts and bends resist the tension;
-              ///< the curve is tight, not necessarily simple, and its Alexander polynomial does not
-              ///< suggest an unknot
-  UNKNOTTED,  ///< every component is a proved unknot and, if there are several, the link is trivial
-  LIMIT,      ///< the limit of iterations or of time was reached
+  CONVERGED, ///< the gradient is below the tolerance, and contacts and bends resist the tension;
+             ///< the curve is tight, not necessarily simple, and its Alexander polynomial does not
+             ///< suggest an unknot
+  UNKNOTTED, ///< every component is a proved unknot and, if there are several, the link is trivial
+  CONSTRAINT_NOT_REACHED, ///< like `CONVERGED` or `UNKNOTTED`, but the curve bends more tightly or
+                          ///< has closer strands than required; see
+                          ///< `Untangling_result::shape_excesses`
+  LIMIT,                  ///< the limit of iterations or of time was reached
   STALLED,    ///< the length, the gradient, or a suspected unknot stopped making progress, or the
               ///< thickness is too small, see `Untangling_result::fitting_thickness`
   INTERRUPTED ///< the visitor asked to stop
@@ -43,6 +47,8 @@ inline const char* to_string(Untangling_status status)
     return "converged";
   case Untangling_status::UNKNOTTED:
     return "unknotted";
+  case Untangling_status::CONSTRAINT_NOT_REACHED:
+    return "constraint not reached";
   case Untangling_status::LIMIT:
     return "limit";
   case Untangling_status::STALLED:
@@ -157,6 +163,9 @@ struct Untangling_result
   /// The final `Curve_flow_3::gradient_norm()`, which grows while the ropelength is lowered. NaN if
   /// the run stopped before it was known.
   double gradient_norm = 0;
+  /// the tightest bend and the closest strands in comparison with what is required, as far as they
+  /// exceed that, whatever the status
+  std::vector<Shape_excess_3<>> shape_excesses;
   Curve_flow_statistics statistics; ///< the work of all flows
   std::size_t searches = 0;         ///< the number of searches for few edges; each jam starts
                                     ///< another
