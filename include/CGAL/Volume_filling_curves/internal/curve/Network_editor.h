@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Input_chains.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 
 #include <algorithm>
 #include <array>

@@ -33,9 +33,9 @@ inline Shape_goal shape_goal(const Untangling_parameters& parameters)
 // at least 0.77 r, and strands 0.96 r apart (6 knots, 2026-11-25). 0 without limits.
 inline double min_thickness_for(const Untangling_parameters& parameters)
 {
-  constexpr double bend_radius_of_thickness = 0.75, strand_distance_of_thickness = 0.95;
-  return (std::max)(parameters.bend_radius / bend_radius_of_thickness,
-                    parameters.strand_distance / strand_distance_of_thickness);
+  constexpr double tight_bend_radius = 0.75, tight_strand_distance = 0.95; // in units of r
+  return (std::max)(parameters.bend_radius / tight_bend_radius,
+                    parameters.strand_distance / tight_strand_distance);
 }
 
 } // namespace internal
