@@ -24,16 +24,6 @@ void check_shape(const py::array& array, py::ssize_t columns, const char* name)
                                 std::to_string(columns) + ")");
 }
 
-std::vector<Point> points_of_rows(const Doubles& rows, const char* name)
-{
-  check_shape(rows, 3, name);
-  const auto x = rows.unchecked<2>();
-  std::vector<Point> points;
-  points.reserve(static_cast<std::size_t>(x.shape(0)));
-  for(py::ssize_t i = 0; i < x.shape(0); ++i) points.emplace_back(x(i, 0), x(i, 1), x(i, 2));
-  return points;
-}
-
 // Rows of indices below `end`; anything else is a wrong index of `name`.
 template <std::size_t columns>
 std::vector<std::array<std::size_t, columns>> indices_of_rows(const Integers& rows,
@@ -75,6 +65,16 @@ std::array<double, 3> coordinates(const Point& p)
 
 } // namespace
 
+std::vector<Point> points_of_rows(const Doubles& rows, const char* name)
+{
+  check_shape(rows, 3, name);
+  const auto x = rows.unchecked<2>();
+  std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(x.shape(0)));
+  for(py::ssize_t i = 0; i < x.shape(0); ++i) points.emplace_back(x(i, 0), x(i, 1), x(i, 2));
+  return points;
+}
+
 Curve curve_of_components(const Doubles& points,
                           const std::vector<std::size_t>& offsets,
                           const std::vector<bool>& is_closed)
@@ -100,9 +100,10 @@ Curve curve_of_edges(const Doubles& points, const Integers& edges)
   return Curve(p, pairs_of(edges, p.size()));
 }
 
-std::vector<std::array<std::size_t, 2>> pairs_of(const Integers& edges, std::size_t points)
+std::vector<std::array<std::size_t, 2>> pairs_of(const Integers& edges,
+                                                 std::size_t number_of_points)
 {
-  return indices_of_rows<2>(edges, points, "edges");
+  return indices_of_rows<2>(edges, number_of_points, "edges");
 }
 
 void pin(Curve& curve, const std::vector<std::size_t>& points)

@@ -35,6 +35,9 @@ using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_ker
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
+// Points; std::invalid_argument, with the name of the array, unless it has three columns.
+std::vector<Point> points_of_rows(const Doubles& rows, const char* name);
+
 // A curve from the points of all components, one after another. Component `c` has the points from
 // `offsets[c]` to `offsets[c + 1]`, and joins the last to the first if `is_closed[c]`.
 Curve curve_of_components(const Doubles& points,
@@ -44,8 +47,9 @@ Curve curve_of_components(const Doubles& points,
 // A curve from points and edges, with junctions where more than two edges meet.
 Curve curve_of_edges(const Doubles& points, const Integers& edges);
 
-// Edges between points, of which there are so many; std::invalid_argument if an index is wrong.
-std::vector<std::array<std::size_t, 2>> pairs_of(const Integers& edges, std::size_t points);
+// Edges between points; std::invalid_argument if an index is not below their number.
+std::vector<std::array<std::size_t, 2>> pairs_of(const Integers& edges,
+                                                 std::size_t number_of_points);
 
 // Pins the points with these indices in the input.
 void pin(Curve& curve, const std::vector<std::size_t>& points);

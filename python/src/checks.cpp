@@ -38,8 +38,7 @@ using VFC::Curve_defect_kind;
 
 void add_points(Curve_draft& draft, const Doubles& points)
 {
-  const auto x = points.unchecked<2>();
-  for(py::ssize_t i = 0; i < x.shape(0); ++i) draft.add_point({x(i, 0), x(i, 1), x(i, 2)}, 0);
+  for(const Point& p : points_of_rows(points, "points")) draft.add_point({p.x(), p.y(), p.z()}, 0);
 }
 
 // The edges of a component have its number instead of a line.

@@ -35,6 +35,14 @@ bool is_array(const py::handle& given)
                                           : PyList_Check(given.ptr()) || PyTuple_Check(given.ptr());
 }
 
+Doubles numbers_of(const py::object& given, const char* name)
+{
+  Doubles values = Doubles::ensure(given);
+  if(values) return values;
+  PyErr_Clear();
+  throw std::invalid_argument(std::string(name) + ": the array does not hold numbers");
+}
+
 const Mesh& mesh_with_values(const Domain& domain)
 {
   if(!domain.mesh)
@@ -55,6 +63,7 @@ auto function_of_field(const Mesh& mesh, const Values& values)
 
 Thickness thickness_at_vertices(const Doubles& values, const Domain& domain)
 {
+  if(values.ndim() != 1) throw std::invalid_argument("thickness must have the shape (n,)");
   return function_of_field<VFC::Mesh_thickness_field_3<>>(mesh_with_values(domain),
                                                           values.cast<std::vector<double>>());
 }
@@ -79,12 +88,7 @@ void take_array(py::dict& options, const char* name, const Set& set)
   const py::object given = options.attr("get")(name);
   if(!is_array(given)) return;
   options.attr("pop")(name);
-  const Doubles values = Doubles::ensure(given);
-  if(!values) {
-    PyErr_Clear();
-    throw std::invalid_argument(std::string(name) + ": the array does not hold numbers");
-  }
-  set(values);
+  set(numbers_of(given, name));
 }
 
 VFC::Filling_parameters<Point> filling_parameters(const py::dict& given, const Domain& domain)
@@ -129,7 +133,7 @@ py::dict fill(Curve& curve,
 Thickness thickness_of(const py::object& given, const Domain& domain)
 {
   if(PyCallable_Check(given.ptr())) return From_python<Thickness>::value(given);
-  if(is_array(given)) return thickness_at_vertices(given.cast<Doubles>(), domain);
+  if(is_array(given)) return thickness_at_vertices(numbers_of(given, "thickness"), domain);
   const double r = PyFloat_AsDouble(given.ptr());
   if(PyErr_Occurred() != nullptr) throw py::error_already_set();
   if(!(r > 0)) throw std::invalid_argument("thickness is not positive");

@@ -259,6 +259,14 @@ class Filling(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "the domain is no mesh"):
             vfc.fill(vfc.Ball((0, 0, 0), 1), thickness=[1, 2, 3])
 
+    def test_fields_of_a_wrong_shape_are_refused(self):
+        cube = vfc.Mesh(CUBE_VERTICES, CUBE_FACES)
+        for call in (lambda r: vfc.fill(cube, thickness=r), lambda r: vfc.coverage(circle(), cube, r)):
+            with self.assertRaisesRegex(ValueError, r"thickness must have the shape \(n,\)"):
+                call(CUBE_VERTICES)
+            with self.assertRaisesRegex(ValueError, "thickness: the array does not hold numbers"):
+                call(["thin"] * len(CUBE_VERTICES))
+
     def test_one_direction_is_a_vector(self):
         def coordinates(direction):
             return np.concatenate(vfc.fill(vfc.Box((0, 0, 0), (1, 1, 1)), thickness=0.2,
@@ -432,6 +440,18 @@ class Checks(unittest.TestCase):
                          [("outside node", True, [5]), ("outside segment", True, [4, 5]),
                           ("outside segment", True, [5, 6])])
         self.assertEqual(vfc.outside(ring, ball), ([5], [[4, 5], [5, 6]]))
+
+    def test_nothing_that_is_asked_for_is_left_unchecked(self):
+        ball = vfc.Ball((0, 0, 0), 2)
+        for distance in (-1, np.nan, np.inf):
+            with self.assertRaisesRegex(ValueError, "wall_distance is"):
+                vfc.check_curves(circle(), domain=ball, wall_distance=distance)
+        with self.assertRaisesRegex(ValueError, "needs a domain"):
+            vfc.check_curves(circle(), wall_distance=0.1)
+        with self.assertRaisesRegex(TypeError, "must be a Domain"):
+            vfc.check_curves(circle()[:2], domain=CUBE_VERTICES)
+        with self.assertRaisesRegex(ValueError, r"points must have the shape \(n, 3\)"):
+            vfc.check_curves(vfc.Network(circle()[:, :2], [[0, 1]]))
 
     def test_the_wall_distance_is_that_of_whole_edges(self):
         square = 0.25 + 0.5 * np.column_stack([SQUARE, [0.5] * 4])

@@ -63,22 +63,31 @@ def check_curves(curves: Curves, *, closed: Closed = True, domain: Optional[Doma
         curves: the curves
         closed: whether they are closed, or a list with a value for each
         domain: the domain that has to contain the curves
-        wall_distance: how far from its boundary they have to keep, in the input's unit
+        wall_distance: how far from its boundary they have to keep, in the input's unit; needs a
+            domain
         progress: a function of a dictionary; if it returns False, `Interrupted` is raised
 
     Returns:
         a list of `CurveDefect`; functions take the curves if none is an error
+
+    Raises:
+        ValueError: if `wall_distance` is negative or not finite, or given without a domain
     """
+    if not 0 <= wall_distance < np.inf:
+        raise ValueError(f"wall_distance is {wall_distance}, but must be finite and not negative")
+    if domain is None and wall_distance > 0:
+        raise ValueError("wall_distance needs a domain")
+    inside = core_of(domain)
     found, core = _vfc.check_curves(*flat(curves, closed), progress)
     defects = [CurveDefect(**defect) for defect in found]
-    if core is None or domain is None:
+    if core is None or inside is None:
         return defects
-    points, edges = _vfc.outside(core, core_of(domain), progress)
+    points, edges = _vfc.outside(core, inside, progress)
     defects += [_error("outside node", "a point is not strictly inside", [point]) for point in points]
     defects += [_error("outside segment", "an edge is not strictly inside", edge) for edge in edges]
-    if edges or not wall_distance > 0:
+    if edges or wall_distance == 0:
         return defects
-    nearest = WallDistance(**_vfc.wall_distance(core, core_of(domain), progress))
+    nearest = WallDistance(**_vfc.wall_distance(core, inside, progress))
     if nearest.distance < wall_distance:
         message = f"an edge comes as near to the boundary as {nearest.distance:.6g}"
         defects.append(_error("near wall", message, nearest.edge))
