@@ -46,21 +46,27 @@ using Polygons = std::vector<std::vector<std::size_t>>;
   throw std::invalid_argument(defect + "; 'vfc repair' mends the mesh");
 }
 
-// \throws std::invalid_argument if two faces have an edge in the same direction
-void check_edges(const Polygons& polygons)
+// \throws std::invalid_argument if a face has no three corners, or has a corner twice, or if two
+// faces have an edge in the same direction
+void check_faces(const Polygons& polygons)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> faces;
-  for(std::size_t f = 0; f < polygons.size(); ++f)
+  for(std::size_t f = 0; f < polygons.size(); ++f) {
+    std::vector<std::size_t> corners = polygons[f];
+    if(corners.size() < 3) refuse("face " + std::to_string(f) + " has fewer than three corners");
+    std::sort(corners.begin(), corners.end());
+    const auto twice = std::adjacent_find(corners.begin(), corners.end());
+    if(twice != corners.end())
+      refuse("face " + std::to_string(f) + " has vertex " + std::to_string(*twice) + " twice");
     for(std::size_t i = 0; i < polygons[f].size(); ++i) {
       const std::size_t a = polygons[f][i], b = polygons[f][(i + 1) % polygons[f].size()];
-      if(a == b)
-        refuse("face " + std::to_string(f) + " has vertex " + std::to_string(a) + " twice");
       const auto [edge, is_new] = faces.emplace(std::pair(a, b), f);
       if(!is_new)
         refuse("faces " + std::to_string(edge->second) + " and " + std::to_string(f) +
                " have opposite orientations, or more than two faces meet in the edge from vertex " +
                std::to_string(a) + " to " + std::to_string(b));
     }
+  }
 }
 
 } // namespace
@@ -73,7 +79,7 @@ Live_filling::Mesh read_surface(const std::string& file)
   if(!CGAL::IO::read_polygon_soup(file, points, polygons, CGAL::parameters::verbose(false)) ||
      polygons.empty())
     throw std::invalid_argument("this is not a complete file of a surface");
-  check_edges(polygons);
+  check_faces(polygons);
   std::vector<std::array<std::size_t, 3>> triangles;
   for(const auto& polygon : polygons)
     for(std::size_t i = 2; i < polygon.size(); ++i) {
