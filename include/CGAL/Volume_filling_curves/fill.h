@@ -81,7 +81,8 @@ auto fill(Curve_network_3<Traits>& curves,
  * is certified (see `Isotopy_guard_3`): the result is ambient isotopic to the start and lies
  * strictly inside, as exactly as the domain answers. Components of a curve grow side by side;
  * networks keep their graph, pinned nodes stay where they are, and sliding nodes stay on their sets
- * (see `Node_constraint`).
+ * (see `Node_constraint`). The nodes of a component must not all slide, unless it grows without
+ * fingers (see `Filling_start`): nodes of its fingers would leave their sets.
  *
  * If no curves are given, a small circle is placed at the widest point of each connected part of
  * the inside that is wide enough. A part is wide enough if it holds a ball whose radius is an

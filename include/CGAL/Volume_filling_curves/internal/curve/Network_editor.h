@@ -106,8 +106,8 @@ public:
     m_network.set_constraint(v, constraint);
   }
 
-  // Has the network become another one that has come from the same input, see
-  // Curve_topology::with_edges(). Observers are not called: there must be none.
+  // Replaces the network by another one that has come from the same input, see
+  // Curve_topology::with_edges(); its nodes are free. Observers are not called: there must be none.
   void replace(const std::vector<Point_3>& points,
                const std::vector<std::array<std::size_t, 2>>& edges,
                const std::vector<std::size_t>& origins,

@@ -84,9 +84,8 @@ std::vector<double> component_tensions(const Network& curve,
 
 // Gradient of the two-term energy E = length + alpha / 2 * sum_i w_i (1 / N) sum_l |x_i - m_il|^2
 // with the sphere centers m_il = x_i + R_il x_l and the weights w_i, half of the edges at a node,
-// held fixed (sections 3.1 and 3.3 of the paper). Each node sums the forces
-// of its edges and spheres, hence nodes are independent, and processed in parallel with a parallel
-// tag. Linear time.
+// held fixed (sections 3.1 and 3.3 of the paper). Each node sums the forces of its edges and
+// spheres, hence nodes are independent, and processed in parallel with a parallel tag. Linear time.
 template <typename Network, typename ConcurrencyTag = Sequential_tag>
 class Energy_gradient
 {

@@ -158,9 +158,9 @@ void copy_curve(State_archive& archive, Network& curve)
   archive.require(points.size() == origins.size());
   for(const Vector& p : points) archive.require(is_in_range(p));
   Editor(curve).replace(to_points(points, curve.traits()), edges, origins, labels);
-  for(const std::size_t v : curve.nodes()) curve.set_constraint(v, Node_constraint());
+  archive.require(constrained.size() == constraints.size());
   for(std::size_t k = 0; k < constrained.size(); ++k) {
-    archive.require(k < constraints.size() && constrained[k] < points.size());
+    archive.require(constrained[k] < points.size());
     curve.set_constraint(constrained[k], constraints[k]);
   }
 }

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -29,9 +30,13 @@ namespace Volume_filling_curves {
  *
  * A node is free, fixed (*pinned*), or slides on a line, on a plane, or inside a domain at a given
  * distance from its boundary. A flow moves the node along this set, and brings it there first if it
- * starts elsewhere. A node inserted between two nodes that slide on the same set, or between one of
- * these and a pinned node, slides on this set, too; hence a curve in a plane stays in this plane,
- * whatever the remeshing. Other sliding nodes are never removed.
+ * starts elsewhere. A node inserted between two sliding nodes with equal constraints, or between one
+ * of these and a pinned node, gets this constraint, too; hence a curve in a plane stays in this
+ * plane, whatever the remeshing. Other sliding nodes are never removed.
+ *
+ * Constraints are equal if they were constructed from equal values: the plane through another of its
+ * points is another constraint, since rounding makes it another plane. To keep a curve in a plane,
+ * give the same constraint to all of its nodes.
  */
 class Node_constraint
 {
@@ -78,8 +83,8 @@ public:
   static Node_constraint on_boundary(double distance)
   {
     if(!(distance > 0 && distance <= (std::numeric_limits<double>::max)()))
-      throw std::invalid_argument("node constraint: the distance from the boundary must be "
-                                  "positive and finite");
+      throw std::invalid_argument("node constraint: the distance from the boundary is " +
+                                  std::to_string(distance) + ", but must be positive and finite");
     Node_constraint constraint(Kind::BOUNDARY);
     constraint.m_distance = distance;
     return constraint;
@@ -109,6 +114,7 @@ public:
     return result;
   }
 
+  /// returns whether both have the same kind, and were constructed from equal values.
   friend bool operator==(const Node_constraint& a, const Node_constraint& b)
   {
     return a.m_kind == b.m_kind && a.m_point == b.m_point && a.m_axis == b.m_axis &&
