@@ -15,6 +15,8 @@
 
 #include <CGAL/Volume_filling_curves/identify.h>
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -77,12 +79,13 @@ std::string identify_chains(Session& session,
   for(std::size_t c = 0; c < n; ++c) {
     const std::size_t nodes = number_of_nodes(curve, c);
     const curves::Chain_identity identity = watch([&](const auto& progress) {
-      return curves::identify_chain(curve, c,
-                                    curves::parameters::closures(options.chain.closures)
-                                        .random_seed(options.chain.random_seed)
-                                        .find_core(options.chain.find_core)
-                                        .stride(stride(options, nodes))
-                                        .progress(progress));
+      return curves::identify_chain<CGAL::Parallel_if_available_tag>(
+          curve, c,
+          curves::parameters::closures(options.chain.closures)
+              .random_seed(options.chain.random_seed)
+              .find_core(options.chain.find_core)
+              .stride(stride(options, nodes))
+              .progress(progress));
     });
     report["chains"].push_back(chain_report(identity, nodes));
     const std::string number = n > 1 ? "chain " + std::to_string(c + 1) + ": " : "";

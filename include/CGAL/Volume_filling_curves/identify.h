@@ -29,6 +29,7 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -146,8 +147,11 @@ template <typename Polylines,
  *
  * If wanted, the core of the knot and the knots of all sections (the fingerprint), with slipknots,
  * follow. A closure of a protein of 331 residues takes 0.4 ms, and one of its sections 0.07 ms on
- * average; the core takes 20 times as long as the chain.
+ * average; the core takes 20 times as long as the chain. The result does not depend on the number
+ * of threads.
  *
+ * \tparam ConcurrencyTag enables parallel closures: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of named parameters
  *
@@ -161,7 +165,9 @@ template <typename Polylines,
  * closed or branches, or a parameter is out of its range
  * \throws Run_interrupted if `progress` returns `false`
  */
-template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Traits,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] Chain_identity identify_chain(
     const Curve_network_3<Traits>& curves,
     std::size_t component,
@@ -173,7 +179,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
   internal::check_embedded(curves);
   auto chain = internal::points_of_chain(curves, component);
   return internal::measured(parameters::progress(given.progress), [&](internal::Run_watch* watch) {
-    return internal::Chain_identification(std::move(chain), given, *watch)();
+    return internal::Chain_identification<ConcurrencyTag>(std::move(chain), given, *watch)();
   });
 }
 
@@ -183,6 +189,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * names the knots that an open polyline forms when it is closed. See the overload for
  * `Curve_network_3`.
  *
+ * \tparam ConcurrencyTag enables parallel closures
  * \tparam Polyline a range of points
  * \tparam NamedParameters a sequence of named parameters
  *
@@ -192,7 +199,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \throws std::invalid_argument as that overload and that constructor
  * \throws Run_interrupted if `progress` returns `false`
  */
-template <typename Polyline,
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Polyline,
           typename NamedParameters = CGAL::parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
@@ -203,13 +211,13 @@ template <typename Polyline,
     const Polyline& polyline, const NamedParameters& np = parameters::default_values())
 {
   const auto given = internal::get_parameters<internal::Chain_polyline_signature>(np);
-  return identify_chain(internal::network_of_polylines_t<Polyline, NamedParameters>(polyline, np),
-                        0,
-                        parameters::closures(given.closures)
-                            .random_seed(given.random_seed)
-                            .find_core(given.find_core)
-                            .stride(given.stride)
-                            .progress(given.progress));
+  return identify_chain<ConcurrencyTag>(
+      internal::network_of_polylines_t<Polyline, NamedParameters>(polyline, np), 0,
+      parameters::closures(given.closures)
+          .random_seed(given.random_seed)
+          .find_core(given.find_core)
+          .stride(given.stride)
+          .progress(given.progress));
 }
 
 } // namespace Volume_filling_curves

@@ -11,11 +11,18 @@
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/identify.h>
 
+#include <CGAL/tags.h>
+
 #include <gtest/gtest.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -100,5 +107,38 @@ TEST(Tied_chains, knots_are_found_where_they_are_tied)
       EXPECT_NEAR(last, end - most / 2, most / 2 + 2) << name << ' ' << before;
     }
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+std::string text(const std::vector<VFC::Chain_section>& sections)
+{
+  std::ostringstream out;
+  for(const VFC::Chain_section& section : sections)
+    out << section.first << ' ' << section.last << ' ' << section.name << ' ' << section.share
+        << '\n';
+  return out.str();
+}
+
+std::string text(const VFC::Chain_identity& identity)
+{
+  std::ostringstream out;
+  for(const VFC::Knot_share& knot : identity.knots)
+    out << knot.name << ' ' << knot.is_proved << ' ' << knot.count << '\n';
+  out << identity.direct.name << '\n' << identity.least_interfering.name << '\n';
+  return out.str() + text(identity.core) + text(identity.fingerprint) + text(identity.slipknots);
+}
+
+TEST(Tied_chains, results_do_not_depend_on_the_number_of_threads)
+{
+  const auto table = prime_knots(VFC_DATA_DIR "/prime_knots.txt");
+  const Tied_chain chain = tied_chain(prime_knot(table, "5_2"), 20, 30, 1);
+  const auto parameters = VFC::parameters::closures(30).find_core(true).stride(30);
+  const std::string expected = text(VFC::identify_chain(chain.points, parameters));
+  EXPECT_NE(expected.find("0_1"), std::string::npos); // several knots, else the test shows little
+  for(const std::size_t threads : {1u, 2u}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    EXPECT_EQ(text(VFC::identify_chain<CGAL::Parallel_tag>(chain.points, parameters)), expected);
+  }
+}
+#endif
 
 } // namespace test_tied_chains

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/identification/chain_closures.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_identity.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
@@ -26,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +38,9 @@ namespace internal {
 
 // The knots that an open chain forms when it is closed, and those of its sections. An open chain
 // has no knot type: each closure has, and their frequencies over all directions to infinity
-// describe the chain (Millett, Dobay, Stasiak 2005).
+// describe the chain (Millett, Dobay, Stasiak 2005). With a parallel tag, the closures of a
+// section are found in parallel.
+template <typename ConcurrencyTag>
 class Chain_identification
 {
 public:
@@ -66,12 +70,17 @@ public:
   }
 
 private:
+  using Crossings = std::vector<std::array<std::uint32_t, 4>>;
+
   // The knots of a section closed at infinity, see Chain_identity::knots.
   std::vector<Knot_share> knots(std::size_t first, std::size_t last)
   {
+    std::vector<Closure_knot> closures(m_directions.size());
+    for_each_block<ConcurrencyTag>(closures.size(), 1, [&](std::size_t i, std::size_t) {
+      closures[i] = knot(first, last, m_directions[i]);
+    });
     std::map<std::string, Knot_share> by_name;
-    for(const Viewing_direction& direction : m_directions) {
-      const Closure_knot found = knot(first, last, direction);
+    for(const Closure_knot& found : closures) {
       Knot_share& share =
           by_name.try_emplace(found.name, Knot_share{found.name, true}).first->second;
       share.is_proved &= found.is_proved;
@@ -104,16 +113,21 @@ private:
     return diagram ? knot(*diagram) : Closure_knot();
   }
 
-  // Diagrams repeat themselves: those of one knot that have few crossings are few.
+  // Diagrams repeat themselves: those of one knot that have few crossings are few. Two threads that
+  // meet a new one at the same time both find the same knot.
   Closure_knot knot(const Planar_diagram& diagram)
   {
     Planar_diagram simplified = simplified_diagram(diagram, &m_watch);
-    const auto [known, is_new] = m_known.try_emplace(simplified.crossings);
-    if(is_new) {
-      const Link_identity identity = Link_identification(std::move(simplified), &m_watch)();
-      known->second = {identity.name, identity.is_proved};
+    const Crossings crossings = simplified.crossings;
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      const auto known = m_known.find(crossings);
+      if(known != m_known.end()) return known->second;
     }
-    return known->second;
+    const Link_identity identity = Link_identification(std::move(simplified), &m_watch)();
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return m_known.try_emplace(crossings, Closure_knot{identity.name, identity.is_proved})
+        .first->second;
   }
 
   // The section and its most frequent knot.
@@ -190,7 +204,8 @@ private:
   const std::vector<Vector> m_chain;
   const Chain_parameters m_parameters;
   const std::vector<Viewing_direction> m_directions;
-  std::map<std::vector<std::array<std::uint32_t, 4>>, Closure_knot> m_known; // by diagrams
+  std::map<Crossings, Closure_knot> m_known; // by diagrams
+  std::mutex m_mutex;                        // of known diagrams
   Run_watch& m_watch;
 };
 
