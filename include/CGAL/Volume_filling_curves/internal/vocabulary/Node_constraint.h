@@ -121,6 +121,7 @@ public:
            a.m_distance == b.m_distance;
   }
 
+  /// returns whether they are not equal.
   friend bool operator!=(const Node_constraint& a, const Node_constraint& b) { return !(a == b); }
 
 private:
