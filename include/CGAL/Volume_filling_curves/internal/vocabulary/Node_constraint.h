@@ -30,13 +30,13 @@ namespace Volume_filling_curves {
  *
  * A node is free, fixed (*pinned*), or slides on a line, on a plane, or inside a domain at a given
  * distance from its boundary. A flow moves the node along this set, and brings it there first if it
- * starts elsewhere. A node inserted between two sliding nodes with equal constraints, or between one
- * of these and a pinned node, gets this constraint, too; hence a curve in a plane stays in this
+ * starts elsewhere. A node inserted between two sliding nodes with equal constraints, or between
+ * one of these and a pinned node, gets this constraint, too; hence a curve in a plane stays in this
  * plane, whatever the remeshing. Other sliding nodes are never removed.
  *
- * Constraints are equal if they were constructed from equal values: the plane through another of its
- * points is another constraint, since rounding makes it another plane. To keep a curve in a plane,
- * give the same constraint to all of its nodes.
+ * Constraints are equal if they were constructed from equal values: the plane through another of
+ * its points is another constraint, since rounding makes it another plane. To keep a curve in a
+ * plane, give the same constraint to all of its nodes.
  */
 class Node_constraint
 {
