@@ -156,8 +156,8 @@ private:
 
   // The distances of the samples to the curve, 0 where it is to keep clear of the boundary: pushed
   // there, the curve would stay compressed. The layer to keep clear of is 2 r thick, but at most
-  // half as thick as the domain is deep: otherwise nothing was to be covered in a tube with a
-  // radius of 2 r, and any curve in it had filled it.
+  // half as thick as the domain is deep. Otherwise a tube with a radius of 2 r would have nothing
+  // to cover, and any curve would fill it.
   template <typename Thickness>
   std::vector<double> to_be_covered(std::vector<double> distances, const Thickness& thickness) const
   {
