@@ -3,6 +3,7 @@
 
 let domain = null; // null while a knot is shown
 let grown = null;  // the last picture of the curve, or null
+let kept = null;   // the last state of the run, or null
 let isFilling = false;
 
 const exponential = (name) => Math.pow(2, element(name).valueAsNumber);
@@ -49,7 +50,7 @@ function leaveDomain() {
 }
 
 function forgetGrown() {
-  grown = null;
+  grown = kept = null;
   scene.showCurve([], new Float32Array(), null);
   showResult({status: "–"});
   allowSaving(!domain);
@@ -65,18 +66,21 @@ function fill() {
   setFilling(true);
   say("");
   forgetGrown();
-  ask("fill", {file: domain.file, number, ...settings()});
+  ask("fill", {settings: settings()});
 }
 
-// The core hears nothing while it fills, and must begin anew.
+// The core hears nothing while it fills: a new one goes on from the last state.
 function stopFilling() {
   startWorker();
   setFilling(false);
   showResult({status: "stopped"});
+  element("fill").disabled = kept !== null; // until the curve is restored
+  ask("restore", {file: domain.file, ...kept});
 }
 
 function setFilling(isOn) {
   isFilling = isOn;
+  element("fill").disabled = false;
   element("fill").textContent = isOn ? "\u25A0 Stop" : "\u25B6 Fill";
 }
 

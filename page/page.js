@@ -156,6 +156,7 @@ const answers = {
   domain: showDomain,
   progress: showProgress,
   growth: showGrowth,
+  state: (data) => kept = data,
   filled: showFilled,
   note: ({text}) => say(text),
   problem: ({text}) => {

@@ -4,7 +4,7 @@
 // WebAssembly, while the page stays free to draw. It posts a picture when the page has drawn the
 // last one. Or it holds a domain, and fills it, see filling_worker.js.
 
-/* global CORE, createCore, fill, openDomain */
+/* global CORE, createCore, fill, openDomain, restore */
 
 const SECONDS_OF_SEARCH = 0.05, SECONDS_TO_NAME = 5;
 const MILLISECONDS_BETWEEN_ROPELENGTHS = 500;
@@ -32,6 +32,7 @@ const actions = {
     target = null;
   },
   fill,
+  restore,
   save({file}) {
     const saved = curve || filling, contents = {
       "curve.obj": () => saved.curveObj(), "start.obj": () => saved.startObj(),

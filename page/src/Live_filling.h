@@ -29,6 +29,14 @@ struct Filling_settings
   double ratio = 1;       // of the thicknesses at the ends of the longest side of the mesh's box
 };
 
+// What a run calls while it lasts.
+struct Filling_events
+{
+  std::function<void()> show;                           // after each change that can be seen
+  std::function<void(const VFC::Run_progress&)> report; // every few milliseconds
+  std::function<void(const VFC::Run_checkpoint&)> keep; // before each iteration
+};
+
 // The inside of a mesh, and the curve that fills it, which can be seen while it grows.
 class Live_filling
 {
@@ -41,12 +49,13 @@ public:
   // \throws std::invalid_argument unless the mesh bounds a domain
   explicit Live_filling(const Mesh& mesh) : m_mesh(mesh), m_domain(mesh) {}
 
-  // Fills the domain, by one thread. Calls show() after each change that can be seen, and report()
-  // every few milliseconds.
+  // Fills the domain, by one thread.
   // \throws std::invalid_argument if the settings do not suit the domain
-  void fill(const Filling_settings& settings,
-            const std::function<void()>& show,
-            const std::function<void(const VFC::Run_progress&)>& report);
+  void fill(const Filling_settings& settings, const Filling_events& events);
+
+  // Has the curve of a run with these settings as it was in this state, and measures it.
+  // \throws std::invalid_argument if the state is not that of such a run
+  void restore(const Filling_settings& settings, const VFC::Run_state& state);
 
   const Mesh& mesh() const { return m_mesh; }
   CGAL::Bbox_3 box() const { return m_domain.bbox(); }
@@ -61,6 +70,7 @@ public:
   std::string certificate() const { return m_certificate.bytes(); }
 
 private:
+  VFC::Filling_parameters<Point> parameters(const Filling_settings& settings);
   std::function<double(const Point&)> thickness_field(double thickness, double ratio) const;
 
   const Mesh m_mesh;

@@ -26,16 +26,26 @@ class Page_filling
 public:
   explicit Page_filling(const Live_filling::Mesh& mesh) : m_live(mesh), m_units(m_live.box()) {}
 
-  // Lengths are in the page's units; show() and report() are functions of the page.
-  void fill(double thickness, double bend_radius, double ratio, val show, val report)
+  // Settings are {thickness, bendRadius, ratio}, with lengths in the page's units. Events are
+  // functions of the page: show(), report(), and keep(), which takes a state if isStateDue().
+  void fill(val settings, val events)
   {
-    const double size = 1 / m_units.length(1);
-    m_live.fill(
-        {size * thickness, size * bend_radius, ratio}, [&] { show(); },
-        [&](const VFC::Run_progress& progress) {
-          report(std::string(VFC::to_string(progress.stage)), progress.fraction,
-                 static_cast<unsigned int>(progress.iterations));
-        });
+    m_live.fill(in_input(settings),
+                {[&] { events.call<void>("show"); },
+                 [&](const VFC::Run_progress& progress) {
+                   events.call<void>("report", std::string(VFC::to_string(progress.stage)),
+                                     progress.fraction,
+                                     static_cast<unsigned int>(progress.iterations));
+                 },
+                 [&](const VFC::Run_checkpoint& checkpoint) {
+                   if(events.call<bool>("isStateDue"))
+                     events.call<void>("keep", bytes(checkpoint.state().bytes()));
+                 }});
+  }
+
+  void restore(val settings, const std::string& state)
+  {
+    m_live.restore(in_input(settings), VFC::Run_state(state));
   }
 
   val domain() const
@@ -88,6 +98,12 @@ public:
   val certificate() const { return bytes(m_live.certificate()); }
 
 private:
+  Filling_settings in_input(const val& settings) const
+  {
+    const auto number = [&](const char* name) { return settings[name].as<double>(); };
+    return {unit() * number("thickness"), unit() * number("bendRadius"), number("ratio")};
+  }
+
   Live_filling m_live;
   const Page_units m_units;
 };
@@ -106,6 +122,7 @@ EMSCRIPTEN_BINDINGS(live_filling)
   emscripten::function("domain", &domain, emscripten::allow_raw_pointers());
   emscripten::class_<Page_filling>("Filling")
       .function("fill", &Page_filling::fill)
+      .function("restore", &Page_filling::restore)
       .function("domain", &Page_filling::domain)
       .function("picture", &Page_filling::picture)
       .function("result", &Page_filling::result)

@@ -36,8 +36,11 @@ const commands = {
   fill(core, input, share, ratio, folder) {
     const filling = core.domain("input.off", fs.readFileSync(input, "utf8"));
     const asked = filling.unit() * Number(share), stages = new Set(), nodes = [];
-    const show = () => nodes.push(filling.picture().coordinates.length / 3);
-    filling.fill(Number(share), 0, Number(ratio), show, (stage) => stages.add(stage));
+    filling.fill({thickness: Number(share), bendRadius: 0, ratio: Number(ratio)}, {
+      show: () => nodes.push(filling.picture().coordinates.length / 3),
+      report: (stage) => stages.add(stage),
+      isStateDue: () => false,
+    });
     save(filling, folder);
     return {asked, stages: [...stages], nodes, ...filling.result()};
   },

@@ -42,8 +42,8 @@ int make_steps(const std::string& in, int n, const std::string& out)
 int fill(const std::string& in, double thickness, double ratio, const std::string& out)
 {
   vfc_page::Live_filling live(vfc_page::read_surface(in));
-  live.fill(
-      {thickness, 0, ratio}, [] {}, [](const VFC::Run_progress&) {});
+  live.fill({thickness, 0, ratio},
+            {[] {}, [](const VFC::Run_progress&) {}, [](const VFC::Run_checkpoint&) {}});
   return CGAL::IO::write_curve_network(out, live.curve()) ? 0 : 1;
 }
 

@@ -234,7 +234,7 @@ class The_page(In_folder):
         self.browser.value("scene.canvas.focus()")
         self.browser.press(" ")
         self.browser.wait("grown !== null && isFilling")
-        self.browser.press(" ")
+        self.browser.value("startWorker(); kept = null; stopFilling()")  # before a state is kept
         self.assertEqual(self.browser.value("element('status').textContent"), "stopped")
         self.assertTrue(self.browser.value("element('save-curve').disabled"))
         self.slide("filling-thickness", -4)
@@ -245,6 +245,27 @@ class The_page(In_folder):
         if self.browser.value("element('status').textContent") == "converged":
             self.assertGreater(self.number("bend-radius"), 0.99 * required)
         self.assertGreater(self.number("bend-radius"), 0.5 * required)
+        self.check_calm()
+
+    def test_keeps_the_curve_of_a_filling_that_is_stopped(self):
+        self.open_domain("Knotted tube")
+        self.slide("filling-thickness", -6)
+        self.browser.click("fill")
+        self.browser.wait("kept !== null")
+        self.browser.click("fill")
+        self.browser.wait("element('status').textContent === 'interrupted' && !grown.isWaiting")
+        self.assertGreater(self.number("filling-length"), 1)
+        for button, name in (("save-start", "start.obj"), ("save-curve", "curve.obj"),
+                             ("save-certificate", "curve.cert")):
+            self.saved(button, name)
+        self.check_certificate()
+        nodes = len(coordinates(self.folder / "curve.obj"))
+        self.assertEqual(self.number("filling-nodes"), nodes)
+        self.assertGreater(nodes, len(coordinates(self.folder / "start.obj")))
+        self.slide("filling-thickness", -4)
+        self.browser.click("fill")
+        self.browser.wait("!isFilling && grown !== null && !grown.isWaiting")
+        self.assertGreater(float(self.browser.value("element('within').textContent").rstrip(" %")), 50)
         self.check_calm()
 
     def test_opens_files_and_says_what_is_wrong_with_them(self):
@@ -261,6 +282,12 @@ class The_page(In_folder):
         twisted = three_faces.replace("3 0 1 3", "3 1 0 3")
         self.browser.value(f"openFile(new File(['{twisted}'], 'twisted.off'))")
         self.browser.wait("element('message').textContent.startsWith('faces 0 and 1 have opposite')")
+        unknown = "v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nv 0 0 1\\nf 1 3 2\\nf 1 2 4\\nf 2 3 10\\n"
+        for name, faces, sentence in (
+                ("off", three_faces.replace("1 2 3", "1 2 9"), "line 9, face 2: there is no vertex 9"),
+                ("obj", unknown, "face 2 has vertex 9, but the file has 4 vertices")):
+            self.browser.value(f"openFile(new File(['{faces}'], 'unknown.{name}'))")
+            self.browser.wait(f"element('message').textContent.startsWith('{sentence}')")
         self.assertTrue(self.browser.value("domain === null"))
         tetrahedron = three_faces.replace("4 3 0", "4 4 0") + "3 2 0 3\\n"
         self.browser.value(f"openFile(new File(['{tetrahedron}'], 'tetrahedron.OFF'))")
