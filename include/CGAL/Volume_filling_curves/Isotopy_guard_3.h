@@ -32,7 +32,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -68,10 +68,10 @@ namespace Volume_filling_curves {
  * `fill()` and `simplify_curves()` construct their own. Guards of different networks can be used
  * concurrently.
  *
- * \pre the network is embedded: two of its edges meet at most in a common node
- *
  * With a domain, all that the curve sweeps must also lie strictly inside: a curve that starts
  * inside stays inside, as exactly as the domain answers.
+ *
+ * \pre the network is embedded: two of its edges meet at most in a common node
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
@@ -82,10 +82,6 @@ class Isotopy_guard_3
   static_assert(internal::check_domain<Domain, typename Curve_network_3<Traits>::Point_3>());
 
 public:
-  /// \cond SKIP_IN_MANUAL
-  using Boundary = internal::Boundary<Domain>;
-  /// \endcond
-
   /// \name Types
   /// @{
 
@@ -104,12 +100,11 @@ public:
   /// @}
 
   /// constructs a guard of `curve` without a domain.
-  explicit Isotopy_guard_3(Curve_network& curve) : Isotopy_guard_3(curve, Boundary()) {}
+  explicit Isotopy_guard_3(Curve_network_3<Traits>& curve) : Isotopy_guard_3(curve, Boundary()) {}
 
   /// constructs a guard that keeps `curve` inside `domain`, which must outlive the guard.
-  ///
   /// \pre the curve lies inside `domain`
-  Isotopy_guard_3(Curve_network& curve, const Domain& domain)
+  Isotopy_guard_3(Curve_network_3<Traits>& curve, const Domain& domain)
       : Isotopy_guard_3(curve, Boundary(domain))
   {}
 
@@ -129,7 +124,6 @@ public:
   /// sets the distance from the boundary of the domain that the curve keeps, in the input's unit; 0
   /// (default) stands for none. Certified like containment, as exactly as the domain's distances
   /// are lower bounds. For guards with a domain.
-  ///
   /// \pre the curve is farther than that from the boundary, see `min_wall_distance()`
   void set_wall_distance(double distance) { set_wall_distance(distance, 0); }
 
@@ -145,29 +139,26 @@ public:
 
   /// moves node `v` to `target` if that is certified, and returns whether it did. Pinned nodes move
   /// as well: pins only concern the flow.
-  ///
   /// \pre the node has not been removed
   bool move_node(size_type v, const Point_3& target)
   {
     CGAL_precondition_msg(!m_curve.is_removed_node(v), "the node has not been removed");
-    if(is_in_range(target) && m_predicates.are_equal(m_curve.point(v), rounded(target)))
-      return change_if(true, [] {});
-    return change_if(is_in_range(target) &&
-                         m_certifier.is_move_safe(v, rounded(target), m_clearance, m_bends),
-                     [&] { m_editor.move_node(v, rounded(target)); });
+    const std::optional<Point_3> p = rounded(target);
+    if(p && m_predicates.are_equal(m_curve.point(v), *p)) return change_if(true, [] {});
+    return change_if(p && m_certifier.is_move_safe(v, *p, m_clearance, m_bends),
+                     [&] { m_editor.move_node(v, *p); });
   }
 
   /// replaces edge `e` by two edges to a new node at `position` if that is certified, and returns
   /// whether it did. The edge from `source(e)` keeps the index `e`; hence the new node is
   /// `target(e)`, with the largest index.
-  ///
   /// \pre the edge has not been removed
   bool insert_node(size_type e, const Point_3& position)
   {
     CGAL_precondition_msg(!m_curve.is_removed_edge(e), "the edge has not been removed");
-    return change_if(is_in_range(position) &&
-                         m_certifier.is_insertion_safe(e, rounded(position), m_clearance, m_bends),
-                     [&] { m_editor.insert_node(e, rounded(position)); });
+    const std::optional<Point_3> p = rounded(position);
+    return change_if(p && m_certifier.is_insertion_safe(e, *p, m_clearance, m_bends),
+                     [&] { m_editor.insert_node(e, *p); });
   }
 
   /// removes node `v` and joins its two neighbors by an edge if that is certified, and returns
@@ -203,17 +194,14 @@ public:
     CGAL_precondition_msg(min_fraction > 0, "`min_fraction` is positive");
     if(!are_in_range(targets)) return 0;
     const size_type n = m_curve.number_of_nodes();
-    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary,
-                               m_bends);
-    const internal::Certified_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
+    const Limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary, m_bends);
+    const internal::Certified_motion<Limits, ConcurrencyTag> motion(limits, m_watch);
     for(double fraction = 1; fraction >= min_fraction; fraction /= 2) {
-      if(motion.keeps_clearance(fraction)) {
-        const auto rounds = motion.certify(fraction);
-        if(!rounds.positions.empty()) {
-          m_editor.move_nodes(rounds);
-          m_number_of_certified += n;
-          return fraction;
-        }
+      const auto rounds = motion.certify(fraction);
+      if(!rounds.positions.empty()) {
+        m_editor.move_nodes(rounds);
+        m_number_of_certified += n;
+        return fraction;
       }
       m_number_of_rejected += n;
     }
@@ -240,9 +228,8 @@ public:
   {
     const size_type n = m_curve.number_of_nodes();
     if(!are_in_range(targets)) return std::vector<double>(n, 0);
-    const Motion_limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary,
-                               m_bends);
-    internal::Shortened_motion<Motion_limits, ConcurrencyTag> motion(limits, m_watch);
+    const Limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary, m_bends);
+    internal::Shortened_motion<Limits, ConcurrencyTag> motion(limits, m_watch);
     m_editor.move_nodes(motion());
     const auto held =
         static_cast<size_type>(std::count(motion.fractions().begin(), motion.fractions().end(), 0));
@@ -254,13 +241,13 @@ public:
   /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if the ray is certified
   /// to meet the curve only in `v`, and returns whether it did. No strand slips off an end that has
   /// a ray. Nodes of rays are pinned and have no origin; certificates omit them.
-  ///
   /// \pre the node has not been removed
   bool add_ray(size_type v, const Point_3& tip)
   {
     CGAL_precondition_msg(!m_curve.is_removed_node(v), "the node has not been removed");
-    return change_if(is_in_range(tip) && m_certifier.is_ray_safe(v, rounded(tip), m_clearance),
-                     [&] { m_editor.append_leaf(v, rounded(tip)); });
+    const std::optional<Point_3> p = rounded(tip);
+    return change_if(p && m_certifier.is_ray_safe(v, *p, m_clearance),
+                     [&] { m_editor.append_leaf(v, *p); });
   }
 
   /// removes all rays, and closes the gaps in the numbering.
@@ -284,22 +271,19 @@ public:
   /// \name Observers and Certificate
   /// @{
 
-  /// adds an observer, which is called right after every change. It must outlive the guard or be
-  /// removed before.
+  /// adds an observer of every change. It must outlive the guard or be removed before.
   void add_observer(Observer& observer) { m_editor.add(observer); }
 
   /// removes an observer.
   void remove_observer(Observer& observer) { m_editor.remove(observer); }
 
   /// starts recording changes, and discards any former record.
-  ///
   /// \pre the network has no garbage
   void start_recording()
   {
     CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
     stop_recording();
-    m_record = std::make_unique<internal::Motion_record<Curve_network>>(m_curve);
-    m_editor.add(*m_record);
+    m_editor.add(m_record.emplace(m_curve));
   }
 
   /// stops recording changes, and discards the record.
@@ -310,11 +294,10 @@ public:
   }
 
   /// returns whether changes are recorded.
-  bool is_recording() const { return m_record != nullptr; }
+  bool is_recording() const { return m_record.has_value(); }
 
   /// returns the certificate of the motion from the start of the recording to the current network.
   /// The recording continues. Takes time linear in the length of the record.
-  ///
   /// \pre changes are recorded
   Isotopy_certificate certificate() const
   {
@@ -336,6 +319,7 @@ public:
   /// @}
 
   /// \cond SKIP_IN_MANUAL
+  using Boundary = internal::Boundary<Domain>;
   const Boundary& boundary() const { return m_boundary; }
 
   // likewise; the flow takes a layer along the boundary for outside, see `Boundary`
@@ -350,22 +334,17 @@ public:
   internal::Run_watch* watch() const { return m_watch; }
 
   auto counts() { return std::tie(m_number_of_certified, m_number_of_rejected); }
-  internal::Motion_record<Curve_network>* record() { return m_record.get(); } // or null
+  internal::Motion_record<Curve_network>* record() { return m_record ? &*m_record : nullptr; }
   /// \endcond
 
 private:
   Isotopy_guard_3(Curve_network& curve, Boundary&& boundary)
-      : m_curve(curve),
-        m_editor(curve),
-        m_predicates(curve.traits()),
-        m_boundary(std::move(boundary)),
-        m_locator(curve),
-        m_certifier(curve, m_predicates, m_locator, m_boundary)
+      : m_curve(curve), m_editor(curve), m_boundary(std::move(boundary))
   {
     m_editor.add(m_locator);
   }
 
-  using Motion_limits = internal::Motion_limits<Curve_network, Boundary>;
+  using Limits = internal::Motion_limits<Curve_network, Boundary>;
 
   template <typename Change>
   bool change_if(bool is_certified, const Change& change)
@@ -375,51 +354,39 @@ private:
     return is_certified;
   }
 
-  static bool is_in_range(const Point_3& p)
-  {
-    return internal::is_in_range(internal::to_vector(p));
-  }
-
   // Returns whether all targets are in range, and counts the others as refused.
   bool are_in_range(const internal::Vector_field& targets)
   {
     CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
     CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == m_curve.number_of_nodes(),
                           "`targets` has one row per node");
-    for(Eigen::Index v = 0; v < targets.rows(); ++v)
-      if(!internal::is_in_range(internal::row(targets, v))) {
-        m_number_of_rejected += m_curve.number_of_nodes();
-        return false;
-      }
-    return true;
+    const bool are_accepted = (targets.array().abs() <= internal::max_coordinate).all();
+    if(!are_accepted) m_number_of_rejected += m_curve.number_of_nodes();
+    return are_accepted;
   }
 
-  Point_3 rounded(const Point_3& p) const
+  // Returns the position as it is stored, or none if it is out of range.
+  std::optional<Point_3> rounded(const Point_3& p) const
   {
-    return internal::to_point(internal::to_vector(p), m_curve.traits());
+    const internal::Vector x = internal::to_vector(p);
+    if(!internal::is_in_range(x)) return std::nullopt;
+    return internal::to_point(x, m_curve.traits());
   }
 
   const Curve_network& m_curve;
   internal::Network_editor<Curve_network> m_editor;
-  internal::Exact_predicates<Traits> m_predicates;
+  internal::Exact_predicates<Traits> m_predicates{m_curve.traits()};
   Boundary m_boundary;
-  internal::Edge_locator<Curve_network> m_locator;
-  internal::Local_change_certifier<Curve_network, Boundary> m_certifier;
+  internal::Edge_locator<Curve_network> m_locator{m_curve};
+  internal::Local_change_certifier<Curve_network, Boundary> m_certifier{m_curve, m_predicates,
+                                                                        m_locator, m_boundary};
   internal::Clearance_rule m_clearance;
   Bend_limits<Point_3> m_bends;
-  std::unique_ptr<internal::Motion_record<Curve_network>> m_record;
+  std::optional<internal::Motion_record<Curve_network>> m_record;
   internal::Run_watch* m_watch = nullptr;
   size_type m_number_of_certified = 0;
   size_type m_number_of_rejected = 0;
 };
-
-#ifndef DOXYGEN_RUNNING
-template <typename Traits>
-Isotopy_guard_3(Curve_network_3<Traits>&) -> Isotopy_guard_3<Traits>;
-
-template <typename Traits, typename Domain>
-Isotopy_guard_3(Curve_network_3<Traits>&, const Domain&) -> Isotopy_guard_3<Traits, Domain>;
-#endif
 
 } // namespace Volume_filling_curves
 } // namespace CGAL

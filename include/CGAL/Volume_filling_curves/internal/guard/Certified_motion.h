@@ -39,22 +39,12 @@ public:
       : m_limits(limits), m_watch(watch)
   {}
 
-  // returns whether the curve keeps its clearance where the part `fraction` of the motion ends
-  bool keeps_clearance(double fraction) const
-  {
-    if(!m_limits.keep_clearance()) return true;
-    const std::vector<Point_3> end = positions(fraction);
-    return holds_for_all(m_limits.number_of_pairs(),
-                         [&](std::size_t k) { return m_limits.is_pair_clear(k, end); }) &&
-           holds_for_all(m_limits.curve().number_of_nodes(),
-                         [&](std::size_t v) { return m_limits.is_corner_clear(v, end); });
-  }
-
   // Certifies the given fraction of the motion as a whole, in reverse order of the nodes, or in 2,
   // 4 and 8 smaller rounds (strands that travel together farther than their distance fail as a
-  // whole). Returns the certified rounds, or none if all fail.
+  // whole). Returns the certified rounds, or none if all fail or the clearance is not kept.
   Rounds certify(double fraction) const
   {
+    if(!keeps_clearance(fraction)) return {};
     const std::vector<Point_3> start = positions(0);
     for(int rounds : {1, 2, 4, 8})
       for(bool is_reversed : {false, true}) {
@@ -73,6 +63,17 @@ public:
 
 private:
   static constexpr std::size_t block = 512; // nodes or pairs per task
+
+  // returns whether the curve keeps its clearance where the part `fraction` of the motion ends
+  bool keeps_clearance(double fraction) const
+  {
+    if(!m_limits.keep_clearance()) return true;
+    const std::vector<Point_3> end = positions(fraction);
+    return holds_for_all(m_limits.number_of_pairs(),
+                         [&](std::size_t k) { return m_limits.is_pair_clear(k, end); }) &&
+           holds_for_all(m_limits.curve().number_of_nodes(),
+                         [&](std::size_t v) { return m_limits.is_corner_clear(v, end); });
+  }
 
   std::vector<Point_3> positions(double fraction) const
   {

@@ -58,11 +58,8 @@ public:
     Indices blocked = blocked_nodes();
     if(blocked.empty()) return one_round();
     // strands that travel together, farther than their distance, fail in one round
-    const Certified_motion<Limits, ConcurrencyTag> whole(m_limits, m_watch);
-    if(whole.keeps_clearance(1)) {
-      Rounds rounds = whole.certify(1);
-      if(!rounds.positions.empty()) return rounds;
-    }
+    Rounds rounds = Certified_motion<Limits, ConcurrencyTag>(m_limits, m_watch).certify(1);
+    if(!rounds.positions.empty()) return rounds;
     sort_pairs_by_edges();
     while(!blocked.empty()) {
       for(const Index v : blocked) shorten(v);
