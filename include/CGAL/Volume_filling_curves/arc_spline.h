@@ -9,12 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/arcs/Arc_certifier.h>
 #include <CGAL/Volume_filling_curves/internal/arcs/Arc_spline.h>
 #include <CGAL/Volume_filling_curves/internal/arcs/Arc_spline_builder.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>

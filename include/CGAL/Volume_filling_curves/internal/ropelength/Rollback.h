@@ -9,10 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_rule.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
+#include <CGAL/Volume_filling_curves/internal/measures/strand_measures.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 
