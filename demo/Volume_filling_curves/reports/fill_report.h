@@ -11,7 +11,7 @@
 #include "files/mesh_files.h"
 #include "session/Exit_status.h"
 
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 
 #include <string>
 

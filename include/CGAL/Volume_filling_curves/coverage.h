@@ -19,69 +19,17 @@
 #include <CGAL/Volume_filling_curves/internal/search/Distance_to_curve.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Coverage.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
-
-/*!
- * \ingroup PkgVolumeFillingCurvesMeasures
- *
- * \brief The struct `Coverage` describes how evenly a curve fills a domain: statistics of the
- * distances from uniform samples of the domain to the curve, divided by the thickness. Without
- * samples, for example if there was no time to measure, they are NaN.
- */
-struct Coverage
-{
-  /// the number of samples
-  std::size_t samples = 0;
-
-  /// the mean distance
-  double mean = std::numeric_limits<double>::quiet_NaN();
-
-  /// the median
-  double p50 = std::numeric_limits<double>::quiet_NaN();
-
-  /// the distance that 95 % of the samples do not exceed
-  double p95 = std::numeric_limits<double>::quiet_NaN();
-
-  /// the distance that 99 % of the samples do not exceed
-  double p99 = std::numeric_limits<double>::quiet_NaN();
-
-  /// the largest distance
-  double max = std::numeric_limits<double>::quiet_NaN();
-
-  /// the share of the samples that are at most the thickness away
-  double fraction_within_r = std::numeric_limits<double>::quiet_NaN();
-};
-
-/*!
- * \ingroup PkgVolumeFillingCurvesMeasures
- *
- * \brief The struct `Empty_region_3` is a connected part of a domain that a curve did not reach.
- *
- * \tparam Point_3 the type of points
- */
-template <typename Point_3>
-struct Empty_region_3
-{
-  /// the center of a ball that lies in the region
-  Point_3 point;
-
-  /// the radius of the ball
-  double radius;
-
-  /// the volume of the region, or its area in a planar domain, estimated from its share of the
-  /// samples
-  double volume;
-};
 
 namespace internal {
 

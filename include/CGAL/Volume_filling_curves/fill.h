@@ -16,7 +16,6 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Inset_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_call.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
@@ -27,6 +26,7 @@
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Finger_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 

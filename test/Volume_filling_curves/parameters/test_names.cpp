@@ -6,9 +6,9 @@
 
 // The names of statuses, proofs and choices, which users print.
 
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
@@ -22,6 +21,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/scaled_record.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Visitor_in_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
@@ -22,6 +21,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>

@@ -15,9 +15,9 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
+#include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
@@ -31,6 +31,7 @@
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
@@ -20,6 +19,7 @@
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,10 +11,10 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 
 #include <cstddef>

@@ -12,12 +12,12 @@
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Crowding.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/text/counted.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
-#include <CGAL/Volume_filling_curves/internal/guard/Elementary_operation.h>
+#include <CGAL/Volume_filling_curves/internal/polygon_search/Elementary_operation.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_chain.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
-#include <CGAL/Volume_filling_curves/internal/guard/Elementary_operation.h>
+#include <CGAL/Volume_filling_curves/internal/polygon_search/Elementary_operation.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_guard.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_parameters.h>
 

@@ -4,12 +4,12 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_RESULT_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_RESULT_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_FILLING_RESULT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_FILLING_RESULT_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Coverage.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Shape_excess_3.h>
@@ -158,4 +158,4 @@ struct Filling_result
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_FILLING_FILLING_RESULT_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_FILLING_RESULT_H
