@@ -47,6 +47,9 @@ function choices() {
   return {Unknots: unknots, Links: links, "Torus knots": torusKnots, "Domains to fill": domains, "Prime knots": knots};
 }
 
+const ownChoice = new Option("your own", ""); // what was opened or drawn
+ownChoice.hidden = true;
+
 let offered = {};
 
 function addChoices() {
@@ -57,5 +60,6 @@ function addChoices() {
     for (const name of Object.keys(group)) options.append(new Option(name, label + "/" + name));
     element("knot").append(options);
   }
+  element("knot").append(ownChoice); // the first one is selected
 }
 

@@ -16,8 +16,8 @@ function settings() {
 function showSettings() {
   const {thickness, bendRadius, ratio} = settings(), round = (x) => (x * domain.unit).toPrecision(3);
   element("filling-thickness-value").textContent = round(thickness);
-  element("bend-value").textContent = bendRadius > 0 ? round(bendRadius) : "any";
-  element("ratio-value").textContent = `1 : ${Number(ratio.toPrecision(2))}`;
+  element("bend-value").textContent = bendRadius > 0 ? round(bendRadius) : "none";
+  element("ratio-value").textContent = ratio === 1 ? "none" : `1 : ${Number(ratio.toPrecision(2))}`;
 }
 
 // As the core has it: from end to end of the longest side of the domain's box.
@@ -111,7 +111,12 @@ function showFilled({result, ...last}) {
   showGrowth(last);
   showResult(result);
   allowSaving(true);
-  if (result.reason) say(result.reason);
+  say(outcome(result));
+}
+
+function outcome({status, reason, withinThickness}) {
+  if (status === "interrupted") return "Stopped: the curve so far can be saved.";
+  return reason || `Filled: ${(100 * withinThickness).toFixed(0)} % of the inside is nearer to the curve than the thickness.`;
 }
 
 function showResult({status, withinThickness, length, bendRadius, strandDistance}) {
@@ -127,5 +132,9 @@ function showResult({status, withinThickness, length, bendRadius, strandDistance
 function listenToFilling() {
   element("fill").addEventListener("click", toggleFilling);
   element("glass").addEventListener("input", () => scene.showDomain(element("glass").valueAsNumber));
-  for (const name of ["filling-thickness", "bend", "ratio"]) element(name).addEventListener("input", showSettings);
+  for (const name of ["filling-thickness", "bend", "ratio"])
+    element(name).addEventListener("input", () => {
+      showSettings();
+      if (grown) say(`For a curve like that, press ${isFilling ? "Stop and " : ""}Fill.`);
+    });
 }

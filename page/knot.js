@@ -21,7 +21,7 @@ function showPicture(data) {
   showNumber(data.number);
   if (picture.held < 0) view.follow(picture.coordinates, isFirst || picture.isSearching);
   showCurve();
-  const round = (x) => (Number.isFinite(x) ? x.toPrecision(5) : "–");
+  const round = (x) => (Number.isFinite(x) ? Number(x.toPrecision(5)) : "–"); // without an exponent
   element("length").textContent = round(picture.length);
   element("ropelength").textContent = round(picture.ropelength);
   element("nodes").textContent = picture.coordinates.length / 3;

@@ -18,7 +18,7 @@ function say(text, kind = "") {
   element("message").className = kind;
 }
 
-// "knot" or "filling", each of which has controls of its own
+// "knot", "filling" or "drawing", each of which has controls of its own
 function setMode(mode) { document.body.dataset.mode = mode; }
 
 // --- Input and output
@@ -30,6 +30,7 @@ function loadChoice() {
 
 function load(input) {
   if (isFilling) stopFilling();
+  if (drawing.isOn) endDrawing();
   say("");
   element("thickness").value = thickness = 0;
   ask("load", {input, number: ++number});
@@ -43,27 +44,32 @@ async function openFile(file) {
 
 // A file with faces is one of a surface.
 function loadFile(name, content) {
-  element("knot").selectedIndex = -1;
+  ownChoice.selected = true;
   const isSurface = name.endsWith(".off") || /^f\s/m.test(content);
   load(isSurface ? {domain: {name, content}} : {name, content});
 }
 
 // Begins a drawing or, if there is one, ends it: its curve is seen as it was drawn.
 function draw() {
-  const content = drawing.isOn ? drawing.obj() : "";
-  if (content) {
-    scene.azimuth = scene.elevation = 0;
-    loadFile("drawing.obj", content);
-  }
-  drawing.isOn ? endDrawing() : drawing.begin();
-  if (!drawing.isOn) return;
+  if (!drawing.isOn) return beginDrawing();
+  const content = drawing.obj();
+  endDrawing();
+  if (!content) return;
+  scene.azimuth = scene.elevation = 0;
+  loadFile("drawing.obj", content);
+}
+
+function beginDrawing() {
+  drawing.begin();
+  setMode("drawing");
   element("draw").textContent = "Done";
-  say("Draw a closed curve, or several. Click a crossing to exchange over and under.");
+  say("Draw a closed curve, or several. Click a crossing to exchange over and under. Then press Done.");
 }
 
 function endDrawing() {
   drawing.setOn(false);
   element("draw").textContent = "Draw";
+  setMode(domain ? "filling" : "knot");
   say("");
 }
 
@@ -118,9 +124,9 @@ function listenToKeys() {
   const ofKnots = {".": () => ask("step"), s: search, z: undo, n: holdNext, Escape: letGo};
   document.addEventListener("keydown", (event) => {
     if (drawing.isOn) return event.key === "Escape" && endDrawing();
-    const isTyping = ["SELECT", "BUTTON", "INPUT"].includes(event.target.tagName);
+    const {tagName} = event.target, isTaken = tagName === "SELECT" || (tagName === "BUTTON" && event.key === " ");
     const action = always[event.key] || (picture && ofKnots[event.key]);
-    if (isTyping || !action || event.ctrlKey || event.metaKey) return;
+    if (isTaken || !action || event.ctrlKey || event.metaKey) return;
     action();
     event.preventDefault();
   });
@@ -186,3 +192,4 @@ listenToPointers(scene);
 listenToKeys();
 new ResizeObserver(() => scene.draw()).observe(scene.canvas);
 loadChoice();
+say("This tangle is unknotted: Search unties it. Or pull at it.");

@@ -262,7 +262,9 @@ class The_page(In_folder):
         nodes = len(coordinates(self.folder / "curve.obj"))
         self.assertEqual(self.number("filling-nodes"), nodes)
         self.assertGreater(nodes, len(coordinates(self.folder / "start.obj")))
+        self.assertIn("can be saved", self.browser.value("element('message').textContent"))
         self.slide("filling-thickness", -4)
+        self.assertIn("press Fill", self.browser.value("element('message').textContent"))
         self.browser.click("fill")
         self.browser.wait("!isFilling && grown !== null && !grown.isWaiting")
         self.assertGreater(float(self.browser.value("element('within').textContent").rstrip(" %")), 50)
@@ -300,6 +302,7 @@ class The_page(In_folder):
         self.browser.click("step")
         self.browser.wait(f"Number(element('length').textContent) < {length} && !picture.isRunning")
         length = self.number("length")
+        self.browser.value("element('run').focus()")  # as after a click
         self.browser.press(".")
         self.browser.wait(f"Number(element('length').textContent) < {length} && !picture.isRunning")
         thickness = self.browser.value("picture.thickness")
@@ -332,6 +335,7 @@ class The_page(In_folder):
         self.open()
         for is_exchanged, names in ((False, ("3_1", "3_1*")), (True, ("0_1",))):
             self.browser.click("draw")
+            self.assertEqual(self.browser.value("element('run').clientHeight"), 0)
             self.browser.mouse("mousePressed", *trefoil[0])
             for point in trefoil:
                 self.browser.mouse("mouseMoved", *point)
@@ -345,6 +349,11 @@ class The_page(In_folder):
             self.browser.wait("shownNumber === number && element('name').textContent !== '\u2026'")
             name = self.browser.value("element('name').textContent")
             self.assertIn(name, [f"{name} (proved)" for name in names])
+            self.assertEqual(self.browser.value("element('knot').selectedOptions[0].text"), "your own")
+        self.browser.click("draw")
+        self.choose("Prime knots/3_1")
+        self.assertFalse(self.browser.value("drawing.isOn"))
+        self.assertGreater(self.browser.value("element('run').clientHeight"), 0)
         self.check_calm()
 
     def test_can_be_used_with_fingers(self):
