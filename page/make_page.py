@@ -48,8 +48,8 @@ def compressed(file):
 
 def page(core):
     film = PACKAGE / "demo/Volume_filling_curves/film"
-    scripts = {"three.js": three_js(), "core.js": core.read_text(),
-               "scene.js": (film / "scene.js").read_text()}
+    scripts = {"core.js": core.read_text(),
+               "scene.js": (film / "scene.js").read_text().replace("/* three.js */", three_js())}
     for name in ("worker.js", "filling_worker.js", "drawing.js", "view.js", "hand.js", "knot.js", "filling.js",
                  "choices.js", "page.js"):
         scripts[name] = (FOLDER / name).read_text()

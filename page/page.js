@@ -1,6 +1,5 @@
 // The page itself: it shows the pictures that the worker posts, and tells it what the user does.
 
-const element = (id) => document.getElementById(id);
 const COLORS = ["#d83a34", "#2f6fbf", "#2e9e5b", "#c9881f", "#8a4fb5", "#3aa6b0"];
 
 let worker = null;
@@ -112,14 +111,6 @@ function undo() {
 }
 
 function listenToKeys() {
-  const turns = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
-  scene.canvas.addEventListener("keydown", (event) => {
-    const turn = turns[event.key];
-    if (!turn) return;
-    if (event.shiftKey) pullBy(...turn);
-    else scene.turn(0.1 * turn[0], 0.1 * turn[1]);
-    event.preventDefault();
-  });
   const always = {" ": toggle, "+": () => scene.zoom(1 / 1.1), "-": () => scene.zoom(1.1)};
   const ofKnots = {".": () => ask("step"), s: search, z: undo, n: holdNext, Escape: letGo};
   document.addEventListener("keydown", (event) => {
@@ -189,6 +180,7 @@ listenToControls();
 listenToFilling();
 listenToHand();
 listenToPointers(scene);
+listenToArrows(scene, pullBy);
 listenToKeys();
 new ResizeObserver(() => scene.draw()).observe(scene.canvas);
 loadChoice();

@@ -76,12 +76,12 @@ std::string read_three_js()
 
 std::string film_page(const std::string& film, const std::string& three_js)
 {
-  const std::vector<std::pair<std::string, std::string>> parts{
-      {"/* page.css */", page_css},
-      {"/* three.js */", in_script(three_js)},
-      {"/* film */", in_json_script(film)},
-      {"/* scene.js */", scene_js},
-      {"/* page.js */", page_js}};
+  std::string scene = scene_js;
+  replace_all(scene, "/* three.js */", in_script(three_js));
+  const std::vector<std::pair<std::string, std::string>> parts{{"/* page.css */", page_css},
+                                                               {"/* film */", in_json_script(film)},
+                                                               {"/* scene.js */", scene},
+                                                               {"/* page.js */", page_js}};
   const std::string html = page_html;
   std::string page;
   std::size_t last = 0;

@@ -1,7 +1,6 @@
 // Plays the film that is in the element "film"; Film.h of the program vfc says what it holds.
 
 const film = JSON.parse(document.getElementById("film").textContent);
-const element = (id) => document.getElementById(id);
 
 function numbers(base64, ArrayType) {
   return new ArrayType(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer);
@@ -60,13 +59,7 @@ class Player {
 }
 
 function listenToKeys(scene, player) {
-  const angle = 0.1, factor = 1.1;
-  const turns = {ArrowLeft: [-angle, 0], ArrowRight: [angle, 0], ArrowUp: [0, angle], ArrowDown: [0, -angle]};
-  scene.canvas.addEventListener("keydown", (event) => {
-    if (!turns[event.key]) return;
-    scene.turn(...turns[event.key]);
-    event.preventDefault();
-  });
+  const factor = 1.1;
   const actions = {
     " ": () => player.toggle(), ",": () => player.step(-1), ".": () => player.step(1),
     "+": () => scene.zoom(1 / factor), "-": () => scene.zoom(factor),
@@ -94,6 +87,7 @@ function start() {
   element("domain").addEventListener("input", (event) => scene.showDomain(event.target.valueAsNumber));
   element("domain-label").hidden = !film.surface;
   listenToPointers(scene);
+  listenToArrows(scene);
   listenToKeys(scene, player);
   new ResizeObserver(() => scene.draw()).observe(scene.canvas);
   scene.showDomain(element("domain").valueAsNumber);

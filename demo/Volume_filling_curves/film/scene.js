@@ -2,6 +2,15 @@
 
 // Draws curves as tubes, with three.js: for the film, and for the live page.
 
+const THREE = (() => {
+const module = {exports: {}}, exports = module.exports;
+/* three.js */
+;
+return module.exports;
+})();
+
+const element = (id) => document.getElementById(id);
+
 // --- Tubes
 
 const sum = (a, b, s) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
@@ -273,4 +282,16 @@ function listenToPointers(scene) {
     event.preventDefault();
     scene.zoom(Math.exp(event.deltaY / 800));
   }, {passive: false});
+}
+
+// Arrow keys turn, or do something else with shift.
+function listenToArrows(scene, actionWithShift) {
+  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+  scene.canvas.addEventListener("keydown", (event) => {
+    const arrow = arrows[event.key];
+    if (!arrow) return;
+    if (event.shiftKey && actionWithShift) actionWithShift(...arrow);
+    else scene.turn(0.1 * arrow[0], 0.1 * arrow[1]);
+    event.preventDefault();
+  });
 }
