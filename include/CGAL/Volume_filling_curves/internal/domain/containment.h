@@ -27,6 +27,7 @@ namespace Volume_filling_curves {
 
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
+ * \headerfile CGAL/Volume_filling_curves/coverage.h
  *
  * \brief The struct `Containment` lists the nodes and edges of a curve that are not strictly inside
  * a domain.
@@ -45,6 +46,7 @@ struct Containment
 
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
+ * \headerfile CGAL/Volume_filling_curves/coverage.h
  *
  * \brief The struct `Wall_distance_3` is the least distance of a curve to the boundary of a domain.
  *

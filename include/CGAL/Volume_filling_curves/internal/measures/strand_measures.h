@@ -30,6 +30,7 @@ namespace Volume_filling_curves {
 
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
+ * \headerfile CGAL/Volume_filling_curves/curve_measures.h
  *
  * \brief The struct `Strand_distance_3` is the least distance of two strands of a curve.
  *

@@ -17,6 +17,7 @@ namespace Volume_filling_curves {
 
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
+ * \headerfile CGAL/Volume_filling_curves/coverage.h
  *
  * \brief The struct `Coverage` describes how evenly a curve fills a domain: statistics of the
  * distances from uniform samples of the domain to the curve, divided by the thickness. Without
@@ -48,6 +49,7 @@ struct Coverage
 
 /*!
  * \ingroup PkgVolumeFillingCurvesMeasures
+ * \headerfile CGAL/Volume_filling_curves/coverage.h
  *
  * \brief The struct `Empty_region_3` is a connected part of a domain that a curve did not reach.
  *
