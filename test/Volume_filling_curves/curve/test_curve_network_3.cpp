@@ -5,6 +5,7 @@
 // Author(s) : The Volume_filling_curves authors
 
 #include "support/guard_test_support.h"
+#include "support/refusal_of.h"
 
 #include <gtest/gtest.h>
 
@@ -248,13 +249,8 @@ TEST(Curve_network, orients_components_whose_edges_disagree)
 TEST(Curve_network, names_the_edge_that_is_wrong)
 {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}};
-  const auto message = [&](const Edges& edges) -> std::string {
-    try {
-      Network(points, edges);
-    } catch(const std::invalid_argument& error) {
-      return error.what();
-    }
-    return {};
+  const auto message = [&](const Edges& edges) {
+    return refusal_of([&] { Network(points, edges); });
   };
   EXPECT_EQ(message({{0, 2}}), "edge (0, 2) has no such node");
   EXPECT_EQ(message({{1, 1}}), "edge (1, 1) joins a node with itself");

@@ -6,6 +6,7 @@
 
 // The public header: diagrams of curves, their codes, and what they prove.
 
+#include "support/refusal_of.h"
 #include "support/shared_curves.h"
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
@@ -85,21 +86,10 @@ TEST(Knot_diagram, Codes_are_read_back)
   }
 }
 
-template <typename Function>
-std::string message_of(const Function& f)
-{
-  try {
-    (void)f();
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(Knot_diagram, Bad_codes_are_refused_with_a_reason)
 {
   const auto pd = [](const std::string& text) {
-    return message_of([&] { return VFC::diagram_of_pd_code(text); });
+    return refusal_of([&] { return VFC::diagram_of_pd_code(text); });
   };
   const std::string no_item = " is not part of a planar diagram code",
                     no_crossings = " is not a list of crossings with four arcs each",
@@ -125,7 +115,7 @@ TEST(Knot_diagram, Bad_codes_are_refused_with_a_reason)
                       "direction of its lower strands");
   EXPECT_NE(pd("[1, 3, 2, 4], [2, 4, 3, 1]").find("virtual link"), std::string::npos);
   const auto gauss = [](const std::string& text) {
-    return message_of([&] { return VFC::diagram_of_gauss_code(text); });
+    return refusal_of([&] { return VFC::diagram_of_gauss_code(text); });
   };
   EXPECT_EQ(gauss("hello"), "'h' is not part of a Gauss code");
   EXPECT_EQ(gauss("O1+U1+ /"), "component 2 of the Gauss code is empty");
@@ -138,11 +128,11 @@ TEST(Knot_diagram, Bad_codes_are_refused_with_a_reason)
   EXPECT_EQ(gauss("O1+O1+"), "crossing 1 has two passes on the same level");
   EXPECT_EQ(gauss("O1+X1+"), "'X' is not part of a Gauss code");
   EXPECT_NE(gauss("O1+O2+U1+U2+").find("virtual"), std::string::npos);
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(refusal_of([] {
               return VFC::dt_code({{}, 2});
             }),
             "only a knot has a Dowker-Thistlethwaite code");
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(refusal_of([] {
               return VFC::signature({{{0, 1, 2, 3}}, 0});
             }),
             no_code + "arc 2 is above the last one, arc 1");
@@ -173,7 +163,7 @@ TEST(Knot_diagram, Hard_unknots_are_unknotted)
 TEST(Knot_diagram, Open_curves_have_none)
 {
   const Curve arc({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1}, {1, 2}});
-  EXPECT_EQ(message_of([&] { return VFC::knot_diagram(arc); }),
+  EXPECT_EQ(refusal_of([&] { return VFC::knot_diagram(arc); }),
             "component 0 is not a closed curve, and has no diagram");
 }
 

@@ -6,6 +6,7 @@
 
 #include "support/domain_test_support.h"
 #include "support/polygon_test_support.h"
+#include "support/refusal_of.h"
 
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -255,12 +255,7 @@ TEST(Polygon_domain, is_scaled_by_powers_of_two)
 template <typename Input>
 std::string refusal(const Input& input)
 {
-  try {
-    const Domain domain(input);
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { const Domain domain(input); });
 }
 
 TEST(Polygon_domain, names_the_edges_that_meet)

@@ -9,6 +9,7 @@
 
 #include "support/fill_test_support.h"
 #include "support/mesh_test_support.h"
+#include "support/refusal_of.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
@@ -24,7 +25,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -213,12 +213,7 @@ TEST(Fill_at_any_scale, a_given_curve_and_a_resumed_run)
 std::string refusal(const std::function<void(Curve&)>& fill)
 {
   Curve curve;
-  try {
-    fill(curve);
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { fill(curve); });
 }
 
 TEST(Fill_at_any_scale, beyond_the_limits_of_coordinates_it_is_refused)

@@ -7,6 +7,7 @@
 // The library refuses the meshes that the program refuses, in the same words.
 
 #include "support/mesh_file_test_support.h"
+#include "support/refusal_of.h"
 
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,17 +79,6 @@ std::vector<std::pair<std::string, Soup>> refused_meshes()
           {"size too small", meshes::cube(1e-101)}};
 }
 
-template <typename Function>
-std::string complaint(const Function& function)
-{
-  try {
-    function();
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 std::string list(const char* one, const char* many, const Numbers& numbers)
 {
   if(numbers.empty()) return "";
@@ -116,15 +105,16 @@ TEST_F(One_judge, refuses_a_mesh_in_program_and_library_with_the_same_words)
     EXPECT_FALSE(read(soup));
     ASSERT_NE(find(kind), nullptr) << kind;
     const meshes::Mesh faces = meshes::to_mesh(soup);
-    const std::string text = complaint([&] { curves::Triangle_mesh_domain_3<> domain(faces); });
+    const std::string text = refusal_of([&] { curves::Triangle_mesh_domain_3<> domain(faces); });
     EXPECT_TRUE(std::any_of(
         defects.begin(), defects.end(),
         [&](const vfc::Defect& defect) { return has_words_and_places(text, kind, defect); }))
         << text << '\n'
         << find(kind)->text;
     curves::Curve_network_3<> curve;
-    EXPECT_EQ(complaint([&] { curves::fill(curve, faces); }), text);
-    EXPECT_EQ(complaint([&] { curves::fill(curve, faces, curves::Filling_parameters<>()); }), text);
+    EXPECT_EQ(refusal_of([&] { curves::fill(curve, faces); }), text);
+    EXPECT_EQ(refusal_of([&] { curves::fill(curve, faces, curves::Filling_parameters<>()); }),
+              text);
   }
 }
 
@@ -132,7 +122,7 @@ TEST_F(One_judge, counts_the_faults_of_a_kind)
 {
   const Soup soup = without_faces(meshes::sphere(1, 2), {100, 0});
   const std::string text =
-      complaint([&] { curves::Triangle_mesh_domain_3<> domain(meshes::to_mesh(soup)); });
+      refusal_of([&] { curves::Triangle_mesh_domain_3<> domain(meshes::to_mesh(soup)); });
   EXPECT_NE(text.find(", the first of 2; Polygon_mesh_processing::triangulate_hole()"),
             std::string::npos)
       << text;
@@ -157,10 +147,10 @@ TEST_F(One_judge, takes_shells_that_touch_and_nests_turned_inside_out)
   for(const Soup& soup : {meshes::voxels({{0, 0, 0}, {1, 1, 1}}), outer + inner.inverted(),
                           outer.inverted() + inner}) {
     EXPECT_TRUE(read(soup));
-    EXPECT_EQ(complaint([&] { curves::Triangle_mesh_domain_3<> domain(mesh); }), "");
+    EXPECT_EQ(refusal_of([&] { curves::Triangle_mesh_domain_3<> domain(mesh); }), "");
   }
   const meshes::Mesh nest = meshes::to_mesh(outer.inverted() + inner);
-  EXPECT_EQ(complaint([&] { curves::Triangle_mesh_domain_3<> domain(nest); }), "");
+  EXPECT_EQ(refusal_of([&] { curves::Triangle_mesh_domain_3<> domain(nest); }), "");
 }
 
 } // namespace test_one_judge

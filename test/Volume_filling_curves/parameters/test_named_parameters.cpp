@@ -7,6 +7,8 @@
 // Named parameters fill the structs of parameters, and what a function does not take is an error at
 // compile time: the trait that its static_assert uses is tested here.
 
+#include "support/refusal_of.h"
+
 #include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
@@ -19,7 +21,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -166,22 +167,10 @@ TEST(Named_parameters, tell_a_thickness_from_a_function)
   EXPECT_EQ(p.thickness_field(Point(0, 0, 0)), 1);
 }
 
-// the message of the error, or nothing
-template <typename Function>
-std::string complaint(const Function& function)
-{
-  try {
-    function();
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 template <typename Signature = Untangle, typename NamedParameters>
 std::string complaint_about(const NamedParameters& np)
 {
-  return complaint([&] { internal::check_parameters(get_parameters<Signature>(np)); });
+  return refusal_of([&] { internal::check_parameters(get_parameters<Signature>(np)); });
 }
 
 TEST(Checks, name_the_parameter_and_what_is_wrong)
@@ -226,8 +215,8 @@ TEST(Checks, accept_the_ends_of_the_ranges)
 
 TEST(Checks, compare_a_thickness_with_what_has_it)
 {
-  EXPECT_EQ(complaint([] { internal::check_thickness(1, 1, "the curves"); }), "");
-  EXPECT_EQ(complaint([] { internal::check_thickness(1e300, 2, "the curves"); }),
+  EXPECT_EQ(refusal_of([] { internal::check_thickness(1, 1, "the curves"); }), "");
+  EXPECT_EQ(refusal_of([] { internal::check_thickness(1e300, 2, "the curves"); }),
             "thickness is 1e+300, but must not be larger than the curves, whose box has a diagonal "
             "of 2");
 }

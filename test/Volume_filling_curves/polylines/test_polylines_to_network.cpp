@@ -6,6 +6,8 @@
 
 // Networks that are constructed from polylines and matrices, and what ranges they give out.
 
+#include "support/refusal_of.h"
+
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -21,7 +23,6 @@
 #include <cstddef>
 #include <limits>
 #include <list>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,12 +51,7 @@ Nodes origins_of(const Network& network)
 template <typename... Arguments>
 std::string error_of(const Arguments&... arguments)
 {
-  try {
-    const Network network(arguments...);
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { const Network network(arguments...); });
 }
 
 TEST(Polylines, are_closed_if_they_repeat_the_first_point)

@@ -5,6 +5,7 @@
 // Author(s) : The Volume_filling_curves authors
 
 #include "support/mesh_test_support.h"
+#include "support/refusal_of.h"
 #include "support/untangle_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
@@ -103,26 +104,15 @@ TEST(Untangle_in_domain, ends_tight_around_an_obstacle)
   EXPECT_EQ(contents(first), contents(third));
 }
 
-template <typename Function>
-std::string message_of(const Function& function)
-{
-  try {
-    function();
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(Untangle_in_domain, refuses_curves_outside_and_the_search)
 {
   Network curve = loop_around_ring();
   const auto before = contents(curve);
-  EXPECT_EQ(message_of([&] {
+  EXPECT_EQ(refusal_of([&] {
               untangle(curve, Box_domain_3<>({-1, -1, -1}, {0.9, 1, 1}));
             }),
             "node 0 is not inside the domain");
-  EXPECT_EQ(message_of([&] {
+  EXPECT_EQ(refusal_of([&] {
               untangle(curve, Box_domain_3<>({-1, -1, -2}, {2, 1, 2}),
                        parameters::strategy(Untangling_strategy::SEARCH));
             }),

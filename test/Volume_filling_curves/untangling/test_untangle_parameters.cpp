@@ -5,6 +5,7 @@
 // Author(s) : The Volume_filling_curves authors
 
 #include "support/archetype_visitor.h"
+#include "support/refusal_of.h"
 #include "support/untangle_test_support.h"
 
 #include <Eigen/SVD>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -211,12 +211,7 @@ TEST(Untangle_parameters, can_be_given_as_a_struct)
 template <typename Parameters>
 std::string complaint(Network& curve, const Parameters& p)
 {
-  try {
-    untangle(curve, p);
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { untangle(curve, p); });
 }
 
 TEST(Untangle_parameters, are_refused_by_name)

@@ -4,6 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "support/refusal_of.h"
 #include "support/untangle_test_support.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +24,7 @@ using Point = Network::Point_3;
 
 std::string error_of(Network curve)
 {
-  try {
-    untangle(curve);
-  } catch(const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
+  return refusal_of([&] { untangle(curve); });
 }
 
 TEST(Untangle, of_nothing_does_nothing)

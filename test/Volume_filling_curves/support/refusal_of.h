@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef VFC_TEST_REFUSAL_OF_H
+#define VFC_TEST_REFUSAL_OF_H
+
+#include <stdexcept>
+#include <string>
+
+// Returns the message of the std::invalid_argument by which a call refuses its input, or "" if it
+// accepts it.
+template <typename Call>
+std::string refusal_of(const Call& call)
+{
+  try {
+    call();
+  } catch(const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+#endif // VFC_TEST_REFUSAL_OF_H
