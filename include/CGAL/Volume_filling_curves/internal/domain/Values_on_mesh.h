@@ -92,7 +92,6 @@ private:
 };
 
 } // namespace internal
-
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
