@@ -7,8 +7,9 @@
 #ifndef VFC_PYTHON_DOMAIN_H
 #define VFC_PYTHON_DOMAIN_H
 
-#include "Any_domain.h"
+#include "arrays.h"
 
+#include <CGAL/Volume_filling_curves/internal/domain/Any_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 
 #include <memory>
@@ -16,6 +17,9 @@
 
 namespace vfc_python {
 
+namespace internal = VFC::internal;
+
+using Any_domain = internal::Any_domain_3<Point>;
 using Planar_domain = VFC::Polygon_domain_3<Curve::Traits>;
 
 // A domain as Python holds it.

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Any_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Inset_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_call.h>
@@ -63,7 +64,7 @@ auto fill(Curve_network_3<Traits>& curves,
           const Filling_parameters<typename Traits::Point_3>& parameters,
           Visitor& visitor)
 {
-  using Domain = std::decay_t<decltype(make_domain())>;
+  using Domain = std::decay_t<decltype(any_domain(make_domain()))>;
   static_assert(check_visitor<Visitor, Curve_flow_3<Traits, Domain, ConcurrencyTag>>());
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   return Filling_call<Traits, ConcurrencyTag, Visitor>(curves, parameters, visitor)(make_domain);

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Any_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_untangler.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_run.h>
@@ -196,8 +197,9 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
 {
   const auto& inside = internal::as_domain<Traits>(domain, CGAL::parameters::default_values());
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
-  const internal::Domain_surroundings<Traits, std::decay_t<decltype(inside)>, ConcurrencyTag>
-      surroundings{inside};
+  const auto& any = internal::any_domain(inside);
+  const internal::Domain_surroundings<Traits, std::decay_t<decltype(any)>, ConcurrencyTag>
+      surroundings{any};
   return internal::Untangling_run(curves, surroundings, parameters, internal::unwrapped(visitor))();
 }
 

@@ -109,15 +109,13 @@ public:
   {
     if(m_layer > 0) return shorten_to_layer(p, rays);
     if constexpr(Has_surface<Domain>::value)
-      m_domain->shorten(rays);
-    else {
-      using Vector_3 = typename Domain::Vector_3;
-      const double clear = clearance(p, rays.longest());
-      for(std::size_t l = 0; l < rays.size(); ++l)
-        if(rays.lengths[l] >= clear)
-          rays.lengths[l] = m_domain->distance_along(p, Vector_3(rays.x[l], rays.y[l], rays.z[l]),
-                                                     rays.lengths[l]);
-    }
+      if(has_surface(*m_domain)) return m_domain->shorten(rays);
+    using Vector_3 = typename Domain::Vector_3;
+    const double clear = clearance(p, rays.longest());
+    for(std::size_t l = 0; l < rays.size(); ++l)
+      if(rays.lengths[l] >= clear)
+        rays.lengths[l] =
+            m_domain->distance_along(p, Vector_3(rays.x[l], rays.y[l], rays.z[l]), rays.lengths[l]);
   }
 
   // Returns the radius, at most `limit`, of the largest sphere inside that touches p and has its

@@ -77,6 +77,16 @@ bool has_surface([[maybe_unused]] const Domain& domain)
     return Has_surface<Domain>::value;
 }
 
+// a domain that is the inside of a mesh
+template <typename Domain, typename = void>
+struct Has_corners : std::false_type
+{};
+
+template <typename Domain>
+struct Has_corners<Domain, std::void_t<decltype(std::declval<const Domain&>().corners())>>
+    : std::true_type
+{};
+
 // a domain that measures the distance of whole segments to its boundary
 template <typename Domain, typename = void>
 struct Measures_segments : std::false_type

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/scaled_record.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Any_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Visitor_in_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
@@ -28,6 +29,7 @@
 
 #include <functional>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -136,8 +138,9 @@ private:
              const Thickness<Point_3>& thickness)
   {
     Visitor_in_unit<Visitor> visitor(m_visitor, m_unit);
-    return Filling_run<Traits, Domain, ConcurrencyTag, decltype(visitor)>(
-        m_curves, domain, parameters, thickness, m_watch, visitor, m_unit)();
+    const auto& any = any_domain(domain);
+    return Filling_run<Traits, std::decay_t<decltype(any)>, ConcurrencyTag, decltype(visitor)>(
+        m_curves, any, parameters, thickness, m_watch, visitor, m_unit)();
   }
 
   Result unprepared() const
