@@ -33,13 +33,7 @@ const actions = {
   },
   fill,
   restore,
-  save({file}) {
-    const saved = curve || filling, contents = {
-      "curve.obj": () => saved.curveObj(), "start.obj": () => saved.startObj(),
-      "curve.cert": () => saved.certificate(),
-    };
-    postMessage({kind: "file", file, content: contents[file]()});
-  },
+  save({file}) { postMessage({kind: "file", file, content: (curve || filling).file(file)}); },
   drawn() { isDrawn = true; },
 };
 

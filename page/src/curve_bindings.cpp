@@ -132,9 +132,7 @@ public:
     return identity;
   }
 
-  std::string curve_obj() const { return obj(m_live.curve()); }
-  std::string start_obj() const { return obj(m_live.start()); }
-  val certificate() const { return bytes(m_live.certificate()); }
+  val file(const std::string& name) const { return saved_file(m_live, name); }
 
 private:
   Live_curve m_live;
@@ -197,9 +195,7 @@ EMSCRIPTEN_BINDINGS(live_page)
       .function("numberOfRefusals", &Page_curve::number_of_refusals)
       .function("linkingNumber", &Page_curve::linking_number)
       .function("identity", &Page_curve::identity)
-      .function("curveObj", &Page_curve::curve_obj)
-      .function("startObj", &Page_curve::start_obj)
-      .function("certificate", &Page_curve::certificate);
+      .function("file", &Page_curve::file);
 }
 
 } // namespace vfc_page

@@ -93,9 +93,7 @@ public:
 
   double unit() const { return 1 / m_units.length(1); }
 
-  std::string curve_obj() const { return obj(m_live.curve()); }
-  std::string start_obj() const { return obj(m_live.start()); }
-  val certificate() const { return bytes(m_live.certificate()); }
+  val file(const std::string& name) const { return saved_file(m_live, name); }
 
 private:
   Filling_settings in_input(const val& settings) const
@@ -127,9 +125,7 @@ EMSCRIPTEN_BINDINGS(live_filling)
       .function("picture", &Page_filling::picture)
       .function("result", &Page_filling::result)
       .function("unit", &Page_filling::unit)
-      .function("curveObj", &Page_filling::curve_obj)
-      .function("startObj", &Page_filling::start_obj)
-      .function("certificate", &Page_filling::certificate);
+      .function("file", &Page_filling::file);
 }
 
 } // namespace vfc_page

@@ -62,6 +62,15 @@ inline std::string obj(const VFC::Curve_network_3<>& curve)
   return read_file(name);
 }
 
+// The content of a file that a user saves: "curve.obj", "start.obj" or "curve.cert".
+template <typename Live>
+emscripten::val saved_file(const Live& live, const std::string& name)
+{
+  if(name == "curve.obj") return emscripten::val(obj(live.curve()));
+  if(name == "start.obj") return emscripten::val(obj(live.start()));
+  return bytes(live.certificate());
+}
+
 // The units of a box: the origin in its middle and a diagonal of 1, for which single precision
 // suffices.
 class Page_units

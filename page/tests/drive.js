@@ -12,9 +12,8 @@ const fs = require("fs");
 const path = require("path");
 
 function save(curve, folder) {
-  fs.writeFileSync(path.join(folder, "start.obj"), curve.startObj());
-  fs.writeFileSync(path.join(folder, "curve.obj"), curve.curveObj());
-  fs.writeFileSync(path.join(folder, "curve.cert"), curve.certificate());
+  for (const name of ["start.obj", "curve.obj", "curve.cert"])
+    fs.writeFileSync(path.join(folder, name), curve.file(name));
 }
 
 // The mean of every node of a component.
@@ -29,7 +28,7 @@ const commands = {
   steps(core, input, n, output) {
     const curve = core.file("input.obj", fs.readFileSync(input, "utf8"));
     for (let k = 0; k < Number(n); ++k) curve.step();
-    fs.writeFileSync(output, curve.curveObj());
+    fs.writeFileSync(output, curve.file("curve.obj"));
     return {};
   },
 
