@@ -119,8 +119,9 @@ private:
     x[v] += m_mobility[v] * shift;
   }
 
-  // The mean length of edges, without those between pinned nodes, as in the necks of ports: these
-  // stay as they are, and shorter ones in the mean would make all others shrink in each sweep.
+  // The mean length of edges in units of their limits, without those between pinned nodes, as in
+  // the necks of ports: these stay as they are, and shorter ones in the mean would make all others
+  // shrink in each sweep.
   std::vector<double> mean_edges(const std::vector<Vector>& x) const
   {
     std::vector<double> means;
@@ -130,15 +131,24 @@ private:
 
   double mean_edge(const std::vector<Vector>& x, const Path& path) const
   {
-    double sum = 0;
-    std::size_t number = 0;
+    double sum = 0, sum_of_limits = 0;
     for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i) {
       const std::size_t v = node(path, i), w = node(path, i + 1);
       if(m_mobility[v] + m_mobility[w] == 0) continue;
       sum += (x[w] - x[v]).norm();
-      ++number;
+      sum_of_limits += limit_of_edge(v, w);
     }
-    return number > 0 ? sum / static_cast<double>(number) : 0;
+    return sum_of_limits > 0 ? sum / sum_of_limits : 0;
+  }
+
+  // Edges are as long as the thickness asks for, where that varies. With the same length for all,
+  // the curve contracted: in a cube whose thickness grows from 0.15 to 0.6 to half of its length.
+  double limit_of_edge(std::size_t v, std::size_t w) const
+  {
+    const auto limit = [&](std::size_t u) {
+      return m_limits.bend_radius[u] + m_limits.strand_distance[u];
+    };
+    return (std::max)(limit(v), limit(w)); // a ray has none
   }
 
   void keep_length(std::vector<Vector>& x, const Path& path, double mean) const
@@ -148,7 +158,7 @@ private:
       const Vector edge = x[w] - x[v];
       const double now = edge.norm();
       if(!(now > 0)) continue;
-      const Vector half = (now - mean) / (2 * now) * edge;
+      const Vector half = (now - mean * limit_of_edge(v, w)) / (2 * now) * edge;
       move(x, v, half);
       move(x, w, -half);
     }
