@@ -113,7 +113,7 @@ private:
       grow_coarse_to_fine();
       if(grows_more_fingers()) run(Filling_stage::opening());
     }
-    if(is_thinned_in_narrow_regions()) run(Filling_stage::opening());
+    if(!m_shape.is_given() && is_thinned_in_narrow_regions()) run(Filling_stage::opening());
   }
 
   void grow_coarse_to_fine()
@@ -173,7 +173,9 @@ private:
   }
 
   // Thins the curve along paths to points that it does not reach, since the domain is too thin
-  // there for the required thickness. Returns whether there are such points.
+  // there for the required thickness. Returns whether there are such points. A curve with a
+  // required shape stays as thick as required: thinned, its bends kept half of their radius in one
+  // of three fillings of the anapsidea.
   bool is_thinned_in_narrow_regions()
   {
     if(m_runner.end()) return false;
@@ -220,9 +222,10 @@ private:
       result.shape_excesses = shape_excesses<Point_3>(
           flow().check_shape(m_shape, m_thickness.at_each(curve().points())), curve().traits());
     result.status = m_runner.end().value_or(status_of_settled(result));
-    result.thickness = m_thickness.varies() ? flow().thickness() : m_thickness.number();
+    // the flow's may be that of a stage
+    result.thickness = m_thickness.averaged_at(curve().points()).number();
     result.medial_radius =
-        flow().mean_medial_radius(Filling_stage::settling().max_radius * flow().thickness());
+        flow().mean_medial_radius(Filling_stage::settling().max_radius * result.thickness);
     result.gradient_norm = flow().gradient_norm();
     result.statistics = flow().statistics();
     return result;
