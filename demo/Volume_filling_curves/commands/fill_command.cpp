@@ -214,7 +214,7 @@ int fill_sector(Session& session,
   Filling_result result =
       fill(session, arc, Domain(sector.mesh), {}, directions, of_sector, state, none);
   const Curve curve = closed_up(arc, sector.ports, symmetry, whole, options.mesh);
-  measure_again(result, curve, whole);
+  measure_again(result, curve, whole, options.parameters);
   return finish(session, options, curve, whole, directions, result);
 }
 

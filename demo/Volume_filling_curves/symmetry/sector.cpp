@@ -11,6 +11,10 @@
 
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 
 #include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
@@ -144,6 +148,26 @@ Ports ports_of(const Symmetry& symmetry, const std::vector<Point>& places, doubl
   return ports;
 }
 
+// Strands of different images may be nearer to one another than the limits of a sector allow.
+void check_shape_again(Filling_result& result,
+                       const Curve& curve,
+                       const Filling_parameters& parameters)
+{
+  using curves::Filling_status;
+  const auto goal = curves::internal::shape_goal(parameters);
+  const bool has_settled =
+      result.status == Filling_status::CONVERGED || result.status == Filling_status::PARTIAL;
+  if(!goal.is_given() || !has_settled) return;
+  const std::vector<double> thickness(curve.number_of_nodes(), result.thickness);
+  const curves::internal::Shape_check check(CGAL::Parallel_if_available_tag(), curve,
+                                            curves::internal::Shape_limits(curve, goal, thickness));
+  result.shape_excesses = curves::internal::shape_excesses<Point>(check, curve.traits());
+  if(result.shape_excesses.empty()) return;
+  result.status = Filling_status::CONSTRAINT_NOT_REACHED;
+  result.reason = curves::internal::shape_reason(result.shape_excesses) +
+                  (result.reason.empty() ? "" : "; ") + result.reason;
+}
+
 } // namespace
 
 Sector sector_of(const Mesh& mesh,
@@ -186,7 +210,10 @@ Curve closed_up(const Curve& arc,
   return curve;
 }
 
-void measure_again(Filling_result& result, const Curve& curve, const Domain& domain)
+void measure_again(Filling_result& result,
+                   const Curve& curve,
+                   const Domain& domain,
+                   const Filling_parameters& parameters)
 {
   using Concurrency = CGAL::Parallel_if_available_tag;
   const curves::Domain_samples_3<Curve::Traits, Domain> samples(domain);
@@ -206,6 +233,7 @@ void measure_again(Filling_result& result, const Curve& curve, const Domain& dom
   result.min_wall_distance = wall.distance;
   result.point_nearest_to_wall = wall.point;
   result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness);
+  check_shape_again(result, curve, parameters);
 }
 
 } // namespace vfc

@@ -15,9 +15,13 @@
 #include "reports/fill_report.h"
 #include "symmetry/Symmetry.h"
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+
 #include <string>
 
 namespace vfc {
+
+using Filling_parameters = CGAL::Volume_filling_curves::Filling_parameters<Curve::Point_3>;
 
 struct Sector
 {
@@ -25,9 +29,9 @@ struct Sector
   Ports ports; // where an arc enters and leaves
 };
 
-// Cuts the inside of a mesh into sectors and returns one. The cuts keep 0.8 r from the planes, so
-// that strands at both sides are 1.6 r apart, as everywhere. The ports are the deepest places of
-// the cuts.
+// Cuts the inside of a mesh into sectors and returns one. The cuts keep 0.2 r from the planes, so
+// that strands at both sides are about 1.6 r apart, as everywhere. The ports are the deepest places
+// of the cuts.
 // \throws Input_error with the name of the file if the mesh is not symmetric up to r / 100, or no
 // cut is wide enough for a port
 Sector sector_of(const Mesh& mesh,
@@ -44,9 +48,12 @@ Curve closed_up(const Curve& arc,
                 const Domain& domain,
                 const std::string& file);
 
-// Measures the curve of all images, for a result of the arc in its sector. Empty regions are not
-// searched again.
-void measure_again(Filling_result& result, const Curve& curve, const Domain& domain);
+// Measures the curve of all images, for a result of the arc in its sector, and compares it with the
+// limits of its shape. Empty regions are not searched again.
+void measure_again(Filling_result& result,
+                   const Curve& curve,
+                   const Domain& domain,
+                   const Filling_parameters& parameters);
 
 } // namespace vfc
 
