@@ -98,6 +98,10 @@ inline bool read_option(Filling_options& options,
 {
   const std::string& word = words[k];
   if(word == "--flow-alone") return options.is_flow_alone = true;
+  if(word == "--preview") {
+    options.parameters.round_bends = false;
+    return true;
+  }
   if(word == "--reset") {
     options = Filling_options();
     return true;
@@ -116,6 +120,7 @@ inline void add_options(Json_line& line, const Filling_options& options)
 {
   const vfc::Curve_flow_parameters& flow = options.parameters;
   line.add("flow_alone", options.is_flow_alone)
+      .add("round", options.parameters.round_bends)
       .add("wall", name_of_value(flow.wall))
       .add("preconditioner", name_of_value(flow.preconditioner))
       .add("lambda", flow.screening)

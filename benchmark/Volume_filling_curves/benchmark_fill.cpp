@@ -14,6 +14,7 @@
 //   --thickness R    in the input's unit (a quarter of the widest ball's radius)
 //   --length L       instead of a thickness
 //   --wall cover|keep-clear
+//   --preview        without rounding
 //   --lambda X, --rmax X, --spacing X, --beta X, --directions N, --tau X,
 //   --preconditioner medial|h1|l2|quasi-newton    parameters of the flow, as for vfc
 //   --iterations N   at most so many (5000)

@@ -35,7 +35,8 @@ int main()
 {
   //! [fill]
   const Domain box(Point_3(-1, -1, -0.5), Point_3(1, 1, 0.5));
-  const auto parameters = VFC::parameters::thickness(0.12);
+  // round bends follow a field less
+  const auto parameters = VFC::parameters::thickness(0.12).round_bends(false);
   Curve any, around;
   VFC::fill(any, box, parameters);
   const auto result = VFC::fill(around, box, parameters.direction_field(around_z_axis));

@@ -56,12 +56,13 @@ bool finds_a_thickness_that_fits()
   //! [thin]
   const VFC::Box_domain_3<> plate({0, 0, 0}, {1, 1, 0.1});
   Curve curve;
-  auto result = VFC::fill(curve, plate, VFC::parameters::thickness(0.12));
+  const auto preview = VFC::parameters::round_bends(false);
+  auto result = VFC::fill(curve, plate, preview.thickness(0.12));
   if(result.status == Filling_status::PARTIAL) {
     std::cout << result.reason << '\n';
     const double thickness = result.thickness_fit.fitting_thickness;
     curve = Curve();
-    result = VFC::fill(curve, plate, VFC::parameters::thickness(thickness));
+    result = VFC::fill(curve, plate, preview.thickness(thickness));
   }
   //! [thin]
   std::cout << result.status << " with " << result.thickness << '\n';

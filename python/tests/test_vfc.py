@@ -226,7 +226,7 @@ class Filling(unittest.TestCase):
                                   (vfc.Ball((0, 0, 5), 1), 0.3), (sphere, 0.4),
                                   (vfc.Polygons([SQUARE, 0.4 + 0.2 * SQUARE], SQUARE + 2), 0.1)]:
             result = vfc.fill(domain, thickness=thickness, certificate=True)
-            self.assertIn(result.status, ("converged", "partial"), domain)
+            self.assertIn(result.status, ("converged", "partial", "constraint_not_reached"), domain)
             self.assertGreater(result.coverage.fraction_within_r, 0.6, domain)
             self.assertEqual(vfc.outside(result.curves, domain), ([], []))
             verdict = vfc.verify(result.certificate, result.start, result.curves, domain=domain)
@@ -254,7 +254,7 @@ class Filling(unittest.TestCase):
 
     def test_fields_of_domains_without_vertices_are_functions(self):
         result = vfc.fill(vfc.Ball((0, 0, 0), 1), thickness=lambda p: 0.3 + 0.1 * p[2],
-                          direction_field=lambda p: (0, 0, 1))
+                          direction_field=lambda p: (0, 0, 1), round_bends=False)
         self.assertEqual(result.status, "converged")
         with self.assertRaisesRegex(ValueError, "the domain is no mesh"):
             vfc.fill(vfc.Ball((0, 0, 0), 1), thickness=[1, 2, 3])

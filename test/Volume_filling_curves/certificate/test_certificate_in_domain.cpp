@@ -43,7 +43,7 @@ Motion filling(const Domain& domain, const Network& start)
   Motion motion;
   motion.start = motion.end = start;
   VFC::fill(motion.end, domain,
-            VFC::parameters::thickness(0.4).number_of_iterations(30).certificate(
+            VFC::parameters::thickness(0.4).round_bends(false).number_of_iterations(30).certificate(
                 std::ref(motion.certificate)));
   return motion;
 }

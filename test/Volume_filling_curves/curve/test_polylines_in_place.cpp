@@ -143,7 +143,8 @@ TEST(Polylines, fill_a_domain)
   const Ball_domain_3<> ball(Point_3(0, 0, 0), 1);
   Polyline polyline = {{-0.9, 0, 0}, {0.9, 0, 0}};
   Origins origins;
-  const auto result = fill(polyline, ball, parameters::thickness(0.4).origins(std::ref(origins)));
+  const auto result = fill(
+      polyline, ball, parameters::thickness(0.4).round_bends(false).origins(std::ref(origins)));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   EXPECT_EQ(polyline.front(), Point_3(-0.9, 0, 0));
   EXPECT_EQ(polyline.back(), Point_3(0.9, 0, 0));

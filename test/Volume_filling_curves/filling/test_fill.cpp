@@ -32,7 +32,7 @@ TEST(Fill, keeps_the_ends_of_a_curve_between_two_ports)
   const Point a(0.02, 0.5, 0.5), b(0.98, 0.5, 0.5);
   Curve curve = polyline({a, Point(0.5, 0.5, 0.5), b});
   curve.pin_ends();
-  const auto result = VFC::fill(curve, box, np::thickness(0.12));
+  const auto result = VFC::fill(curve, box, preview(0.12));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   EXPECT_EQ(curve.point(0), a);
   EXPECT_EQ(curve.point(curve.number_of_nodes() - 1), b);
@@ -44,7 +44,7 @@ TEST(Fill, returns_the_least_distances_of_its_curve)
 {
   const Ball large(Point(0, 0, 0), 1024); // filled in another unit
   Curve curve;
-  const auto result = VFC::fill(curve, large, np::thickness(300));
+  const auto result = VFC::fill(curve, large, preview(300));
   const auto bend = VFC::tightest_bend(curve);
   EXPECT_EQ(result.min_bend_radius, bend.radius);
   EXPECT_EQ(result.tightest_node, bend.node);
@@ -61,7 +61,7 @@ TEST(Fill, is_partial_where_it_is_crowded_and_not_with_the_thickness_that_fits)
 {
   const Box rod(Point(0, 0, 0), Point(2, 0.2, 0.2));
   Curve curve;
-  const auto result = VFC::fill(curve, rod, np::thickness(0.12));
+  const auto result = VFC::fill(curve, rod, preview(0.12));
   ASSERT_GT(result.crowded_fraction, 0.05);
   EXPECT_LE(result.unfilled_fraction, 0.01);
   EXPECT_EQ(result.status, Filling_status::PARTIAL);
@@ -69,7 +69,7 @@ TEST(Fill, is_partial_where_it_is_crowded_and_not_with_the_thickness_that_fits)
             std::string::npos)
       << result.reason;
   Curve thinner;
-  const auto fitting = VFC::fill(thinner, rod, np::thickness(0.0849));
+  const auto fitting = VFC::fill(thinner, rod, preview(0.0849));
   EXPECT_EQ(fitting.status, Filling_status::CONVERGED);
   EXPECT_EQ(fitting.reason, "");
 }
@@ -78,7 +78,7 @@ TEST(Fill, names_the_walls_that_crowd_it)
 {
   const Box plate(Point(0, 0, 0), Point(2, 2, 0.2));
   Curve curve;
-  const auto result = VFC::fill(curve, plate, np::thickness(0.15));
+  const auto result = VFC::fill(curve, plate, preview(0.15));
   ASSERT_GT(result.crowded_fraction, 0.05);
   EXPECT_EQ(result.status, Filling_status::PARTIAL);
   EXPECT_NE(result.reason.find("r = 0.075 would fit; strands are nearer than r along"),
@@ -90,10 +90,9 @@ TEST(Fill, is_reproducible_and_scales)
 {
   Curve once, twice, scaled;
   const Ball ball(Point(0, 0, 0), 1), large(Point(0, 0, 0), 4);
-  VFC::fill(once, ball, np::thickness(0.2).number_of_iterations(60));
-  VFC::fill<CGAL::Parallel_if_available_tag>(twice, ball,
-                                             np::thickness(0.2).number_of_iterations(60));
-  VFC::fill(scaled, large, np::thickness(0.8).number_of_iterations(60));
+  VFC::fill(once, ball, preview(0.2).number_of_iterations(60));
+  VFC::fill<CGAL::Parallel_if_available_tag>(twice, ball, preview(0.2).number_of_iterations(60));
+  VFC::fill(scaled, large, preview(0.8).number_of_iterations(60));
   ASSERT_EQ(once.number_of_nodes(), twice.number_of_nodes());
   ASSERT_EQ(once.number_of_nodes(), scaled.number_of_nodes());
   for(std::size_t v = 0; v < once.number_of_nodes(); ++v) {
@@ -107,9 +106,9 @@ TEST(Fill, refuses_curves_that_are_not_inside)
 {
   const Ball ball(Point(0, 0, 0), 1);
   Curve crossing = polyline({Point(0, 0, 0), Point(0, 0, 2)});
-  EXPECT_THROW(VFC::fill(crossing, ball, np::thickness(0.2)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(crossing, ball, preview(0.2)), std::invalid_argument);
   Curve touching = polyline({Point(0, 0, 0), Point(0, 0, 1)});
-  EXPECT_THROW(VFC::fill(touching, ball, np::thickness(0.2)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(touching, ball, preview(0.2)), std::invalid_argument);
   Curve none;
   EXPECT_THROW(VFC::fill(none, ball, np::thickness(-1.)), std::invalid_argument);
   EXPECT_THROW(VFC::fill(none, ball, np::length(-1.)), std::invalid_argument);
@@ -119,8 +118,8 @@ TEST(Fill, reports_where_the_curve_did_not_get_to)
 {
   const Box box(Point(0, 0, 0), Point(4, 1, 1));
   Curve curve;
-  const auto result = VFC::fill(
-      curve, box, np::thickness(0.1).number_of_iterations(5).start(VFC::Filling_start::CIRCLE));
+  const auto result =
+      VFC::fill(curve, box, preview(0.1).number_of_iterations(5).start(VFC::Filling_start::CIRCLE));
   EXPECT_EQ(result.status, Filling_status::LIMIT);
   ASSERT_FALSE(result.empty_regions.empty());
   EXPECT_GT(result.empty_regions.front().volume, 0.5);

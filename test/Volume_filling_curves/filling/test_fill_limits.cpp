@@ -102,7 +102,7 @@ TEST(Fill_limits, the_default_thickness_grows_in_thin_domains_and_says_so)
     last = progress;
     return progress.stage == Run_stage::PREPARING;
   };
-  const auto result = VFC::fill(curve, plate, np::progress(note));
+  const auto result = VFC::fill(curve, plate, np::progress(note).round_bends(false));
   EXPECT_EQ(result.status, Filling_status::INTERRUPTED);
   EXPECT_NEAR(result.default_thickness, 2.5e-3, 1e-4);
   EXPECT_NEAR(result.thickness, 4.56e-3, 1e-4);

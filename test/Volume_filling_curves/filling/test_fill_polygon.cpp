@@ -77,7 +77,7 @@ void expect_filled(const Input& input, double r, std::size_t components = 1)
 {
   const Domain domain(input);
   Curve curve;
-  const auto result = VFC::fill(curve, input, np::thickness(r));
+  const auto result = VFC::fill(curve, input, preview(r));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_EQ(curve.number_of_components(), components);
   EXPECT_EQ(result.parts, components);
@@ -129,7 +129,7 @@ Coordinates filled(const Polygon& polygon, const NamedParameters& np)
 
 TEST(Fill_polygon, gives_the_same_bits_again_and_for_any_number_of_threads)
 {
-  const auto parameters = np::thickness(thickness);
+  const auto parameters = preview(thickness);
   const Coordinates expected = filled<CGAL::Sequential_tag>(plate(), parameters);
   EXPECT_EQ(filled<CGAL::Sequential_tag>(plate(), parameters), expected);
   EXPECT_EQ(filled<CGAL::Parallel_if_available_tag>(plate(), parameters), expected);
@@ -143,7 +143,7 @@ TEST(Fill_polygon, scales_with_its_polygon_by_powers_of_two)
   for(const int exponent : {0, -300, -100, 100, 400}) {
     const double unit = std::ldexp(1., exponent);
     Curve curve;
-    const auto result = VFC::fill(curve, domain.scaled(unit), np::thickness(thickness * unit));
+    const auto result = VFC::fill(curve, domain.scaled(unit), preview(thickness * unit));
     Coordinates found = coordinates(curve);
     for(auto& p : found)
       for(double& x : p) x /= unit;
@@ -156,7 +156,7 @@ TEST(Fill_polygon, scales_with_its_polygon_by_powers_of_two)
 TEST(Fill_polygon, leads_from_port_to_port)
 {
   std::vector<Point> arc = {{-1.45, -.9, 0}, {-1.3, -.9, 0}, {1.45, -.9, 0}};
-  const auto result = VFC::fill(arc, plate(), np::thickness(thickness));
+  const auto result = VFC::fill(arc, plate(), preview(thickness));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_EQ(arc.front(), Point(-1.45, -.9, 0));
   EXPECT_EQ(arc.back(), Point(1.45, -.9, 0));
@@ -170,7 +170,7 @@ TEST(Fill_polygon, grows_from_a_circle)
 {
   Curve curve;
   const auto result =
-      VFC::fill(curve, plate(), np::thickness(thickness).start(VFC::Filling_start::CIRCLE));
+      VFC::fill(curve, plate(), preview(thickness).start(VFC::Filling_start::CIRCLE));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   expect_in_plane(curve);
   expect_simple(curve);
@@ -180,7 +180,7 @@ TEST(Fill_polygon, grows_from_a_circle)
 TEST(Fill_polygon, keeps_clear_of_the_boundary)
 {
   Curve curve;
-  VFC::fill(curve, plate(), np::thickness(thickness).wall(VFC::Wall::KEEP_CLEAR));
+  VFC::fill(curve, plate(), preview(thickness).wall(VFC::Wall::KEEP_CLEAR));
   expect_in_plane(curve);
   const Domain domain(plate());
   double least = 1;
@@ -193,7 +193,7 @@ TEST(Fill_polygon, follows_a_thickness_that_varies)
   const auto field = [](const Point& p) { return .06 + .02 * (p.x() + 1.5); };
   const Domain domain(plate());
   Curve curve;
-  const auto result = VFC::fill(curve, domain, np::thickness(field));
+  const auto result = VFC::fill(curve, domain, preview(field));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   expect_in_plane(curve);
   const VFC::Domain_samples_3<Traits, Domain> samples(domain, 20000, 1);
@@ -209,8 +209,8 @@ TEST(Fill_polygon, follows_the_projection_of_a_direction_field)
   };
   const auto along_x = [](const Point&) { return std::array<double, 3>{1, 0, 0}; };
   Curve with, without;
-  const auto result = VFC::fill(with, plate(), np::thickness(thickness).direction_field(field));
-  VFC::fill(without, plate(), np::thickness(thickness));
+  const auto result = VFC::fill(with, plate(), preview(thickness).direction_field(field));
+  VFC::fill(without, plate(), preview(thickness));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   expect_in_plane(with);
   EXPECT_GT(VFC::alignment(with, along_x), .1 + VFC::alignment(without, along_x));
@@ -219,7 +219,7 @@ TEST(Fill_polygon, follows_the_projection_of_a_direction_field)
 TEST(Fill_polygon, reaches_a_length)
 {
   Curve curve;
-  const auto result = VFC::fill(curve, plate(), np::length(40));
+  const auto result = VFC::fill(curve, plate(), np::length(40).round_bends(false));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_NEAR(VFC::length(curve), 40, .8);
   expect_in_plane(curve);
@@ -231,7 +231,7 @@ TEST(Fill_polygon, is_certified_in_its_domain)
   Curve curve;
   const Domain domain(plate());
   const auto result =
-      VFC::fill(curve, domain, np::thickness(2 * thickness).certificate(std::ref(certificate)));
+      VFC::fill(curve, domain, preview(2 * thickness).certificate(std::ref(certificate)));
   const Curve start(result.start);
   const auto verdict = VFC::verify_certificate(certificate, start, curve, domain);
   EXPECT_TRUE(verdict.is_valid) << verdict.message;
@@ -277,7 +277,7 @@ TEST(Fill_polygon, resumes_with_the_same_bits)
 TEST(Fill_polygon, ends_at_its_limits)
 {
   Curve curve;
-  const auto result = VFC::fill(curve, plate(), np::thickness(.01).time_limit(.2));
+  const auto result = VFC::fill(curve, plate(), preview(.01).time_limit(.2));
   EXPECT_EQ(result.status, Filling_status::LIMIT);
   expect_in_plane(curve);
   expect_inside(curve, Domain(plate()));
@@ -286,7 +286,7 @@ TEST(Fill_polygon, ends_at_its_limits)
 TEST(Fill_polygon, refuses_curves_off_the_plane)
 {
   std::vector<Point> arc = {{-1.4, 0, 0}, {-1.2, 0, 1e-9}};
-  EXPECT_THROW(VFC::fill(arc, plate(), np::thickness(thickness)), std::invalid_argument);
+  EXPECT_THROW(VFC::fill(arc, plate(), preview(thickness)), std::invalid_argument);
 }
 
 TEST(Isotopy_guard, refuses_to_leave_a_plane_however_far_the_boundary_is)
@@ -329,7 +329,7 @@ public:
 TEST(Fill_polygon, takes_other_planar_domains)
 {
   Curve curve;
-  const auto result = VFC::fill(curve, Disk(), np::thickness(.1));
+  const auto result = VFC::fill(curve, Disk(), preview(.1));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_EQ(result.parts, 1u);
   expect_in_plane(curve);

@@ -64,7 +64,7 @@ std::vector<Neck> expect_filled(const Domain& domain,
                                 const std::vector<Port>& ports)
 {
   Curve curve;
-  const auto result = VFC::fill(curve, domain, np::thickness(thickness).ports(ports));
+  const auto result = VFC::fill(curve, domain, preview(thickness).ports(ports));
   EXPECT_EQ(result.status, VFC::Filling_status::CONVERGED);
   EXPECT_EQ(result.necks.size(), ports.size());
   EXPECT_EQ(curve.number_of_components(), ports.size() / 2);
@@ -102,7 +102,7 @@ TEST(Fill_ports, four_ports_make_two_arcs_that_share_the_volume)
   const std::vector<Port> ports = {
       {Point(-1, 0, 0)}, {Point(1, 0, 0)}, {Point(0, -1, 0)}, {Point(0, 1, 0)}};
   expect_filled(ball, 0.2, ports);
-  VFC::fill(curve, ball, np::thickness(0.2).ports(ports));
+  VFC::fill(curve, ball, preview(0.2).ports(ports));
   const std::vector<double> lengths = VFC::component_lengths(curve);
   ASSERT_EQ(lengths.size(), 2u);
   EXPECT_GT(std::min(lengths[0], lengths[1]), 0.5 * std::max(lengths[0], lengths[1]));
@@ -113,8 +113,7 @@ TEST(Fill_ports, shortens_necks_where_the_domain_is_narrow)
   const Box plate(Point(0, 0, 0), Point(2, 2, 0.2));
   Curve curve;
   const std::vector<Port> ports = {{Point(0.5, 0.5, 0)}, {Point(1.5, 1.5, 0.2)}};
-  const auto result =
-      VFC::fill(curve, plate, np::thickness(0.2).ports(ports).number_of_iterations(5));
+  const auto result = VFC::fill(curve, plate, preview(0.2).ports(ports).number_of_iterations(5));
   ASSERT_EQ(result.necks.size(), 2u);
   EXPECT_NEAR(result.necks[0].length, 0.1, 0.01);
   EXPECT_NEAR(std::abs(result.necks[1].direction[2]), 1, 1e-6);
@@ -125,7 +124,7 @@ TEST(Fill_ports, stays_in_the_plane)
   const VFC::Polygon_domain_3<Traits> plate(polygons::plate());
   Curve curve;
   const std::vector<Port> ports = {{Point(-1.5, 0, 0)}, {Point(0.2, 1, 0)}};
-  const auto result = VFC::fill(curve, plate, np::thickness(0.08).ports(ports));
+  const auto result = VFC::fill(curve, plate, preview(0.08).ports(ports));
   EXPECT_EQ(result.status, VFC::Filling_status::CONVERGED);
   for(const Point& p : curve.points()) EXPECT_EQ(p.z(), 0);
   ASSERT_EQ(result.necks.size(), 2u);
@@ -141,7 +140,7 @@ TEST(Fill_ports, scales_with_the_domain)
     const std::vector<Port> ports = {{Point(0, 0.5 * scale, 0.3 * scale)},
                                      {Point(scale, 0.5 * scale, 0.3 * scale)}};
     return VFC::fill(curve, Box(Point(0, 0, 0), Point(scale, scale, scale)),
-                     np::thickness(0.25 * scale).ports(ports).number_of_iterations(3));
+                     preview(0.25 * scale).ports(ports).number_of_iterations(3));
   };
   Curve small, large;
   const auto result = fill(1, small), scaled = fill(factor, large);
@@ -159,7 +158,7 @@ TEST(Fill_ports, refuses_ports_that_make_no_sense)
   const auto message = [&](const std::vector<Port>& ports) {
     Curve curve;
     try {
-      VFC::fill(curve, box, np::thickness(0.1).ports(ports));
+      VFC::fill(curve, box, preview(0.1).ports(ports));
     } catch(const std::invalid_argument& error) {
       return std::string(error.what());
     }
@@ -176,7 +175,7 @@ TEST(Fill_ports, refuses_ports_that_make_no_sense)
             std::string::npos);
   EXPECT_EQ(message({good, good}), "ports 1 and 2: their necks meet");
   Curve curve = polyline({Point(0.3, 0.3, 0.3), Point(0.6, 0.6, 0.6)});
-  EXPECT_THROW(VFC::fill(curve, box, np::thickness(0.1).ports(std::vector<Port>{good, good})),
+  EXPECT_THROW(VFC::fill(curve, box, preview(0.1).ports(std::vector<Port>{good, good})),
                std::invalid_argument);
 }
 
@@ -184,9 +183,9 @@ TEST(Fill_ports, search_for_a_way_within_the_time_limit)
 {
   const Ball ball({0, 0, 0}, 1);
   Curve curve;
-  const auto result = VFC::fill(
-      curve, ball,
-      np::thickness(0.2).ports(std::vector<Port>{{{1, 0, 0}}, {{-1, 0, 0}}}).time_limit(1e-9));
+  const auto result =
+      VFC::fill(curve, ball,
+                preview(0.2).ports(std::vector<Port>{{{1, 0, 0}}, {{-1, 0, 0}}}).time_limit(1e-9));
   EXPECT_EQ(result.status, VFC::Filling_status::LIMIT);
   EXPECT_EQ(curve.number_of_nodes(), 0u);
 }

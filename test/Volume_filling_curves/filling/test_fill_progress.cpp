@@ -32,7 +32,7 @@ TEST(Fill_progress, has_all_stages_in_their_order)
     reports.push_back(progress);
     return true;
   };
-  const auto result = VFC::fill(curve, ball, np::thickness(0.3).progress(note));
+  const auto result = VFC::fill(curve, ball, preview(0.3).progress(note));
   ASSERT_EQ(result.status, Filling_status::CONVERGED);
   std::vector<Run_stage> stages;
   for(const Run_progress& progress : reports) {

@@ -63,8 +63,7 @@ TEST(Fill_round, keeps_bends_and_strands_in_a_box)
   const Box wide({0, 0, 0}, {7, 7, 7});
   Curve curve;
   VFC::Isotopy_certificate certificate;
-  const Result result =
-      VFC::fill(curve, wide, np::thickness(1).round_bends(true).certificate(std::ref(certificate)));
+  const Result result = VFC::fill(curve, wide, np::thickness(1).certificate(std::ref(certificate)));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   EXPECT_TRUE(result.shape_excesses.empty());
   expect_shape(curve, 0.85, 1.6);
@@ -72,6 +71,30 @@ TEST(Fill_round, keeps_bends_and_strands_in_a_box)
   EXPECT_GE(coverage(curve, wide, 1).fraction_within_r, 0.75);
   const Curve start(result.start);
   EXPECT_TRUE(VFC::verify_certificate(certificate, start, curve, wide).is_valid);
+}
+
+TEST(Fill_round, is_the_default_but_not_for_a_preview)
+{
+  const Box wide({0, 0, 0}, {7, 7, 7});
+  Curve round, quick;
+  VFC::fill(round, wide, np::thickness(1));
+  expect_shape(round, 0.85, 1.6);
+  const Result result = VFC::fill(quick, wide, preview(1));
+  EXPECT_EQ(result.status, Filling_status::CONVERGED);
+  EXPECT_LT(result.min_bend_radius, 0.5);
+  EXPECT_TRUE(result.shape_excesses.empty());
+}
+
+// While it bends, the flow has a smaller thickness than the filling.
+TEST(Fill_round, reports_its_thickness_if_it_ends_while_it_bends)
+{
+  Curve curve;
+  const Result result = VFC::fill(curve, box, np::thickness([](const Point& p) {
+                                                return 1 + p.x() / 6;
+                                              }).number_of_iterations(8));
+  EXPECT_EQ(result.status, Filling_status::LIMIT);
+  EXPECT_GT(result.thickness, 1);
+  EXPECT_LT(result.thickness, 2);
 }
 
 TEST(Fill_round, keeps_a_strand_distance_in_a_ball)
@@ -127,7 +150,7 @@ TEST(Fill_round, stays_in_the_plane)
   const Plate plate(polygons::plate());
   for(const double r : {0.08, 0.04}) {
     Curve curve;
-    const Result result = VFC::fill(curve, plate, np::thickness(r).round_bends(true));
+    const Result result = VFC::fill(curve, plate, np::thickness(r));
     EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
     for(const Point& p : curve.points()) EXPECT_EQ(p.z(), 0);
     expect_shape(curve, 0.85 * r, 1.6 * r);
@@ -162,7 +185,7 @@ void expect_round_between_ports(const Domain& domain,
                                 double fraction_within_r)
 {
   Curve curve;
-  const Result result = VFC::fill(curve, domain, np::thickness(r).round_bends(true).ports(ports));
+  const Result result = VFC::fill(curve, domain, np::thickness(r).ports(ports));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   ASSERT_EQ(result.necks.size(), ports.size());
   for(const auto& neck : result.necks) EXPECT_NEAR(neck.length, r, 1e-9);
@@ -187,7 +210,7 @@ TEST(Fill_round, keeps_a_distance_from_the_boundary)
   const Box cube({0, 0, 0}, {1, 1, 1});
   const double r = 0.1;
   Curve curve;
-  const Result result = VFC::fill(curve, cube, np::thickness(r).round_bends(true).wall_distance(r));
+  const Result result = VFC::fill(curve, cube, np::thickness(r).wall_distance(r));
   EXPECT_EQ(result.status, Filling_status::CONVERGED) << result.reason;
   EXPECT_GE(result.min_wall_distance, r);
   expect_shape(curve, 0.85 * r, 1.6 * r);
@@ -263,7 +286,7 @@ TEST(Fill_round, is_the_same_in_parallel_and_at_another_scale)
 TEST(Fill_round, goes_on_with_the_same_bits)
 {
   const Box small({0, 0, 0}, {4, 4, 4});
-  const auto parameters = np::thickness(1).round_bends(true);
+  const auto parameters = np::thickness(1);
   Curve whole;
   const Result result = VFC::fill(whole, small, parameters);
   for(const std::size_t limit : {std::size_t(20), result.statistics.iterations - 1}) {

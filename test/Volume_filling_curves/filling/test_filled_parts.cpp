@@ -43,7 +43,7 @@ template <typename Domain>
 void expect_filled(const Domain& domain, double thickness, std::size_t parts)
 {
   Curve curve;
-  const auto result = VFC::fill(curve, domain, np::thickness(thickness));
+  const auto result = VFC::fill(curve, domain, preview(thickness));
   const bool is_crowded = result.crowded_fraction > 0.05; // in the shell around a cavity
   EXPECT_EQ(result.status, is_crowded ? Filling_status::PARTIAL : Filling_status::CONVERGED);
   EXPECT_EQ(result.reason.empty(), !is_crowded) << result.reason;
@@ -85,9 +85,9 @@ TEST(Parts, without_samples_are_found_in_their_boxes)
   const Soup soup = meshes::cube(40) + moved(meshes::cube(0.5), 50, 0, 0);
   const Mesh_domain domain(meshes::to_mesh(soup));
   Curve curve;
-  const auto result = VFC::fill(
-      curve, domain,
-      np::thickness(0.4).number_of_iterations(1).spacing(1).start(VFC::Filling_start::CIRCLE));
+  const auto result =
+      VFC::fill(curve, domain,
+                preview(0.4).number_of_iterations(1).spacing(1).start(VFC::Filling_start::CIRCLE));
   EXPECT_EQ(result.parts, 2u);
   EXPECT_EQ(curve.number_of_components(), 2u);
 }
@@ -113,7 +113,7 @@ TEST(Parts, have_no_curve_if_one_is_given)
   const Mesh_domain domain(meshes::to_mesh(two_spheres));
   const Curve start(std::vector<Point>{{0, 0, 0}, {0.2, 0, 0}, {0, 0.2, 0}, {0, 0, 0}});
   Curve curve = start;
-  const auto result = VFC::fill(curve, domain, np::thickness(0.25));
+  const auto result = VFC::fill(curve, domain, preview(0.25));
   EXPECT_EQ(result.status, Filling_status::PARTIAL);
   EXPECT_EQ(result.parts, 2u);
   EXPECT_EQ(result.unreachable_parts, 1u);
@@ -127,9 +127,8 @@ TEST(Parts, are_in_the_certificate)
   const Mesh_domain domain(meshes::to_mesh(two_spheres));
   Curve curve;
   VFC::Isotopy_certificate certificate;
-  const auto result =
-      VFC::fill(curve, domain,
-                np::thickness(0.3).number_of_iterations(10).certificate(std::ref(certificate)));
+  const auto result = VFC::fill(
+      curve, domain, preview(0.3).number_of_iterations(10).certificate(std::ref(certificate)));
   const Curve start(result.start);
   EXPECT_EQ(start.number_of_components(), 2u);
   EXPECT_TRUE(
@@ -149,7 +148,7 @@ VFC::Filling_result<Point> filled_plate(double thickness, Warned& visitor)
   for(Point& p : soup.points) p = {p.x(), p.y(), p.z() / 15};
   const Mesh_domain plate(meshes::to_mesh(soup));
   Curve curve;
-  return VFC::fill(curve, plate, np::thickness(thickness).visitor(std::ref(visitor)));
+  return VFC::fill(curve, plate, preview(thickness).visitor(std::ref(visitor)));
 }
 
 TEST(Thin_domain, is_told_before_and_after)

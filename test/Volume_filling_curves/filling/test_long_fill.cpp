@@ -47,7 +47,7 @@ TEST(Fill, covers_a_ball_evenly)
 {
   const Ball ball(Point(1, 2, 3), 1);
   Curve curve;
-  const auto result = VFC::fill(curve, ball, np::thickness(0.15));
+  const auto result = VFC::fill(curve, ball, preview(0.15));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   EXPECT_TRUE(result.empty_regions.empty());
   expect_inside(curve, ball);
@@ -62,7 +62,7 @@ TEST(Fill, covers_a_mesh_of_twelve_triangles)
 {
   const Mesh_domain domain(cube());
   Curve curve;
-  const auto result = VFC::fill(curve, domain, np::thickness(0.1));
+  const auto result = VFC::fill(curve, domain, preview(0.1));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   expect_inside(curve, domain);
   const VFC::Coverage c = coverage(curve, domain, 0.1);
@@ -75,7 +75,7 @@ TEST(Fill, takes_as_many_iterations_at_every_size)
   const Mesh_domain domain(cube());
   for(const double thickness : {0.2, 0.1, 0.05}) {
     Curve curve;
-    const auto result = VFC::fill(curve, domain, np::thickness(thickness));
+    const auto result = VFC::fill(curve, domain, preview(thickness));
     EXPECT_LE(result.statistics.iterations, 30u) << "with a thickness of " << thickness;
   }
 }
@@ -84,7 +84,7 @@ TEST(Fill, refines_the_edges_in_the_end)
 {
   const Ball ball(Point(1, 2, 3), 1);
   Curve curve;
-  VFC::fill(curve, ball, np::thickness(0.2).spacing(0.1));
+  VFC::fill(curve, ball, preview(0.2).spacing(0.1));
   for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
     EXPECT_LE(CGAL::squared_distance(curve.point(curve.source(e)), curve.point(curve.target(e))),
               CGAL::square(2.2 * 0.1 * 0.2)); // what a last step adds
@@ -94,8 +94,8 @@ TEST(Fill, keeps_clear_of_the_wall_on_request)
 {
   const Ball ball(Point(0, 0, 0), 1);
   Curve covering, clear;
-  VFC::fill(covering, ball, np::thickness(0.15).number_of_iterations(120));
-  VFC::fill(clear, ball, np::thickness(0.15).wall(VFC::Wall::KEEP_CLEAR).number_of_iterations(120));
+  VFC::fill(covering, ball, preview(0.15).number_of_iterations(120));
+  VFC::fill(clear, ball, preview(0.15).wall(VFC::Wall::KEEP_CLEAR).number_of_iterations(120));
   const auto min_distance = [&](const Curve& curve) {
     double least = 1;
     for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
@@ -111,7 +111,7 @@ TEST(Fill, reproduces_a_thickness_that_varies)
   const Box box(Point(0, 0, 0), Point(2, 1, 1));
   const auto thickness = [](const Point& p) { return 0.08 + 0.04 * p.x(); };
   Curve curve;
-  const auto result = VFC::fill(curve, box, np::thickness(thickness));
+  const auto result = VFC::fill(curve, box, preview(thickness));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   expect_inside(curve, box);
   const VFC::Domain_samples_3<Traits, Box> samples(box, 20000, 1);
@@ -133,7 +133,7 @@ TEST(Fill, finds_the_thickness_for_a_length)
 {
   const Ball ball(Point(0, 0, 0), 1);
   Curve curve;
-  const auto result = VFC::fill(curve, ball, np::length(40.));
+  const auto result = VFC::fill(curve, ball, np::length(40.).round_bends(false));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   double length = 0;
   for(std::size_t e = 0; e < curve.number_of_edges(); ++e)

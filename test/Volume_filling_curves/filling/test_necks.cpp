@@ -36,7 +36,7 @@ TEST_P(Narrow_neck, is_no_obstacle_to_a_filling)
   const Soup soup = exact_surface::two_chambers();
   const Mesh_domain domain(meshes::to_mesh(soup));
   Network curve;
-  const auto result = fill(curve, domain, parameters::thickness(r).start(start));
+  const auto result = fill(curve, domain, parameters::thickness(r).start(start).round_bends(false));
   EXPECT_LE(result.unfilled_fraction, 0.01);
   EXPECT_EQ(result.status, result.crowded_fraction > 0.05 ? Filling_status::PARTIAL // in the neck
                                                           : Filling_status::CONVERGED);

@@ -64,7 +64,7 @@ TEST(Unfilled_reason, is_no_neck_in_a_convex_box)
   const Box box(Point(0, 0, 0), Point(4, 2, 1));
   Curve curve;
   const auto result = VFC::fill(curve, box,
-                                np::thickness(0.2)
+                                preview(0.2)
                                     .direction_field([](const Point&) {
                                       return std::array<double, 3>{1, 0, 0};
                                     })
@@ -93,7 +93,7 @@ TEST(Unfilled_reason, is_a_neck_where_there_is_one)
 {
   const Mesh_domain domain(meshes::to_mesh(cubes_and_neck()));
   Curve curve = small_triangle;
-  const auto result = VFC::fill(curve, domain, np::thickness(0.2));
+  const auto result = VFC::fill(curve, domain, preview(0.2));
   EXPECT_EQ(result.status, Filling_status::PARTIAL);
   EXPECT_EQ(result.reason,
             "the curve did not get through a neck narrower than r to 1 empty region");
@@ -137,7 +137,7 @@ TEST(Uncovered_fraction, is_of_the_whole_volume_if_the_boundary_is_kept_clear)
 {
   const Box box(Point(0, 0, 0), Point(4, 2, 1));
   Curve curve;
-  const auto result = VFC::fill(curve, box, np::thickness(0.2).wall(VFC::Wall::KEEP_CLEAR));
+  const auto result = VFC::fill(curve, box, preview(0.2).wall(VFC::Wall::KEEP_CLEAR));
   const VFC::Domain_samples_3<Traits, Box> samples(box, 20000, 1);
   const double whole = VFC::unfilled_fraction(samples, VFC::sample_distances(curve, samples), 0.2);
   EXPECT_GT(whole, 0.05);

@@ -34,7 +34,7 @@ TEST(Wall_distance, is_kept_by_a_filling_that_covers_the_rest)
 {
   for(const double c : {0.05, 0.1}) {
     Curve curve;
-    const auto result = VFC::fill(curve, box, np::thickness(0.1).wall_distance(c));
+    const auto result = VFC::fill(curve, box, preview(0.1).wall_distance(c));
     EXPECT_EQ(result.status, Filling_status::CONVERGED);
     EXPECT_GE(result.min_wall_distance, c);
     EXPECT_EQ(result.min_wall_distance, VFC::min_wall_distance(curve, box).distance);
@@ -48,8 +48,7 @@ TEST(Wall_distance, is_kept_in_a_mesh_from_a_tree_and_from_a_circle)
   const Mesh_domain domain(meshes::to_mesh(meshes::sphere(1, 2)));
   for(const auto start : {VFC::Filling_start::TREE, VFC::Filling_start::CIRCLE}) {
     Curve curve;
-    const auto result =
-        VFC::fill(curve, domain, np::thickness(0.25).wall_distance(0.2).start(start));
+    const auto result = VFC::fill(curve, domain, preview(0.25).wall_distance(0.2).start(start));
     EXPECT_GE(VFC::min_wall_distance(curve, domain).distance, 0.2);
     EXPECT_LE(result.unfilled_fraction, 0.01);
   }
@@ -58,7 +57,7 @@ TEST(Wall_distance, is_kept_in_a_mesh_from_a_tree_and_from_a_circle)
 TEST(Wall_distance, above_the_thickness_leaves_the_layer_along_the_boundary_out)
 {
   Curve curve;
-  const auto result = VFC::fill(curve, box, np::thickness(0.1).wall_distance(0.3));
+  const auto result = VFC::fill(curve, box, preview(0.1).wall_distance(0.3));
   EXPECT_EQ(result.status, Filling_status::CONVERGED);
   EXPECT_GE(VFC::min_wall_distance(curve, box).distance, 0.3);
   EXPECT_LE(result.unfilled_fraction, 0.01);
@@ -69,9 +68,8 @@ TEST(Wall_distance, scales_with_the_domain)
 {
   Curve curve, large;
   const double scale = 1024;
-  VFC::fill(curve, Ball(Point(0, 0, 0), 1), np::thickness(0.3).wall_distance(0.25));
-  VFC::fill(large, Ball(Point(0, 0, 0), scale),
-            np::thickness(0.3 * scale).wall_distance(0.25 * scale));
+  VFC::fill(curve, Ball(Point(0, 0, 0), 1), preview(0.3).wall_distance(0.25));
+  VFC::fill(large, Ball(Point(0, 0, 0), scale), preview(0.3 * scale).wall_distance(0.25 * scale));
   ASSERT_EQ(curve.number_of_nodes(), large.number_of_nodes());
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
     const Point& p = curve.point(v);
@@ -82,7 +80,7 @@ TEST(Wall_distance, scales_with_the_domain)
 std::string complaint(Curve curve, double wall_distance)
 {
   try {
-    (void)VFC::fill(curve, box, np::thickness(0.1).wall_distance(wall_distance));
+    (void)VFC::fill(curve, box, preview(0.1).wall_distance(wall_distance));
   } catch(const std::invalid_argument& error) {
     return error.what();
   }

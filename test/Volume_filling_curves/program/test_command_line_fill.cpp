@@ -121,7 +121,7 @@ TEST_F(Command_line_fill, keeps_a_distance_from_the_wall_that_check_verifies)
 {
   make_cube();
   const Finished fill =
-      run("fill cube.off -o c.obj --thickness 0.6 --wall-distance 0.5 --report r.json");
+      run("fill cube.off -o c.obj --preview --thickness 0.6 --wall-distance 0.5 --report r.json");
   EXPECT_EQ(fill.status, 0) << fill.err;
   const double distance = json("r.json")["min_wall_distance"];
   EXPECT_GE(distance, 0.5);
@@ -167,7 +167,7 @@ TEST_F(Command_line_fill, a_plate_that_is_too_thin_is_filled_in_part_only)
   write("plate.off", "OFF\n8 12 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 .1\n4 0 .1\n4 4 .1\n0 4 .1\n"
                      "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n"
                      "3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
-  const Finished fill = run("fill plate.off --thickness 0.5 --report r.json");
+  const Finished fill = run("fill plate.off --preview --thickness 0.5 --report r.json");
   EXPECT_EQ(fill.status, 2);
   EXPECT_NE(fill.err.find("warning: the inside is too thin for the thickness 0.5 in 100 %"),
             std::string::npos)

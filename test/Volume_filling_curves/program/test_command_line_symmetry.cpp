@@ -38,7 +38,7 @@ protected:
   // Verifies what holds of each filling of the box, and returns its nodes.
   std::vector<Point> filling(const std::string& symmetry)
   {
-    const Finished fill = run("fill box.off --thickness .25 --symmetry " + symmetry +
+    const Finished fill = run("fill box.off --preview --thickness .25 --symmetry " + symmetry +
                               " -o c.obj --force --report r.json");
     EXPECT_EQ(fill.status, 0) << fill.err;
     const Json report = json("r.json");
@@ -84,7 +84,7 @@ TEST_F(Command_line_symmetry, planes_and_axes_may_lie_anywhere)
 TEST_F(Command_line_symmetry, thirds_of_a_torus_are_alike)
 {
   const Finished fill =
-      run("fill '" VFC_DATA_DIR "/torus.off' --thickness .2 --symmetry rotation:3 "
+      run("fill '" VFC_DATA_DIR "/torus.off' --preview --thickness .2 --symmetry rotation:3 "
           "-o c.obj --report r.json");
   ASSERT_EQ(fill.status, 0) << fill.err;
   EXPECT_EQ(json("r.json")["components"], 1);
@@ -98,6 +98,20 @@ TEST_F(Command_line_symmetry, thirds_of_a_torus_are_alike)
     EXPECT_NEAR(q[1], s * p[0] + c * p[1], 1e-12);
     EXPECT_NEAR(q[2], p[2], 1e-12);
   }
+}
+
+// Strands near a cut do not see those of the other images.
+TEST_F(Command_line_symmetry, tells_where_images_are_too_near_to_one_another)
+{
+  const Finished fill = run("fill box.off --thickness .25 --symmetry mirror -o c.obj "
+                            "--report r.json");
+  const Json report = json("r.json");
+  EXPECT_GE(report["min_bend_radius"], .85 * .25);
+  ASSERT_LT(report["min_strand_distance"], 1.6 * .25);
+  EXPECT_EQ(fill.status, 2);
+  EXPECT_EQ(report["status"], "constraint_not_reached");
+  EXPECT_NE(report["reason"].get<std::string>().find("strands have a distance of "),
+            std::string::npos);
 }
 
 TEST_F(Command_line_symmetry, refuses_what_is_not_symmetric)

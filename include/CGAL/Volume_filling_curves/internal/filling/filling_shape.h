@@ -31,7 +31,7 @@ double min_thickness_for(const Filling_parameters<Point_3>& parameters)
   return parameters.bend_radius / bend_radius_of_thickness;
 }
 
-// Returns no limits unless bends are to be rounded, or one of the limits is given.
+// Returns no limits if bends need not be round, and none of the limits is given.
 template <typename Point_3>
 Shape_goal shape_goal(const Filling_parameters<Point_3>& parameters)
 {

@@ -104,22 +104,21 @@ struct Filling_parameters : Curve_run_parameters
   double length = 0;
 
   /// The least radius with which the curve may bend, in the input's unit: that of the arcs that
-  /// round the corners, see `min_bend_radius()`. 0 (default) stands for none, unless `round_bends`
-  /// is set or there is a `strand_distance`; then it is 0.85 r, where r may vary in space. For a
-  /// larger one a thickness that does not vary grows to `bend_radius` / 0.85: no denser curve has
-  /// room for its bends.
+  /// round the corners, see `min_bend_radius()`. 0 (default) stands for 0.85 r, where r may vary in
+  /// space. For a larger one a thickness that does not vary grows to `bend_radius` / 0.85: no
+  /// denser curve has room for its bends.
   double bend_radius = 0;
 
   /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
   /// curve between them, pi times `bend_radius`, or pi/2 times the distance. 0 (default) stands for
-  /// none, unless `round_bends` is set or there is a `bend_radius`; then it is 1.6 r.
+  /// 1.6 r.
   double strand_distance = 0;
 
-  /// Whether bends are rounded to a radius of 0.85 r, and strands pushed 1.6 r apart, unless
-  /// `bend_radius` or `strand_distance` is given. Takes three to five times as long, and leaves
-  /// edges at least 0.3 r long. Where the limits cannot be kept, the run ends as
-  /// `Filling_status::CONSTRAINT_NOT_REACHED`. No by default.
-  bool round_bends = false;
+  /// Whether the curve keeps a bend radius and a distance of strands. Where it cannot, the run ends
+  /// as `Filling_status::CONSTRAINT_NOT_REACHED`. Without, for a preview, bends have about 0.15 r
+  /// and a run takes a quarter to a half of the time; a `bend_radius` or `strand_distance` that is
+  /// given holds nevertheless. With it edges are at least 0.3 r long. Yes by default.
+  bool round_bends = true;
 };
 
 } // namespace Volume_filling_curves
