@@ -203,6 +203,7 @@ class The_page(In_folder):
     def test_fills_a_domain_before_ones_eyes(self):
         self.open_domain("Torus")
         self.slide("filling-thickness", -4.4)
+        self.slide("bend", 0)
         self.slide("ratio", 1)
         self.assertEqual(self.browser.value("element('ratio-value').textContent"), "1 : 2")
         self.browser.click("fill")
@@ -263,6 +264,7 @@ class The_page(In_folder):
         self.assertEqual(self.number("filling-nodes"), nodes)
         self.assertGreater(nodes, len(coordinates(self.folder / "start.obj")))
         self.assertIn("can be saved", self.browser.value("element('message').textContent"))
+        self.slide("bend", 0)
         self.slide("filling-thickness", -4)
         self.assertIn("press Fill", self.browser.value("element('message').textContent"))
         self.browser.click("fill")
