@@ -17,6 +17,7 @@ function showPicture(data) {
   requestAnimationFrame(() => ask("drawn"));
   leaveDomain();
   const isFirst = picture === null || picture.number !== data.number;
+  const wasRefused = picture !== null && picture.isRefused;
   picture = data;
   showNumber(data.number);
   if (picture.held < 0) view.follow(picture.coordinates, isFirst || picture.isSearching);
@@ -31,7 +32,7 @@ function showPicture(data) {
   element("undo").disabled = !picture.canUndo;
   element("scene").classList.toggle("refused", picture.isRefused);
   if (picture.isRefused) say("Refused: a strand is in the way.", "refused");
-  else if (element("message").className === "refused") say("");
+  else if (wasRefused) say(""); // but what is wrong with a file stays
 }
 
 // Nothing is known yet of another curve.

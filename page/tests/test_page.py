@@ -276,9 +276,11 @@ class The_page(In_folder):
         self.open()
         square = "v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 1\\nl 1 2 3 4 1\\n"
         self.browser.value(f"openFile(new File(['{square}'], 'square.obj'))")
-        self.browser.wait("element('name').textContent === '0_1 (proved)'")
+        self.browser.wait("picture.number === number && element('name').textContent === '0_1 (proved)'")
         self.browser.value("openFile(new File(['v 0 0 0\\nv 1 0 x\\n'], 'bad.obj'))")
         self.browser.wait("element('message').textContent.includes(\"line 2: 'x' is not a number\")")
+        self.browser.value("showPicture(picture)")
+        self.assertIn("line 2", self.browser.value("element('message').textContent"))
         self.assertEqual(self.browser.value("element('name').textContent"), "0_1 (proved)")
         three_faces = "OFF\\n4 3 0\\n0 0 0\\n1 0 0\\n0 1 0\\n0 0 1\\n3 0 2 1\\n3 0 1 3\\n3 1 2 3\\n"
         self.browser.value(f"openFile(new File(['{three_faces}'], 'open.off'))")
