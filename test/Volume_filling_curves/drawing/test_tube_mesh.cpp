@@ -104,7 +104,7 @@ TEST(Tube_mesh, of_a_filling_is_solid)
 {
   Curve curve;
   fill(curve, Ball_domain_3(Point_3(0, 0, 0), 1),
-       parameters::thickness(0.25).number_of_iterations(60));
+       parameters::thickness(0.25).number_of_iterations(60).round_bends(false));
   const double radius = nearly_touching * polygonal_thickness(curve);
   ASSERT_GT(radius, 0);
   const Mesh mesh = tube(curve, radius);
