@@ -30,7 +30,7 @@ def fillings(inputs, quick):
     """Domains filled, each with a curve of its own thickness."""
     torus = inputs.bundled / "torus.off"
     if quick:
-        return [Case("fillings", "torus, bundled", "fill", torus, 0.3)]
+        return [Case("fillings", "torus, bundled", "fill", torus, 0.2)]
     found = [(inputs.of_shared_data(f"domains/{name}"), r) for name, r in DOMAINS.items()]
     found += [(inputs.cube(), CUBE_THICKNESS)]
     cases = [Case("fillings", mesh.stem, "fill", mesh, r) for mesh, r in found if mesh]

@@ -41,7 +41,7 @@ class Quick(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.out = pathlib.Path(cls.temporary.name) / "out"
-        cls.peer = f"peer={VFC} {{job}} {{input}} -o {{output}} --thickness 0.3 --threads 1"
+        cls.peer = f"peer={VFC} {{job}} {{input}} -o {{output}} --thickness 0.2 --threads 1"
         cls.arguments = ("--against", f"there={VFC}", "--peer", cls.peer)
         cls.done = session(cls.out, *cls.arguments)
         cls.lines = [json.loads(line) for line in (cls.out / "runs.jsonl").read_text().splitlines()]
