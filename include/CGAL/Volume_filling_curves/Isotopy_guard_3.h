@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -283,7 +284,8 @@ public:
   {
     CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
     stop_recording();
-    m_editor.add(m_record.emplace(m_curve));
+    m_record = std::make_unique<internal::Motion_record<Curve_network>>(m_curve);
+    m_editor.add(*m_record);
   }
 
   /// stops recording changes, and discards the record.
@@ -294,7 +296,7 @@ public:
   }
 
   /// returns whether changes are recorded.
-  bool is_recording() const { return m_record.has_value(); }
+  bool is_recording() const { return m_record != nullptr; }
 
   /// returns the certificate of the motion from the start of the recording to the current network.
   /// The recording continues. Takes time linear in the length of the record.
@@ -334,7 +336,7 @@ public:
   internal::Run_watch* watch() const { return m_watch; }
 
   auto counts() { return std::tie(m_number_of_certified, m_number_of_rejected); }
-  internal::Motion_record<Curve_network>* record() { return m_record ? &*m_record : nullptr; }
+  internal::Motion_record<Curve_network>* record() { return m_record.get(); } // or null
   /// \endcond
 
 private:
@@ -382,7 +384,7 @@ private:
                                                                         m_locator, m_boundary};
   internal::Clearance_rule m_clearance;
   Bend_limits<Point_3> m_bends;
-  std::optional<internal::Motion_record<Curve_network>> m_record;
+  std::unique_ptr<internal::Motion_record<Curve_network>> m_record;
   internal::Run_watch* m_watch = nullptr;
   size_type m_number_of_certified = 0;
   size_type m_number_of_rejected = 0;
