@@ -82,8 +82,8 @@ auto fill(Curve_network_3<Traits>& curves,
  * is certified (see `Isotopy_guard_3`): the result is ambient isotopic to the start and lies
  * strictly inside, as exactly as the domain answers. Components of a curve grow side by side;
  * networks keep their graph, pinned nodes stay where they are, and sliding nodes stay on their sets
- * (see `Node_constraint`). The nodes of a component must not all slide, unless it grows without
- * fingers (see `Filling_start`): nodes of its fingers would leave their sets.
+ * (see `Node_constraint`). A component all of whose nodes slide grows without fingers, which would
+ * leave these sets; it needs `Filling_start::CIRCLE`.
  *
  * If no curves are given, a small circle is placed at the widest point of each connected part of
  * the inside that is wide enough. A part is wide enough if it holds a ball whose radius is an
@@ -139,13 +139,14 @@ auto fill(Curve_network_3<Traits>& curves,
  * \pre the network has no garbage
  *
  * \throws std::invalid_argument if the curves are not embedded or not strictly inside the domain
- * (the message lists the nodes); if the domain is unbounded, larger than 1e150 or smaller than
- * 1e-150, or has no `scaled()` beyond 1e38 or below 1e-38; if hardly any point of its box is
- * inside, or its answers contradict each other; if a parameter is out of its range (the message
- * names it and, for a field, the point); if both a length and a thickness are given; if a mesh or a
- * polygon bounds no domain, see `Triangle_mesh_domain_3` and `Polygon_domain_3`; or if the curve
- * would have more than 20 million nodes, which take some 30 GB, or more than 2 million with the
- * default thickness
+ * (the message lists the nodes); if all nodes of a component slide or are pinned, and fingers are
+ * to grow (the message names the component and its first node); if the domain is unbounded, larger
+ * than 1e150 or smaller than 1e-150, or has no `scaled()` beyond 1e38 or below 1e-38; if hardly any
+ * point of its box is inside, or its answers contradict each other; if a parameter is out of its
+ * range (the message names it and, for a field, the point); if both a length and a thickness are
+ * given; if a mesh or a polygon bounds no domain, see `Triangle_mesh_domain_3` and
+ * `Polygon_domain_3`; or if the curve would have more than 20 million nodes, which take some 30 GB,
+ * or more than 2 million with the default thickness
  * \throws Run_state_error if `resume_from` is the state of a different run; the message lists the
  * differences
  *

@@ -214,6 +214,37 @@ TEST(Node_constraint, lets_the_ends_of_a_filling_slide_on_two_walls)
   EXPECT_NEAR(box.distance(arc.point(arc.number_of_nodes() - 1)), 0.1, 1e-9);
 }
 
+// A ring in the shell of a ball, beside an arc with free nodes.
+Network arc_beside_sliding_ring(double radius)
+{
+  Network curves(std::vector<std::vector<Point>>{
+      {{-0.1, 0, 0}, {0, 0.1, 0}, {0.1, 0, 0}},
+      {{0, 0, radius}, {0.1, 0, radius}, {0, 0.1, radius}, {0, 0, radius}}});
+  for(std::size_t v = curves.first_node(1); v < curves.number_of_nodes(); ++v)
+    curves.set_constraint(v, Node_constraint::on_boundary(0.1));
+  return curves;
+}
+
+TEST(Node_constraint, of_all_nodes_of_a_component_lets_no_fingers_grow)
+{
+  const VFC::Ball_domain_3<> ball(Point(0, 0, 0), 1);
+  const auto asked_for = VFC::parameters::thickness(0.3);
+  for(const bool has_pin : {false, true}) {
+    Network curves = arc_beside_sliding_ring(0.9);
+    if(has_pin) curves.set_pinned(3);
+    try {
+      VFC::fill(curves, ball, asked_for);
+      FAIL();
+    } catch(const std::invalid_argument& error) {
+      EXPECT_STREQ(error.what(),
+                   "all nodes of component 1, from node 3 on, slide or are pinned: fingers would "
+                   "leave the sets on which they slide; Filling_start::CIRCLE grows without "
+                   "fingers");
+    }
+    EXPECT_EQ(curves.number_of_nodes(), 6u);
+  }
+}
+
 TEST(Node_constraint, passes_to_nodes_inserted_between_nodes_that_slide_together)
 {
   const Node_constraint none, pin = Node_constraint::fixed();

@@ -52,6 +52,22 @@ bool has_sliding_node(const Network& curve)
   return false;
 }
 
+// Whether a node inserted anywhere in component `c` slides: each edge joins two nodes that slide on
+// the same set, or one that slides and one that is pinned.
+template <typename Network>
+bool slides_everywhere(const Network& curve, std::size_t c)
+{
+  for(std::size_t v = curve.first_node(c); v < curve.first_node(c + 1); ++v)
+    for(std::size_t k = 0; k < curve.degree(v); ++k) {
+      const std::size_t w = curve.neighbor(v, k);
+      const Node_constraint &a = curve.constraint(v), &b = curve.constraint(w);
+      const bool slides =
+          a.is_sliding() ? a == b || curve.is_pinned(w) : curve.is_pinned(v) && b.is_sliding();
+      if(!slides) return false;
+    }
+  return true;
+}
+
 // returns the edges of component `c` in the order of the curve; none if it has a junction
 template <typename Network>
 std::vector<std::size_t> edges_along(const Network& curve, std::size_t c)

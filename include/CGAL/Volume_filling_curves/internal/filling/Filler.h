@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
@@ -125,13 +126,21 @@ private:
     run(Filling_stage::growth());
   }
 
-  // Returns whether fingers have grown into regions that the curve had not reached.
+  // Returns whether fingers have grown into regions that the curve had not reached. They would
+  // leave the sets of curves all of whose nodes slide.
   bool grows_more_fingers()
   {
-    if(m_runner.end()) return false;
+    if(m_runner.end() || slides_somewhere()) return false;
     return m_runner.decide([this] {
       return m_unfilled.is_much(curve(), m_thickness) && grow_tree(m_guard, m_survey);
     }) != 0;
+  }
+
+  bool slides_somewhere() const
+  {
+    for(const std::size_t c : curve().components())
+      if(slides_everywhere(curve(), c)) return true;
+    return false;
   }
 
   void settle()

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
@@ -162,6 +163,7 @@ private:
   // A circle is not checked against the wall distance: it lies in a ball that keeps it.
   void check_start() const
   {
+    if(m_parameters.start == Filling_start::TREE) check_sliding();
     check_embedded(m_curves);
     try {
       check_inside(m_curves, m_domain);
@@ -171,6 +173,17 @@ private:
                                   std::string(error.what()));
     }
     if(m_circles.empty()) check_wall_distance();
+  }
+
+  void check_sliding() const
+  {
+    for(std::size_t c = 0; c < m_curves.number_of_components(); ++c)
+      if(slides_everywhere(m_curves, c))
+        throw std::invalid_argument(
+            "all nodes of component " + std::to_string(c) + ", from node " +
+            std::to_string(m_curves.first_node(c)) +
+            " on, slide or are pinned: fingers would leave the sets on which they slide; "
+            "Filling_start::CIRCLE grows without fingers");
   }
 
   void check_wall_distance() const
