@@ -57,7 +57,8 @@ void energy_gradient(benchmark::State& state)
   const double medial_weight = vfc::Curve_flow_parameters().medial_weight;
   for(auto _ : state) {
     vfc::internal::Energy_gradient<Curve> gradient(sample.curve, sample.positions, sample.weights);
-    gradient.add_length(vfc::internal::component_tensions(sample.curve, sample.weights, thickness));
+    gradient.add_length(vfc::internal::component_tensions(sample.curve, sample.positions,
+                                                          sample.weights, thickness));
     gradient.add_medial_spheres(sample.spheres, thickness, medial_weight);
     benchmark::DoNotOptimize(gradient.projected({}).data());
   }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 // The gradient against finite differences of the energy that it is the gradient of.
@@ -138,11 +139,12 @@ TEST(Energy_gradient, of_components_too_short_to_resist_fades)
 {
   Network curve = internal::closed_network(
       {circle(12, 0.05, {0, 0, 0}), circle(12, 0.5, {5, 0, 0}), circle(12, 5, {30, 0, 0})});
-  const auto weights = internal::node_weights(curve, internal::coordinates(curve));
+  const auto x = internal::coordinates(curve);
+  const auto weights = internal::node_weights(curve, x);
   double length = 0;
   for(std::size_t v = 12; v < 24; ++v) length += weights[v];
   const auto at = [&](double r) {
-    return internal::component_tensions(curve, weights, std::vector<double>(weights.size(), r));
+    return internal::component_tensions(curve, x, weights, std::vector<double>(weights.size(), r));
   };
   EXPECT_EQ(at(1), (std::vector<double>{0, (length - 1) / 4, 1}));
   EXPECT_NEAR(at(length / 3)[1], 0.5, 1e-12);
@@ -152,6 +154,44 @@ TEST(Energy_gradient, of_components_too_short_to_resist_fades)
   EXPECT_EQ(at(1)[0], 0);
   curve.set_pinned(1); // held at two nodes
   EXPECT_EQ(at(1)[0], 1);
+}
+
+TEST(Energy_gradient, keeps_the_length_of_components_held_by_sets_in_which_nodes_slide)
+{
+  using VFC::Node_constraint;
+  using Point = Network::Point_3;
+  using Vector_3 = Network::Traits::Vector_3;
+  const auto plane = [](double z) {
+    return Node_constraint::on_plane(Point(3, 4, z), Vector_3(0, 0, 1));
+  };
+  const auto line = [](double z, const Vector_3& u) {
+    return Node_constraint::on_line(Point(0, 0, z), u);
+  };
+  const auto pin = Node_constraint::fixed(), wall = Node_constraint::on_boundary(1);
+  const auto tilted = Node_constraint::on_plane(Point(0, 0, 0.1), Vector_3(0, 1, 1));
+  const auto tension = [](const Node_constraint& first, const Node_constraint& last) {
+    Network arc = path({{0, 0, 0}, {0, 0, 0.05}, {0, 0, 0.1}});
+    arc.set_constraint(0, first);
+    arc.set_constraint(2, last);
+    const auto x = internal::coordinates(arc);
+    return internal::component_tensions(arc, x, internal::node_weights(arc, x), {1, 1, 1})[0];
+  };
+  const Vector_3 along(1, 2, 0), across(1, 0, 0), up(0, 0, 1);
+  for(const auto& [first, last, expected] : {
+          std::tuple(plane(0), plane(0.1), 1),
+          std::tuple(plane(0), plane(0), 0),
+          std::tuple(plane(0), tilted, 0),
+          std::tuple(plane(0), line(0.1, along), 1),
+          std::tuple(line(0.1, up), plane(0), 0),
+          std::tuple(line(0, along), line(0.1, across), 1),
+          std::tuple(line(0, along), line(0, across), 0),
+          std::tuple(line(0, along), line(0.1, along), 1),
+          std::tuple(pin, plane(0.1), 1),
+          std::tuple(pin, plane(0), 0),
+          std::tuple(pin, wall, 0),
+          std::tuple(pin, pin, 1),
+      })
+    EXPECT_EQ(tension(first, last), expected);
 }
 
 // Spheres of a wide circle are capped all around and balance; length pulls with the curvature.

@@ -90,6 +90,21 @@ TEST(Node_constraint, lets_an_arc_slide_on_two_plates_until_it_is_orthogonal)
   EXPECT_NEAR(normal.dot(last), height, rounding);
 }
 
+// However near: tension that faded with the length left it more than twice as long as the gap.
+TEST(Node_constraint, straightens_an_arc_between_near_plates)
+{
+  constexpr double r = 0.5;
+  for(const double gap : {r, 2 * r, 4 * r, 8 * r}) {
+    Network arc = wave({0, 0, 0}, {gap, 0, gap});
+    for(const std::size_t v : {std::size_t(0), arc.number_of_nodes() - 1})
+      arc.set_constraint(v, Node_constraint::on_plane(arc.point(v), Vector_3(0, 0, 1)));
+    const VFC::Untangling_result result =
+        VFC::untangle(arc, VFC::parameters::thickness(r).tolerance(1e-3));
+    EXPECT_EQ(result.status, VFC::Untangling_status::CONVERGED);
+    EXPECT_NEAR(internal::total_length(arc) / gap, 1, 1e-4);
+  }
+}
+
 TEST(Node_constraint, lets_an_arc_slide_on_two_lines_to_their_common_perpendicular)
 {
   Network arc = wave({2, 0, 0}, {0, -1, 1});

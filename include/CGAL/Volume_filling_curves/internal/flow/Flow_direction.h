@@ -112,7 +112,7 @@ private:
                        const std::vector<double>& thickness)
   {
     Energy_gradient<Network, ConcurrencyTag> gradient(curve, m_positions, m_weights);
-    const auto tensions = component_tensions(curve, m_weights, thickness);
+    const auto tensions = component_tensions(curve, m_positions, m_weights, thickness);
     gradient.add_length(tensions);
     if(m_field) {
       m_preference.directions = edge_directions(curve, m_field);

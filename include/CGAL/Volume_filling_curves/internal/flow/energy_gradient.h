@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Tangent_projection.h>
+#include <CGAL/Volume_filling_curves/internal/flow/held_components.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -60,10 +61,12 @@ std::vector<bool> near_junctions(const Network& curve,
 
 // The weight of the length term for each component: 1, but less for short components, which it
 // would pull to a point, where no medial sphere resists. The tension fades from a length of 5 r,
-// less than a component of a tight link has, and is gone at r. Components that are held at two
-// nodes or more cannot vanish.
+// less than a component of a tight link has, and is gone at r. Components that two nodes hold
+// cannot vanish, see is_held(). Without their tension, an arc whose ends slide on two plates 2 r
+// apart stayed more than twice as long as the distance.
 template <typename Network>
 std::vector<double> component_tensions(const Network& curve,
+                                       const Vector_field& x,
                                        const std::vector<double>& weights,
                                        const std::vector<double>& thickness)
 {
@@ -71,13 +74,11 @@ std::vector<double> component_tensions(const Network& curve,
   std::vector<double> tensions;
   for(std::size_t c = 0; c < curve.number_of_components(); ++c) {
     double length = 0; // in units of r
-    int number_of_pins = 0;
-    for(std::size_t v = curve.first_node(c); v < curve.first_node(c + 1); ++v) {
+    for(std::size_t v = curve.first_node(c); v < curve.first_node(c + 1); ++v)
       length += weights[v] / thickness[v];
-      number_of_pins += curve.is_pinned(v) ? 1 : 0;
-    }
     const double tension = (length - slack_length) / (tense_length - slack_length);
-    tensions.push_back(number_of_pins > 1 ? 1. : std::clamp(tension, 0., 1.));
+    const bool is_tense = tension >= 1 || is_held(curve, c, x, thickness);
+    tensions.push_back(is_tense ? 1. : (std::max)(tension, 0.));
   }
   return tensions;
 }
