@@ -329,7 +329,7 @@ TEST(Polygon_projection, Torus_knots_have_their_signs)
     const auto curve = VFC::make_torus_knot(2, q, 100);
     const Planar_diagram diagram = best_diagram(closed_polygons(curve), 20);
     EXPECT_EQ(diagram.crossings.size(), 3u);
-    EXPECT_EQ(writhe(diagram), q > 0 ? 3 : -3);
+    EXPECT_EQ(VFC::internal::writhe(diagram), q > 0 ? 3 : -3);
   }
 }
 
