@@ -13,6 +13,8 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -64,9 +66,9 @@ inline double distance(const Node_hold& a, const Node_hold& b)
 }
 
 // Whether a component cannot vanish: two of its nodes are held at a distance, in units of the
-// thickness, as the ends of an arc between two plates are. A node that slides along a boundary holds
-// nothing, since it may slide to any other node. Linear in the number of nodes times that of the
-// sets in which they slide.
+// thickness, as the ends of an arc between two plates are. A node that slides along a boundary
+// holds nothing, since it may slide to any other node. Linear in the number of nodes times that of
+// the sets in which they slide.
 template <typename Network>
 bool is_held(const Network& curve,
              std::size_t component,
@@ -79,8 +81,8 @@ bool is_held(const Network& curve,
   for(std::size_t v = curve.first_node(component); v < curve.first_node(component + 1); ++v) {
     const Node_constraint& constraint = curve.constraint(v);
     if(curve.is_free(v) || constraint.kind() == Node_constraint::Kind::BOUNDARY) continue;
-    if(std::find(known.begin(), known.end(), constraint) != known.end() && !curve.is_pinned(v))
-      continue;
+    const bool is_known = std::find(known.begin(), known.end(), constraint) != known.end();
+    if(is_known && !curve.is_pinned(v)) continue;
     const Node_hold hold = node_hold(constraint, row(x, v));
     for(const Node_hold& other : holds)
       if(distance(hold, other) > rounding * thickness[v]) return true;
