@@ -40,6 +40,7 @@ begin_count() {
     VFC_RESULTS=$(mktemp)
     export VFC_RESULTS
   fi
+  failed_before=$(grep -c ^failed "$VFC_RESULTS" || true)
 }
 
 # record passed|failed|skipped NAME [REASON]
@@ -60,9 +61,10 @@ check() {
   fi
 }
 
-# Prints what was skipped and what failed, then the count as the last line.
+# Prints what was skipped and what failed, then the count as the last line. Fails if a check has
+# failed since begin_count, so that a script is not blamed for those of the scripts before it.
 end_count() {
-  awk -F '\t' '
+  awk -F '\t' -v failed_before="$failed_before" '
     { count[$1]++ }
     $1 == "failed"  { failed = failed "  " $2 "\n" }
     $1 == "skipped" { names[$3] = names[$3] " " $2 }
@@ -71,6 +73,6 @@ end_count() {
       if (failed) printf "Failed:\n%s", failed
       if (count["skipped"]) printf "%d skipped\n", count["skipped"]
       printf "%d passed, %d failed\n", count["passed"], count["failed"]
-      exit count["failed"] > 0 || !count["passed"]
+      exit count["failed"] > failed_before || !count["passed"]
     }' "$VFC_RESULTS"
 }

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 
 #include <cstddef>
 #include <vector>
