@@ -226,7 +226,7 @@ class Filling(unittest.TestCase):
                                   (vfc.Ball((0, 0, 5), 1), 0.3), (sphere, 0.4),
                                   (vfc.Polygons([SQUARE, 0.4 + 0.2 * SQUARE], SQUARE + 2), 0.1)]:
             result = vfc.fill(domain, thickness=thickness, certificate=True)
-            self.assertIn(result.status, ("converged", "partial", "constraint_not_reached"), domain)
+            self.assertIn(result.status, ("converged", "partial"), domain)
             self.assertGreater(result.coverage.fraction_within_r, 0.6, domain)
             self.assertEqual(vfc.outside(result.curves, domain), ([], []))
             verdict = vfc.verify(result.certificate, result.start, result.curves, domain=domain)

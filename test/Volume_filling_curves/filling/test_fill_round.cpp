@@ -73,6 +73,17 @@ TEST(Fill_round, keeps_bends_and_strands_in_a_box)
   EXPECT_TRUE(VFC::verify_certificate(certificate, start, curve, wide).is_valid);
 }
 
+// Targets of strands that pass through each other left them hooked into each other.
+TEST(Fill_round, leaves_no_hooks)
+{
+  for(const std::size_t seed : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}) {
+    Curve curve;
+    const Result result = VFC::fill(curve, box, np::thickness(1).random_seed(seed));
+    EXPECT_EQ(result.status, Filling_status::CONVERGED) << seed;
+    expect_shape(curve, 0.85, 1.6);
+  }
+}
+
 TEST(Fill_round, is_the_default_but_not_for_a_preview)
 {
   const Box wide({0, 0, 0}, {7, 7, 7});
