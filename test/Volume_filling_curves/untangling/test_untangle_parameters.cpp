@@ -107,7 +107,7 @@ TEST(Untangle_parameters, keep_the_length)
 TEST(Untangle_parameters, set_the_thickness)
 {
   Network curve = unknot();
-  EXPECT_EQ(untangle(curve, parameters::thickness(0.02)).thickness, 0.02);
+  EXPECT_EQ(untangle(curve, parameters::thickness(0.2)).thickness, 0.2);
 }
 
 TEST(Untangle_parameters, set_the_tolerance)
