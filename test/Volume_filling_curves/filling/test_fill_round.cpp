@@ -76,7 +76,7 @@ TEST(Fill_round, keeps_bends_and_strands_in_a_box)
 // Targets of strands that pass through each other left them hooked into each other.
 TEST(Fill_round, leaves_no_hooks)
 {
-  for(const std::size_t seed : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}) {
+  for(std::size_t seed = 0; seed < 10; ++seed) {
     Curve curve;
     const Result result = VFC::fill(curve, box, np::thickness(1).random_seed(seed));
     EXPECT_EQ(result.status, Filling_status::CONVERGED) << seed;
