@@ -26,10 +26,11 @@ struct Combined_shells
 // \pre the shells are closed, and none intersects itself
 Combined_shells combined(std::vector<Mesh> shells, Work_watch& watch);
 
-// Returns the surface of the difference of two meshes, or nothing if CGAL reports unexpected input
-// or the result touches itself in an edge. \throws Work_stopped
+// Return the surface of the difference, or of the intersection, of two meshes, or nothing if CGAL
+// reports unexpected input or the result touches itself in an edge. \throws Work_stopped
 // \pre both bound a domain
 std::optional<Mesh> difference(Mesh mesh, Mesh other, Work_watch& watch);
+std::optional<Mesh> intersection(Mesh mesh, Mesh other, Work_watch& watch);
 
 } // namespace vfc
 

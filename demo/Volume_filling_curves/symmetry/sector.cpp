@@ -7,6 +7,7 @@
 #include "symmetry/sector.h"
 
 #include "options/numbers.h"
+#include "repair/combined_shells.h"
 #include "reports/containment.h"
 
 #include <CGAL/Volume_filling_curves/coverage.h>
@@ -16,12 +17,13 @@
 #include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 
-#include <CGAL/Polygon_mesh_processing/clip.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -60,16 +62,45 @@ void require_symmetric(const Mesh& mesh,
                 "a mesh that --symmetry maps onto itself within r / 100");
 }
 
+// A box on that side of the plane, with a side in the plane, around all that is there of the other
+// box. PMP::clip() makes one, too, but instantiates corefinement three more times.
+Mesh half_space(const Kernel::Plane_3& plane, const CGAL::Bbox_3& box)
+{
+  const Point low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
+  const Point middle = CGAL::midpoint(low, high), foot = plane.projection(middle);
+  const auto scaled = [](const Symmetry::Vector& v, double length) {
+    return length / std::sqrt(v.squared_length()) * v;
+  };
+  const double size = std::sqrt(CGAL::squared_distance(low, high)); // twice what is needed
+  const double depth = size + std::sqrt(CGAL::squared_distance(middle, foot));
+  const Symmetry::Vector u = scaled(plane.base1(), size), v = scaled(plane.base2(), size),
+                         w = scaled(plane.orthogonal_vector(), depth);
+  Mesh result;
+  std::vector<Mesh::Vertex_index> corners;
+  for(const Point& p : {foot, foot + w})
+    for(const auto& [s, t] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+      corners.push_back(result.add_vertex(p + s * u + t * v));
+  const auto add_quad = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    result.add_face(corners[a], corners[b], corners[c]);
+    result.add_face(corners[a], corners[c], corners[d]);
+  };
+  add_quad(3, 2, 1, 0);
+  add_quad(4, 5, 6, 7);
+  for(std::size_t k = 0; k < 4; ++k) add_quad(k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4);
+  return result;
+}
+
 void cut(Mesh& mesh, const Symmetry& symmetry, double distance, const std::string& file)
 {
+  Work_watch watch;
   for(const Symmetry::Side& side : symmetry.sides()) {
-    const Kernel::Plane_3 plane(side.origin + distance * side.normal, -side.normal);
-    const bool is_manifold = PMP::clip(mesh, plane, CGAL::parameters::clip_volume(true));
-    if(!is_manifold || mesh.is_empty() || !CGAL::is_closed(mesh))
+    const Kernel::Plane_3 plane(side.origin + distance * side.normal, side.normal);
+    std::optional<Mesh> rest = intersection(mesh, half_space(plane, PMP::bbox(mesh)), watch);
+    if(!rest || rest->is_empty())
       throw fault(file, "the mesh cannot be cut into sectors",
                   "a mesh that the planes of --symmetry cross");
+    mesh = std::move(*rest);
   }
-  mesh.collect_garbage();
 }
 
 double half_distance(const Point& p, const Point& q)

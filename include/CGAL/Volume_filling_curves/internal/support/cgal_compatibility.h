@@ -16,9 +16,11 @@
 #if CGAL_VERSION_NR >= 1060000900
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_triangle_primitive_3.h>
+#include <optional>
 #else
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_triangle_primitive.h>
+#include <boost/optional.hpp>
 #endif
 
 namespace CGAL {
@@ -30,11 +32,15 @@ template <typename Kernel, typename Iterator>
 using Aabb_triangle_primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
 template <typename Kernel, typename Primitive>
 using Aabb_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+template <typename T>
+using Optional = std::optional<T>;
 #else
 template <typename Kernel, typename Iterator>
 using Aabb_triangle_primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
 template <typename Kernel, typename Primitive>
 using Aabb_traits = CGAL::AABB_traits<Kernel, Primitive>;
+template <typename T>
+using Optional = boost::optional<T>;
 #endif
 
 } // namespace internal
