@@ -115,6 +115,11 @@ class Untangling(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "number_of_iterations is -1"):
             vfc.untangle(circle(), number_of_iterations=-1)
 
+    def test_the_name_of_a_file_is_no_curve(self):
+        for name in ("knot.obj", pathlib.Path("knot.obj")):
+            with self.assertRaisesRegex(TypeError, "name 'knot.obj'.*read"):
+                vfc.untangle(name)
+
     def test_progress_is_a_dict_and_can_end_the_run(self):
         seen = []
         result = vfc.untangle(vfc.random_polygon(3000), progress=lambda p: seen.append(p) or False)
@@ -188,11 +193,12 @@ class Interruption(unittest.TestCase):
         tube = vfc.tube(chain[:40000], 1e-9, closed=False)
         cube = vfc.Mesh(CUBE_VERTICES, CUBE_FACES)
         half_space = vfc.Implicit(lambda p: p[0], (-1, -1, -1), (1, 1, 1))
+        ball = vfc.Implicit(lambda p: np.linalg.norm(p) - 1, (-1, -1, -1), (1, 1, 1))
         for call in [lambda: vfc.untangle(tangle), lambda: vfc.untangle(tangle, strategy="flow"),
                      lambda: vfc.simplify(polygon), lambda: vfc.measure(polygon),
                      lambda: vfc.verify(record.certificate, polygon, record.curves),
                      lambda: vfc.fill(cube, thickness=0.01), lambda: vfc.identify(tangle),
-                     lambda: vfc.fill(half_space, thickness=0.05),
+                     lambda: vfc.fill(ball, thickness=0.02),
                      lambda: vfc.fill(vfc.Polygons(SQUARE), thickness=1e-3),
                      lambda: vfc.coverage(circle(), vfc.Ball((0, 0, 0), 2), 0.1, samples=10**8),
                      lambda: vfc.coverage(polygon, cube, 0.1, samples=10**7),

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from os import PathLike
 from typing import Any, Callable, Sequence, Union
 
 import numpy as np
@@ -57,6 +58,8 @@ def flat(curves: Curves, closed: Closed = True) -> tuple:
     """The points of all curves, and which are joined: edges, or where each begins and if it closes."""
     if isinstance(curves, Network):
         return np.asarray(curves.points, float), np.asarray(curves.edges)
+    if isinstance(curves, (str, PathLike)):
+        raise TypeError(f"the curve is the name '{curves}', but must be an array; read() reads a file")
     parts = [curves] if _is_one(curves) else list(curves)
     flags = _flags(closed, len(parts))
     rows = [_rows(part, flag) for part, flag in zip(parts, flags)]

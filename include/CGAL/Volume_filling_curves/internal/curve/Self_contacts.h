@@ -54,6 +54,7 @@ public:
     std::vector<const Box*> pointers;
     boxes.reserve(m_edges.size());
     pointers.reserve(m_edges.size());
+    check_run();
     for(std::size_t e = 0; e < m_edges.size(); ++e) {
       boxes.emplace_back(bbox(m_edges[e][0]) + bbox(m_edges[e][1]), e);
       pointers.push_back(&boxes.back());

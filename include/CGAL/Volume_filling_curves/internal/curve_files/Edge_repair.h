@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 
 #include <algorithm>
@@ -121,6 +122,7 @@ private:
   {
     std::vector<std::array<std::size_t, 3>> keys;
     keys.reserve(m_edges.size());
+    check_run();
     for(std::size_t e = 0; e < m_edges.size(); ++e) {
       const auto [lower, upper] = std::minmax(m_edges[e].source, m_edges[e].target);
       if(lower != upper) keys.push_back({lower, upper, e});
@@ -166,6 +168,7 @@ private:
   // Edges that contraction made parallel were a loop with two distinct nodes.
   void drop_collapsed_loops()
   {
+    if(m_merged.empty()) return;
     const std::vector<std::size_t> parallel = find_parallel_edges();
     for(const std::size_t e : parallel) add_degenerate_loop(m_edges[e]);
     remove_edges(parallel);

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_checker.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/curve_files/Edge_repair.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
@@ -33,7 +34,9 @@ inline void repair_and_check(Curve_draft& file, Junctions junctions)
 {
   if(!file.is_complete) return;
   Edge_repair(file).run();
+  check_run();
   Curve_checker(file, junctions).run();
+  check_run();
   Arc_checker(file).run();
 }
 
