@@ -72,6 +72,9 @@ class Inputs:
             subprocess.run(command, check=True)
         return file
 
+    def mended(self, mesh):
+        return self.made(f"{mesh.name}.off", "repair", mesh)
+
     def random_polygon(self, nodes):
         return self.made(f"polygon_{nodes}.obj", "generate", "random-polygon", "--nodes", nodes, "--seed", 1)
 

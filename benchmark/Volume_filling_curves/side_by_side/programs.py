@@ -30,7 +30,8 @@ AFTER_LIMIT = 128 + signal.SIGXCPU  # the shell's exit status
 
 # Of a report, what is kept.
 KEYS = ("status", "iterations", "seconds", "seconds_by_stage", "nodes_start", "nodes_end", "length_end",
-        "thickness", "min_clearance", "average_crossing_number", "coverage", "empty_regions",
+        "thickness", "min_clearance", "min_bend_radius", "min_strand_distance", "min_wall_distance",
+        "crowded_fraction", "fitting_thickness", "average_crossing_number", "coverage", "empty_regions",
         "unfilled_fraction", "outside_nodes", "outside_segments", "shortened_steps")
 
 

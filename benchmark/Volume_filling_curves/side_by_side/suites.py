@@ -15,6 +15,13 @@ DOMAINS = {"bunny.off": 0.0672, "spot.obj": 0.0531, "anapsidea.off": 0.0400, "to
            "thin_plate.off": 0.03, "dumbbell_neck.off": 0.05}
 CUBE_THICKNESS = 0.06
 
+# Meshes that were found, some of them faulty, with about 0.1 times the cube root of their volume
+FOUND_MESHES = {"1002_tray_bottom.STL": 7.03, "520644.stl": 2.54, "79741.stl": 1.44, "88566.stl": 3.65,
+                "Cray_left.obj": 1250, "Havocglass8_left.obj": 14.1, "angle_block.STL": 0.105,
+                "box.STL": 0.252, "capsule.obj": 0.194, "cow-low-resolution.obj": 0.353, "cow.obj": 0.377,
+                "fox.ply": 3.05, "hourglass_ico.obj": 0.172, "round.stl": 0.653,
+                "scorpion_low_resolution.obj": 0.23, "sword.obj": 0.003568}
+
 UNKNOTS = ["freedman_he_wang", "goeritz", "thistlethwaite", "ochiai1", "ochiai2", "ochiai3", "ochiai4"]
 KNOT_SETS = ["knot128", "trefoil100", "trefoil_hard"]
 BY_FLOW = ("--strategy", "flow")
@@ -35,6 +42,16 @@ def fillings(inputs, quick):
     found += [(inputs.cube(), CUBE_THICKNESS)]
     cases = [Case("fillings", mesh.stem, "fill", mesh, r) for mesh, r in found if mesh]
     return cases + [Case("fillings", "torus, bundled", "fill", torus, 0.12)]
+
+
+def found_meshes(inputs, quick):
+    """Meshes that were made for other purposes, mended where necessary, and filled."""
+    if quick:
+        files = {inputs.bundled / "torus.off": 0.2}
+    else:
+        files = {inputs.of_shared_data(f"real/meshes/{name}"): r for name, r in FOUND_MESHES.items()}
+    return [Case("found-meshes", file.name, "fill", inputs.mended(file), r)
+            for file, r in files.items() if file]
 
 
 def unknots(inputs, quick):
@@ -106,5 +123,6 @@ def threads(inputs, quick):
             for name, job, file, thickness, options in works for n in counts]
 
 
-SUITES = {"fillings": fillings, "unknots": unknots, "knots": knots, "filling-scaling": filling_scaling,
-          "untangling-scaling": untangling_scaling, "coverage": coverage, "threads": threads}
+SUITES = {"fillings": fillings, "found-meshes": found_meshes, "unknots": unknots, "knots": knots,
+          "filling-scaling": filling_scaling, "untangling-scaling": untangling_scaling, "coverage": coverage,
+          "threads": threads}

@@ -71,6 +71,18 @@ def fillings(suite):
     return {"": table(head, rows_by_case(suite, cells)), **ratios(suite)}
 
 
+def found_meshes(suite):
+    def cells(m):
+        r, c = m["thickness"], m.report.get("coverage") or {}
+        lengths = [m.report.get(f"min_{key}") for key in ("bend_radius", "strand_distance", "wall_distance")]
+        return [f"{r:g}", m.end, f"{m.seconds:.2f}", m.nodes, percent(c.get("fraction_within_r")),
+                number(c.get("p99")), *(number(x / r if x is not None else None) for x in lengths),
+                percent(m.report.get("crowded_fraction")), number(m.report.get("fitting_thickness"), ".3g")]
+
+    head = ["mesh", "r", "end", "CPU s", "nodes", "within r", "p99", "bend", "strands", "wall", "crowded", "fits"]
+    return {"": table(head, rows_by_case(suite, cells))}
+
+
 def unknots(suite):
     def cells(m):
         return [m.end, number(m.report.get("iterations"), "d"), f"{m.seconds:.3f}", f"{m.megabytes:.0f}",
@@ -167,8 +179,9 @@ def threads(suite):
     return {"": table(head, rows)}
 
 
-TABLES = {"fillings": fillings, "unknots": unknots, "knots": knots, "filling-scaling": filling_scaling,
-          "untangling-scaling": untangling_scaling, "coverage": coverage, "threads": threads}
+TABLES = {"fillings": fillings, "found-meshes": found_meshes, "unknots": unknots, "knots": knots,
+          "filling-scaling": filling_scaling, "untangling-scaling": untangling_scaling, "coverage": coverage,
+          "threads": threads}
 
 
 def tables(lines):

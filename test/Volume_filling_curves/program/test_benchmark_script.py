@@ -55,7 +55,8 @@ class Quick(unittest.TestCase):
 
     def test_all_suites_run(self):
         self.assertEqual(self.done.returncode, 0, self.done.stderr)
-        suites = {"fillings", "unknots", "knots", "filling-scaling", "untangling-scaling", "coverage", "threads"}
+        suites = {"fillings", "found-meshes", "unknots", "knots", "filling-scaling", "untangling-scaling",
+                  "coverage", "threads"}
         self.assertEqual({line["suite"] for line in self.lines}, suites)
         self.assertFalse([line["error"] for line in self.lines if "error" in line])
         for line in self.lines:
