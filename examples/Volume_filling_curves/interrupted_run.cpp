@@ -6,7 +6,6 @@
 
 // Ends a run at a limit, and resumes it.
 
-#include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 

@@ -107,7 +107,7 @@ private:
   std::unique_ptr<Guard> m_guard;
   std::unique_ptr<Flow> m_flow;
   std::unique_ptr<Live_search> m_search;
-  VFC::internal::Unknot_proofs<Curve> m_proofs;
+  VFC::internal::Unknot_proofs m_proofs;
   Hand m_hand;
   std::vector<Moment> m_moments;
 };

@@ -10,7 +10,7 @@
 #include "reports/Defect.h"
 #include "session/errors.h"
 
-#include <CGAL/Volume_filling_curves/Run_state.h>
+#include <CGAL/Volume_filling_curves/internal/state/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 
 #include <string>

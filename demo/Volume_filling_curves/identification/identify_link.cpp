@@ -12,7 +12,6 @@
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/identify.h>
-#include <CGAL/Volume_filling_curves/knot_diagram.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 #include "options/numbers.h"
 
-#include <CGAL/Volume_filling_curves/knot_diagram.h>
+#include <CGAL/Volume_filling_curves/identify.h>
 #include <CGAL/Volume_filling_curves/simplify_curves.h>
 
 #include <cstddef>

@@ -33,7 +33,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -129,16 +128,18 @@ public:
   using Thickness = internal::Thickness<Point_3>;
 
   // A flow with a thickness that replaces the one in the parameters. A flow that is under way keeps
-  // the edges of another flow, and waits for its history and go_on().
+  // the edges of another flow, and waits for its memory and go_on().
   Curve_flow_3(Guard& guard,
                const Curve_flow_parameters& parameters,
                const Thickness& thickness,
                bool is_under_way = false)
       : m_guard(guard),
-        m_first_certified_change(guard.number_of_certified_changes()),
-        m_first_refused_change(guard.number_of_refused_changes()),
         m_parameters(parameters),
-        m_motion(guard, thickness, m_parameters, m_statistics)
+        m_memory{guard.number_of_certified_changes(),
+                 guard.number_of_refused_changes(),
+                 {},
+                 internal::Step_size(parameters.max_displacement)},
+        m_motion(guard, thickness, m_parameters, m_memory)
   {
     if(!is_under_way) start();
   }
@@ -235,7 +236,7 @@ public:
   /// moves the curve by one step, remeshes it, and returns whether it moved.
   bool step()
   {
-    ++m_statistics.iterations;
+    ++m_memory.statistics.iterations;
     const bool has_moved = m_motion(m_direction.positions(), direction());
     update();
     return has_moved;
@@ -250,25 +251,20 @@ public:
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     m_motion.update_thickness();
     m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(),
-                       m_motion.node_thickness(), m_statistics, m_guard.watch());
+                       m_motion.node_thickness(), m_memory.statistics, m_guard.watch());
   }
 
   /// \cond SKIP_IN_MANUAL
   // An update() that counts the change as a step, for visitors, which see every state of a flow.
   void note_step()
   {
-    ++m_statistics.iterations;
+    ++m_memory.statistics.iterations;
     update();
   }
 
-  // The numbers that the next steps depend on, except for parameters, thickness and the curve.
-  auto history()
-  {
-    return std::tuple_cat(std::tie(m_first_certified_change, m_first_refused_change, m_statistics),
-                          m_motion.history());
-  }
+  internal::Flow_memory& memory() { return m_memory; }
 
-  // Continues from the history of another flow of the same curve: update() computes the same bits.
+  // Continues with the memory of another flow of the same curve: update() computes the same bits.
   void go_on(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
     m_parameters = parameters;
@@ -333,9 +329,11 @@ public:
   /// returns the work of the flow so far. Changes are those of the guard since the flow began.
   Curve_flow_statistics statistics() const
   {
-    Curve_flow_statistics statistics = m_statistics;
-    statistics.certified_changes = m_guard.number_of_certified_changes() - m_first_certified_change;
-    statistics.refused_changes = m_guard.number_of_refused_changes() - m_first_refused_change;
+    Curve_flow_statistics statistics = m_memory.statistics;
+    statistics.certified_changes =
+        m_guard.number_of_certified_changes() - m_memory.first_certified_change;
+    statistics.refused_changes =
+        m_guard.number_of_refused_changes() - m_memory.first_refused_change;
     return statistics;
   }
 
@@ -369,10 +367,8 @@ private:
   }
 
   Guard& m_guard;
-  size_type m_first_certified_change,
-      m_first_refused_change; // the guard's counts at the start of the flow
   Curve_flow_parameters m_parameters;
-  Curve_flow_statistics m_statistics;
+  internal::Flow_memory m_memory;
   internal::Flow_motion<Guard, ConcurrencyTag> m_motion;
   internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
 };

@@ -94,10 +94,10 @@ auto fill(Curve_network_3<Traits>& curves,
  * domain is too thin for r, the visitor's `on_thin_domain()` is called first.
  *
  * The curve settles at about r from the boundary with `Wall::COVER` and at about 2 r with
- * `Wall::KEEP_CLEAR`. On nine domains, 79 to 80 % of the volume ended within r of the curve and 99
- * % within 1.4 r. If every point must lie within d of the curve, use r = d / 1.4. The distance to
- * the nearest strand is 1.66 r to 1.77 r at the median. The result has the least distances, the
- * tightest bend, and the share of the length that another strand comes nearer to than r.
+ * `Wall::KEEP_CLEAR`. On nine domains, 86 to 90 % of the volume ended within r of the curve and 99
+ * % within 1.22 r to 1.46 r. If nearly every point must lie within d of the curve, use r = d / 1.3.
+ * Strands are at least 1.6 r apart. The result has the least distances, the tightest bend, and the
+ * share of the length that another strand comes nearer to than r.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
  * areas replace volumes; 93 to 95 % of the area ended within r of the curve and 99 % within 1.2 r.
@@ -145,10 +145,9 @@ auto fill(Curve_network_3<Traits>& curves,
  * point of its box is inside, or its answers contradict each other; if a parameter is out of its
  * range (the message names it and, for a field, the point); if both a length and a thickness are
  * given; if a mesh or a polygon bounds no domain, see `Triangle_mesh_domain_3` and
- * `Polygon_domain_3`; or if the curve would have more than 20 million nodes, which take some 30 GB,
- * or more than 2 million with the default thickness
- * \throws Run_state_error if `resume_from` is the state of a different run; the message lists the
- * differences
+ * `Polygon_domain_3`; if `resume_from` is the state of a different run; or if the curve would have
+ * more than 20 million nodes, which take some 30 GB, or more than 2 million with the default
+ * thickness
  *
  * Exceptions of the visitor, of a field and of the domain pass through.
  */

@@ -90,7 +90,6 @@ struct Domain_surroundings
  *
  * \throws std::invalid_argument like `untangle()` without a domain, if the curves are not strictly
  * inside the domain (the message lists the nodes), and if the `strategy` is `SEARCH`
- * \throws Run_state_error like `untangle()` without a domain
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,

@@ -7,6 +7,7 @@
 #include "support/fill_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
+#include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_paths.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
+#include <CGAL/Volume_filling_curves/internal/bending/nodes_near.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 
@@ -245,6 +247,45 @@ TEST(Shape_projection, leaves_pinned_nodes_and_coordinate_planes)
   }
 }
 
+// Along its own strand and the one beside it, but not on a strand far away.
+TEST(Nodes_near, are_on_the_same_strand_and_on_the_one_beside_it)
+{
+  const Curve curve =
+      curve_of({segment(40, {0, 0, 0}, {4, 0, 0}), segment(40, {0, 0.2, 0}, {4, 0.2, 0}),
+                segment(40, {0, 2, 0}, {4, 2, 0})});
+  const Strand_pairs pairs(sequential, curve, limits(curve, 0.1, 0.25), 0);
+  const std::vector<bool> near = internal::nodes_near(curve, pairs, {20});
+  for(std::size_t v = 0; v <= 40; ++v) {
+    EXPECT_EQ(near[v], v >= 12 && v <= 28) << v;
+    if(v >= 12 && v <= 28) {
+      EXPECT_TRUE(near[41 + v]) << v;
+    }
+    EXPECT_FALSE(near[82 + v]) << v;
+  }
+  EXPECT_FALSE(near[41]);
+}
+
+TEST(Shape_projection, moves_only_what_it_may)
+{
+  const Curve curve =
+      curve_of({segment(10, {0, 0, 0}, {1, 0, 0}), segment(10, {0, 0.1, 0}, {1, 0.1, 0})});
+  const Shape_limits shape = limits(curve, 0.1, 0.2);
+  const Strand_pairs pairs(sequential, curve, shape, 1);
+  const Wall_planes walls;
+  internal::Shape_projection projection(curve, shape, pairs, walls);
+  std::vector<bool> moving(curve.number_of_nodes(), false);
+  for(std::size_t v = 11; v < 22; ++v) moving[v] = true;
+  projection.move_only(moving);
+  const std::vector<Vector> before = positions(curve);
+  std::vector<Vector> x = before;
+  projection(x, 20, true);
+  for(std::size_t v = 0; v < x.size(); ++v)
+    if(moving[v])
+      EXPECT_GE(x[v].y(), 0.199) << v;
+    else
+      EXPECT_EQ(x[v], before[v]) << v;
+}
+
 TEST(Wall_planes, push_nodes_inside)
 {
   const VFC::Box_domain_3<Kernel> box({0, 0, 0}, {4, 4, 4});
@@ -253,6 +294,23 @@ TEST(Wall_planes, push_nodes_inside)
   walls.find(curve, internal::Boundary(box), std::vector<double>(curve.number_of_nodes(), 0.1));
   for(const Vector& x : positions(projected(curve, 0.1, 0.1, 1, false, walls)))
     EXPECT_NEAR(x.x(), 0.1, 1e-6);
+}
+
+// The ends of the edge keep their distance from the ball, its middle does not.
+TEST(Wall_planes, push_edges_inside)
+{
+  const auto between_balls = [](const Point& p) {
+    return std::abs(std::sqrt(p.x() * p.x() + p.y() * p.y() + p.z() * p.z()) - 2) - 1;
+  };
+  const VFC::Implicit_domain_3 domain(between_balls, CGAL::Bbox_3(-3, -3, -3, 3, 3, 3));
+  const Curve curve = curve_of({{{-1, 1.01, 0}, {1, 1.01, 0}, {2, 0, 1}}});
+  Wall_planes walls;
+  walls.find(curve, internal::Boundary(domain), {0.1, 0.1, 0.1});
+  std::vector<Vector> x = positions(curve);
+  walls.push_inside(x, {1, 1, 1});
+  EXPECT_NEAR(x[0].y(), 1.1, 1e-6);
+  EXPECT_NEAR(x[1].y(), 1.1, 1e-6);
+  EXPECT_EQ(x[2].y(), 0);
 }
 
 } // namespace test_shape_projection

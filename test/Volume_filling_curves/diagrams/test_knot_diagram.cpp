@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/knot_diagram.h>
+#include <CGAL/Volume_filling_curves/identify.h>
 
 #include <gtest/gtest.h>
 

@@ -175,6 +175,11 @@ TEST(Fill, refuses_domains_whose_distances_contradict_them)
   wide.inside = [](const Point&) { return true; };
   wide.room = [](const Point& p) { return 1 + 1e-3 * std::abs(p.x()); };
   EXPECT_TRUE(contains(refusal_of_domain(wide), "the domain contradicts itself: "));
+  Strange_domain half_space;
+  half_space.inside = [](const Point& p) { return p.x() < 0; };
+  half_space.room = [](const Point& p) { return -p.x(); };
+  EXPECT_EQ(refusal_of_domain(half_space),
+            "the domain contradicts itself: it reaches beyond its box");
 }
 
 TEST(Fill, refuses_domains_without_an_inside)

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
-#include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
@@ -68,7 +67,7 @@ TEST(Fill_round, keeps_bends_and_strands_in_a_box)
   EXPECT_TRUE(result.shape_excesses.empty());
   expect_shape(curve, 0.85, 1.6);
   expect_inside(curve, wide);
-  EXPECT_GE(coverage(curve, wide, 1).fraction_within_r, 0.75);
+  EXPECT_GE(coverage(curve, wide, 1).fraction_within_r, 0.8);
   const Curve start(result.start);
   EXPECT_TRUE(VFC::verify_certificate(certificate, start, curve, wide).is_valid);
 }
@@ -124,10 +123,10 @@ TEST(Fill_round, takes_a_larger_thickness_for_wide_bends)
   for(const double bend_radius : {1.5, 2.}) {
     Curve curve;
     const Result result = VFC::fill(curve, box, np::thickness(1).bend_radius(bend_radius));
-    EXPECT_NEAR(result.thickness, bend_radius / 0.85, 1e-9);
+    EXPECT_NEAR(result.thickness, bend_radius, 1e-9);
     EXPECT_GE(VFC::length(curve), CGAL_PI * bend_radius) << "the curve has vanished";
     if(result.status == Filling_status::CONVERGED || result.status == Filling_status::PARTIAL)
-      expect_shape(curve, bend_radius, 1.6 * bend_radius / 0.85);
+      expect_shape(curve, bend_radius, 1.6 * bend_radius);
     else
       EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
     expect_inside(curve, box);
@@ -142,14 +141,14 @@ TEST(Fill_round, does_not_call_a_domain_thin_that_has_room_for_the_larger_thickn
   Curve curve;
   const auto result =
       VFC::fill(curve, plate, np::thickness(0.01).bend_radius(0.1).number_of_iterations(1));
-  EXPECT_NEAR(result.thickness_fit.thickness, 0.1 / 0.85, 1e-9);
+  EXPECT_NEAR(result.thickness_fit.thickness, 0.1, 1e-9);
   EXPECT_LT(result.thickness_fit.thin_fraction, 0.05);
 }
 
 TEST(Fill_round, gets_no_thinner_than_its_bends_allow_for_the_sake_of_a_length)
 {
   Curve curve;
-  const Result result = VFC::fill(curve, box, np::length(1000).bend_radius(0.85));
+  const Result result = VFC::fill(curve, box, np::length(1000).bend_radius(1));
   EXPECT_EQ(result.status, Filling_status::LENGTH_NOT_REACHED);
   EXPECT_NEAR(result.thickness, 1, 1e-9);
   expect_inside(curve, box);
@@ -215,6 +214,20 @@ TEST(Fill_round, bends_behind_the_necks_of_ports)
                              {{Point(-1.5, 0, 0)}, {Point(0.2, 1, 0)}}, 0.9);
 }
 
+// Too dense at first, arcs in a small box are loosened.
+TEST(Fill_round, loosens_arcs_that_jam)
+{
+  const Box small({0, -1, -1}, {2, 1, 1});
+  const std::vector<VFC::Port<Point>> ports = {{Point(0, 0.3, 0.3)}, {Point(0, -0.4, -0.5)}};
+  for(const std::size_t seed : {2u, 4u, 6u, 7u}) {
+    Curve curve;
+    const Result result =
+        VFC::fill(curve, small, np::thickness(0.25).random_seed(seed).ports(ports));
+    EXPECT_EQ(result.status, Filling_status::CONVERGED) << seed;
+    expect_shape(curve, 0.85 * 0.25, 1.6 * 0.25);
+  }
+}
+
 // Nodes that the guard held at that distance held bends of 0.3 r next to them.
 TEST(Fill_round, keeps_a_distance_from_the_boundary)
 {
@@ -258,14 +271,13 @@ TEST(Fill_round, does_not_call_a_curve_stalled_that_cannot_be_polished)
   parameters.bend_radius = 2.5;
   VFC::internal::Run_watch watch;
   VFC::Default_curve_flow_visitor visitor;
-  VFC::internal::Run_saver saver(parameters, [] { return std::string(); });
-  VFC::internal::Filling_record record;
+  VFC::internal::Filling_state state;
   const Flow::Thickness thickness(1);
   VFC::internal::Filling_stage_runner<Flow, VFC::Default_curve_flow_visitor> runner(
-      guard, parameters, thickness, watch, visitor, saver, record);
+      guard, parameters, thickness, watch, visitor, state);
   runner.run(VFC::internal::Filling_stage::polishing(), thickness);
   EXPECT_FALSE(runner.flow().is_shaped());
-  EXPECT_EQ(record.statistics.iterations, 5u);
+  EXPECT_EQ(state.statistics.iterations, 5u);
   EXPECT_EQ(runner.end(), std::nullopt);
 }
 

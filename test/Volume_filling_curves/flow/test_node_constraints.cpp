@@ -8,8 +8,8 @@
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
-#include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
@@ -214,19 +214,28 @@ TEST(Node_constraint, lets_a_curve_fill_the_shell_of_a_torus)
   EXPECT_GT(static_cast<double>(covered), 0.9 * static_cast<double>(mesh.number_of_vertices()));
 }
 
-TEST(Node_constraint, lets_the_ends_of_a_filling_slide_on_two_walls)
+void expect_filling_between_walls(bool is_round)
 {
   const VFC::Box_domain_3<> box(Point(0, 0, 0), Point(2, 2, 2));
   Network arc = path({{0.5, 0.5, 0.1}, {0.5, 0.5, 1}, {0.5, 0.5, 1.9}});
   arc.set_constraint(0, Node_constraint::on_plane(arc.point(0), Vector_3(0, 0, 1)));
   arc.set_constraint(2, Node_constraint::on_boundary(0.1));
-  const auto result = VFC::fill(arc, box, VFC::parameters::thickness(0.3).round_bends(false));
+  const auto result = VFC::fill(arc, box, VFC::parameters::thickness(0.3).round_bends(is_round));
   EXPECT_LT(result.unfilled_fraction, 0.01);
   EXPECT_EQ(result.status, VFC::Filling_status::CONVERGED);
   const Vector first = position(arc, 0);
   EXPECT_NE(first, Vector(0.5, 0.5, 0.1));
   EXPECT_EQ(first.z(), 0.1);
   EXPECT_NEAR(box.distance(arc.point(arc.number_of_nodes() - 1)), 0.1, 1e-9);
+  if(is_round) {
+    EXPECT_GE(VFC::min_bend_radius(arc), 0.85 * 0.3 * (1 - 1e-9));
+  }
+}
+
+TEST(Node_constraint, lets_the_ends_of_a_filling_slide_on_two_walls)
+{
+  expect_filling_between_walls(false);
+  expect_filling_between_walls(true);
 }
 
 // A ring in the shell of a ball, beside an arc with free nodes.
@@ -290,10 +299,10 @@ TEST(Node_constraint, is_kept_in_the_state_of_a_run)
   arc.set_constraint(0, Node_constraint::on_plane(Point(0, 0, 0), Vector_3(1, 2, 3)));
   arc.set_constraint(1, Node_constraint::on_boundary(0.1));
   arc.set_pinned(3);
-  internal::State_archive written;
+  internal::Byte_archive written;
   internal::copy_curve(written, arc);
   Network copy = path({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}});
-  internal::State_archive read(written.bytes());
+  internal::Byte_archive read(written.bytes());
   internal::copy_curve(read, copy);
   for(const std::size_t v : arc.nodes()) EXPECT_EQ(copy.constraint(v), arc.constraint(v));
 }

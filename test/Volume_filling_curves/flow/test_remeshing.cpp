@@ -108,6 +108,26 @@ TEST(Remesher, leaves_pins_ends_and_junctions_where_they_are)
   }
 }
 
+std::size_t nodes_without_folds(const std::vector<Polygon>& loops, double least_radius)
+{
+  Network curve = internal::closed_network(loops);
+  Guard guard(curve);
+  const std::vector<double> least_radii(curve.number_of_nodes(), least_radius);
+  Remesher(guard, least_radii).remove_folds(least_radii);
+  guard.collect_garbage();
+  EXPECT_NO_THROW(internal::check_embedded(curve));
+  return curve.number_of_nodes();
+}
+
+TEST(Remesher, removes_folds_unless_a_strand_is_in_between)
+{
+  const Polygon folded = {{0, 0, 0}, {4, 0, 0}, {1, 0.1, 0}, {1, 9, 0}, {0, 9, 0}};
+  EXPECT_EQ(nodes_without_folds({folded}, 1), folded.size() - 1);
+  EXPECT_EQ(nodes_without_folds({folded}, 0), folded.size());
+  const Polygon ring = {{2, 0.03, -1}, {2, 0.03, 1}, {2, -9, 0}};
+  EXPECT_EQ(nodes_without_folds({folded, ring}, 1), folded.size() + ring.size());
+}
+
 TEST(Remesher, keeps_knots)
 {
   for(double spacing : {0.05, 0.3, 1., 5.}) {

@@ -48,7 +48,7 @@ TEST(Step_size, measures_displacements_in_units_of_the_nodes_thickness)
   Step_size step_size(0.5);
   EXPECT_EQ(step_size.next(two_rows(4, -1), {16, 2}), 1); // node 1 goes half of its thickness
   Step_size wider(0.5);
-  wider.set_max_displacement(2);
+  wider.max_displacement = 2;
   EXPECT_EQ(wider.next(two_rows(4, -1), {16, 2}), 4);
 }
 
@@ -93,7 +93,7 @@ TEST(Step_size, grows_less_after_turns)
 {
   Step_size step_size(1);
   next(step_size, two_rows(1, 0));
-  step_size.set_max_displacement(1e9);
+  step_size.max_displacement = 1e9;
   const auto growth = [&] {
     const double last = next(step_size, two_rows(1, 0));
     return next(step_size, two_rows(1, 0)) / last - 1;
@@ -104,9 +104,9 @@ TEST(Step_size, grows_less_after_turns)
     next(step_size, two_rows(0, 1));
     EXPECT_NEAR(growth(), 0.3 / (1 + turns), 0.02);
   }
-  step_size.set_max_displacement(1);
+  step_size.max_displacement = 1;
   for(int k = 0; k < 500; ++k) next(step_size, two_rows(1, 0));
-  step_size.set_max_displacement(1e9);
+  step_size.max_displacement = 1e9;
   EXPECT_NEAR(growth(), 0.3, 1e-3);
 }
 

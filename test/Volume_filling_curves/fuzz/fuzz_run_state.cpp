@@ -9,7 +9,6 @@
 // clang++ -fsanitize=fuzzer,address,undefined.
 
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 

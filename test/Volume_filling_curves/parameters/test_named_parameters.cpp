@@ -9,10 +9,10 @@
 
 #include "support/refusal_of.h"
 
-#include <CGAL/Volume_filling_curves/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
+#include <CGAL/Volume_filling_curves/internal/state/Run_state.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

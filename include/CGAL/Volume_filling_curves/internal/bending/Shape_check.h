@@ -58,19 +58,26 @@ struct Shape_check
       if(curve.degree(v) != 2 || !(limits.bend_radius[v] > 0)) continue;
       const Vector in = row(x, v) - row(x, curve.neighbor(v, 0));
       const Vector out = row(x, curve.neighbor(v, 1)) - row(x, v);
-      bend.note(bend_radius(in, out), limits.bend_radius[v], row(x, v));
+      const double radius = bend_radius(in, out);
+      bend.note(radius, limits.bend_radius[v], row(x, v));
+      if(radius < limits.bend_radius[v]) nodes_beyond.push_back(v);
     }
     for(const auto& [e, f] : pairs.pairs()) {
       const auto end = [&](std::size_t k, std::size_t i) { return row(x, pairs.ends(k)[i]); };
       const double squared_distance =
           squared_segment_distance(end(e, 0), end(e, 1), end(f, 0), end(f, 1));
-      strands.note(std::sqrt(squared_distance), pairs.distance(e, f), end(e, 0));
+      const double distance = std::sqrt(squared_distance);
+      strands.note(distance, pairs.distance(e, f), end(e, 0));
+      if(distance < pairs.distance(e, f))
+        for(const std::size_t k : {e, f})
+          nodes_beyond.insert(nodes_beyond.end(), pairs.ends(k).begin(), pairs.ends(k).end());
     }
   }
 
   bool is_passed() const { return bend.is_kept() && strands.is_kept(); }
 
   Shape_extreme bend, strands;
+  std::vector<std::size_t> nodes_beyond; // at bends and edges that exceed a limit; some repeated
 };
 
 } // namespace internal

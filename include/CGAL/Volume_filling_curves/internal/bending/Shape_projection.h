@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace CGAL {
@@ -54,19 +55,27 @@ public:
     for(const auto& p : curve.points()) m_start.push_back(to_vector(p));
   }
 
-  // Sweeps over nodes at x. A tense curve keeps the lengths of its edges; otherwise they are
-  // evened.
+  // Holds the other nodes where they are.
+  void move_only(const std::vector<bool>& moving)
+  {
+    for(std::size_t v = 0; v < m_mobility.size(); ++v)
+      if(!moving[v]) m_mobility[v] = 0;
+  }
+
+  // Sweeps over nodes at x. A tense curve keeps its length; otherwise its edges are evened.
   void operator()(std::vector<Vector>& x, int sweeps, bool is_tense) const
   {
-    const std::vector<double> lengths = mean_edges(x);
+    std::vector<std::vector<double>> lengths;
+    for(const Path& path : paths())
+      if(is_tense) lengths.push_back(lengths_to_keep(path));
     std::vector<Contact> contacts;
     for(int k = 0; k < sweeps; ++k) {
       check_run();
       if(k % sweeps_per_search == 0) contacts = find_contacts(x);
       for(std::size_t p = 0; p < paths().size(); ++p)
-        is_tense ? keep_length(x, paths()[p], lengths[p]) : even(x, paths()[p]);
+        is_tense ? keep_lengths(x, paths()[p], lengths[p]) : even(x, paths()[p]);
       for(Contact& contact : contacts) push_apart(x, contact);
-      m_walls.push_inside(x);
+      m_walls.push_inside(x, m_mobility);
       for(const Path& path : paths()) {
         if(is_too_short(x, path)) {
           widen(x, path);
@@ -81,12 +90,13 @@ public:
 
 private:
   // Projections converge from outside, hence aim slightly beyond the limits, by this factor.
-  static constexpr double margin = 1.02;
+  // With 1.02 domains are filled to 0.7 % less (2026-11-26).
+  static constexpr double margin = 1.01;
 
   // Of the pairs that may come close, sweeps visit those that are: with all of them a cube of side
   // 20 r takes 1.2 times as long (2026-11-25).
   static constexpr int sweeps_per_search = 8;
-  static constexpr double slack_of_contacts = 0.1; // in distances of strands
+  static constexpr double slack_of_contacts = 0.03; // in distances of strands
 
   struct Contact
   {
@@ -102,6 +112,7 @@ private:
       const double distance = margin * m_pairs.distance(e, f);
       const auto [i, j] = m_pairs.ends(e);
       const auto [k, l] = m_pairs.ends(f);
+      if(are_held({i, j, k, l})) continue;
       if(!Strand_pairs::are_middles_apart((1 + slack_of_contacts) * distance, x[i], x[j], x[k],
                                           x[l]))
         contacts.push_back({{i, j, k, l}, distance, side({i, j, k, l}, x)});
@@ -131,51 +142,73 @@ private:
     return m_paths.nodes()[i < path.end ? i : i - path.size()];
   }
 
+  bool are_held(std::initializer_list<std::size_t> nodes) const
+  {
+    for(const std::size_t v : nodes)
+      if(m_mobility[v] > 0) return false;
+    return true;
+  }
+
   void move(std::vector<Vector>& x, std::size_t v, const Vector& shift) const
   {
     x[v] += m_mobility[v] * shift;
   }
 
-  // The mean length of edges in units of their limits, without those between pinned nodes, as in
-  // the necks of ports: these stay as they are, and shorter ones in the mean would make all others
-  // shrink in each sweep.
-  std::vector<double> mean_edges(const std::vector<Vector>& x) const
+  // Lengths of the edges of a path by which it is as long as at the start. Arcs get even edges:
+  // short ones behind the necks of ports would stay short, and five of 42 arcs would jam.
+  std::vector<double> lengths_to_keep(const Path& path) const
   {
-    std::vector<double> means;
-    for(const Path& path : paths()) means.push_back(mean_edge(x, path));
-    return means;
+    std::vector<double> lengths;
+    for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i)
+      lengths.push_back((m_start[node(path, i + 1)] - m_start[node(path, i)]).norm());
+    return path.is_closed ? averaged(lengths) : evened(path, lengths);
   }
 
-  double mean_edge(const std::vector<Vector>& x, const Path& path) const
+  // Averages over seven successive edges of a closed path. With even edges instead, eight domains
+  // are filled to 0.5 % less in 1.1 times the time: bends within their limits give way.
+  static std::vector<double> averaged(const std::vector<double>& lengths)
   {
-    double sum = 0, sum_of_limits = 0;
-    for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i) {
-      const std::size_t v = node(path, i), w = node(path, i + 1);
-      if(m_mobility[v] + m_mobility[w] == 0) continue;
-      sum += (x[w] - x[v]).norm();
-      sum_of_limits += limit_of_edge(v, w);
-    }
-    return sum_of_limits > 0 ? sum / sum_of_limits : 0;
+    const std::size_t n = lengths.size(), reach = (std::min)(n, std::size_t(3));
+    std::vector<double> averages(n, 0);
+    for(std::size_t i = 0; i < n; ++i)
+      for(std::size_t k = i + n - reach; k <= i + n + reach; ++k)
+        averages[i] += lengths[k % n] / static_cast<double>(2 * reach + 1);
+    return averages;
   }
 
   // Edges are as long as the thickness asks for, where that varies. With the same length for all,
   // the curve contracted: in a cube whose thickness grows from 0.15 to 0.6 to half of its length.
-  double limit_of_edge(std::size_t v, std::size_t w) const
+  // The mean is that of edges which are not held: those in the necks of ports stay as they are, and
+  // being shorter they would make all others shrink in each sweep.
+  std::vector<double> evened(const Path& path, const std::vector<double>& lengths) const
   {
-    const auto limit = [&](std::size_t u) {
-      return m_limits.bend_radius[u] + m_limits.strand_distance[u];
+    const auto limit = [&](std::size_t v) {
+      return m_limits.bend_radius[v] + m_limits.strand_distance[v];
     };
-    return (std::max)(limit(v), limit(w)); // a ray has none
+    std::vector<double> limits;
+    double sum = 0, sum_of_limits = 0;
+    for(std::size_t i = 0; i < lengths.size(); ++i) {
+      const std::size_t v = node(path, path.begin + i), w = node(path, path.begin + i + 1);
+      limits.push_back((std::max)(limit(v), limit(w))); // a ray has none
+      if(are_held({v, w})) continue;
+      sum += lengths[i];
+      sum_of_limits += limits.back();
+    }
+    for(double& length : limits) length *= sum_of_limits > 0 ? sum / sum_of_limits : 0;
+    return limits;
   }
 
-  void keep_length(std::vector<Vector>& x, const Path& path, double mean) const
+  void keep_lengths(std::vector<Vector>& x,
+                    const Path& path,
+                    const std::vector<double>& lengths) const
   {
-    for(std::size_t i = path.begin; i < path.begin + path.number_of_edges(); ++i) {
-      const std::size_t v = node(path, i), w = node(path, i + 1);
+    for(std::size_t i = 0; i < lengths.size(); ++i) {
+      const std::size_t v = node(path, path.begin + i), w = node(path, path.begin + i + 1);
+      if(are_held({v, w})) continue;
       const Vector edge = x[w] - x[v];
       const double now = edge.norm();
       if(!(now > 0)) continue;
-      const Vector half = (now - mean * limit_of_edge(v, w)) / (2 * now) * edge;
+      const Vector half = (now - lengths[i]) / (2 * now) * edge;
       move(x, v, half);
       move(x, w, -half);
     }
@@ -246,6 +279,7 @@ private:
   void open_corner(std::vector<Vector>& x, const Index* nodes) const
   {
     const std::size_t v = nodes[apart];
+    if(are_held({nodes[0], v, nodes[2 * apart]})) return;
     const Vector in = x[v] - x[nodes[0]], out = x[nodes[2 * apart]] - x[v];
     const double in2 = in.squaredNorm(), out2 = out.squaredNorm(), edge2 = (std::min)(in2, out2);
     const double radius = margin * m_limits.bend_radius[v];
@@ -316,7 +350,7 @@ private:
   const Strand_pairs& m_pairs;
   const Wall_planes& m_walls;
   std::vector<Vector> m_start;    // positions of the nodes
-  std::vector<double> m_mobility; // of each node, 0 if it is pinned or slides
+  std::vector<double> m_mobility; // of each node, 0 if it is held
 };
 
 } // namespace internal

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesKnots
-/// \headerfile CGAL/Volume_filling_curves/knot_diagram.h
+/// \headerfile CGAL/Volume_filling_curves/identify.h
 ///
 /// Proofs that a knot or link is trivial or not.
 enum class Knottedness

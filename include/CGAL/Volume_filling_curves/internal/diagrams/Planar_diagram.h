@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesKnots
-/// \headerfile CGAL/Volume_filling_curves/knot_diagram.h
+/// \headerfile CGAL/Volume_filling_curves/identify.h
 ///
 /// The diagram of an oriented link, as planar diagram code (PD) in the convention of KnotTheory:
 /// each crossing lists its four arcs counterclockwise, starting with the incoming lower strand. The

@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -165,8 +165,9 @@ private:
   Thickness<Point_3> thickness_of_length() const
   {
     const double content = m_samples.volume(), length = m_parameters.length;
-    return Thickness<Point_3>(Space::is_plane ? thickness_of_planar_filling(content, length)
-                                              : thickness_of_filling(content, length));
+    return Thickness<Point_3>(
+        Space::is_plane ? thickness_of_planar_filling(content, length)
+                        : thickness_of_filling(content, length, m_parameters.round_bends));
   }
 
   // returns the constant thickness that leads to as many nodes; their number is proportional to

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/certificate/scaled_record.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Any_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Visitor_in_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
@@ -139,8 +140,11 @@ private:
   {
     Visitor_in_unit<Visitor> visitor(m_visitor, m_unit);
     const auto& any = any_domain(domain);
-    return Filling_run<Traits, std::decay_t<decltype(any)>, ConcurrencyTag, decltype(visitor)>(
-        m_curves, any, parameters, thickness, m_watch, visitor, m_unit)();
+    using Domain_3 = std::decay_t<decltype(any)>;
+    const Domain_survey<Traits, Domain_3, ConcurrencyTag> survey(
+        any, parameters, thickness, m_curves.traits(), m_watch, m_unit);
+    return Filling_run<Traits, Domain_3, ConcurrencyTag, decltype(visitor)>(m_curves, survey,
+                                                                            visitor, m_unit)();
   }
 
   Result unprepared() const

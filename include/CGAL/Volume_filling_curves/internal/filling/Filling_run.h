@@ -44,13 +44,14 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Run of fill(): surveys the domain, warns if it is too thin, places arcs between the ports, or a
+// Run of fill() in a surveyed domain: warns if it is too thin, places arcs between the ports, or a
 // circle in each part if no curves are given, grows fingers unless the curves should grow from
 // circles, fills the domain, and reports unfilled regions and their cause.
 template <typename Traits, typename Domain, typename ConcurrencyTag, typename Visitor>
@@ -60,28 +61,21 @@ class Filling_run
   using Point_3 = typename Traits::Point_3;
   using Survey = Domain_survey<Traits, Domain, ConcurrencyTag>;
   using Flow = Curve_flow_3<Traits, Domain, ConcurrencyTag>;
-  using Parameters = Filling_parameters<Point_3>;
   using Unfilled = Unfilled_space<Network, typename Survey::Samples, ConcurrencyTag>;
   using Result = Filling_result<Point_3>;
 
 public:
   // Takes the unit of the domain and of all lengths, in the caller's unit, the unit of the result.
-  Filling_run(Network& curves,
-              const Domain& domain,
-              const Parameters& parameters,
-              const Thickness<Point_3>& thickness,
-              Run_watch& watch,
-              Visitor& visitor,
-              double unit)
+  Filling_run(Network& curves, const Survey& survey, Visitor& visitor, double unit)
       : m_curves(curves),
-        m_domain(domain),
-        m_parameters(parameters),
-        m_watch(watch),
+        m_survey(survey),
+        m_domain(survey.samples().domain()),
+        m_parameters(survey.parameters()),
+        m_watch(survey.watch()),
         m_visitor(visitor),
         m_unit(unit),
-        m_survey(domain, parameters, thickness, curves.traits(), m_watch, unit),
         m_fit(m_survey.thickness_fit()),
-        m_saver(parameters, [this] { return fingerprint(); })
+        m_saver(m_parameters, curves, m_watch, [this] { return fingerprint(); })
   {}
 
   Result operator()()
@@ -129,6 +123,9 @@ private:
     if(!(m_survey.widest_radius() > 0))
       throw std::invalid_argument("the domain contradicts itself: points are inside, and all at "
                                   "distance 0 from the boundary");
+    const Bbox_3 box = m_domain.bbox();
+    if(2 * m_survey.widest_radius() > box.x_span() + box.y_span() + box.z_span())
+      throw std::invalid_argument("the domain contradicts itself: it reaches beyond its box");
     m_circles = m_survey.circles();
     if(m_circles.empty())
       refuse_wall_distance("no point was found that is farther from the boundary than ",
@@ -198,15 +195,14 @@ private:
   // Fields enter by their values at the samples.
   std::string fingerprint() const
   {
-    State_archive curve, fields;
-    copy_curve(curve, m_curves);
+    std::vector<double> fields;
     for(const Point_3& p : m_survey.samples().points()) {
-      if(m_survey.thickness().varies()) fields(m_survey.thickness()(p));
+      if(m_survey.thickness().varies()) fields.push_back(m_survey.thickness()(p));
       if(!m_parameters.direction_field) continue;
-      for(double coordinate : m_parameters.direction_field(p)) fields(coordinate);
+      for(const double x : m_parameters.direction_field(p)) fields.push_back(x);
     }
-    return run_fingerprint("fill", m_parameters) + hash_line("curve", curve) +
-           domain_line(m_domain, m_curves.traits()) + hash_line("field", fields);
+    return run_fingerprint("fill", m_parameters) + domain_line(m_domain, m_curves.traits()) +
+           field_line(std::move(fields));
   }
 
   // The layer along the boundary that counts as outside for the flow. Thereby strands settle as
@@ -222,12 +218,12 @@ private:
 
   Result grow()
   {
-    const auto kept_curve = m_saver.keep_curve(
-        m_curves, [this](const Network& curves) { check_inside(curves, m_domain); });
+    m_saver.resume_curve(m_curves,
+                         [this](const Network& curves) { check_inside(curves, m_domain); });
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
     guard.set_wall_distance(m_parameters.wall_distance, layer());
     if(m_parameters.certificate) guard.start_recording();
-    const auto kept_guard = m_saver.keep_guard(guard);
+    m_saver.resume(m_curves, guard, m_state);
     if(m_parameters.start == Filling_start::TREE && !m_saver.is_resuming())
       grow_tree(guard, m_survey);
     const Result result = run_stages(guard);
@@ -239,13 +235,9 @@ private:
   Result run_stages(Isotopy_guard_3<Traits, Domain>& guard)
   {
     try {
-      const Watched_scope scope(m_saver.is_saving() ? nullptr : &m_watch);
+      const Watched_scope scope(m_watch.is_saving() ? nullptr : &m_watch);
       m_watch.begin(Run_stage::FLOWING);
-      const auto thickness = m_survey.thickness().averaged_at(m_curves.points());
-      Filling_stage_runner<Flow, Visitor> runner(guard, m_parameters,
-                                                 typename Flow::Thickness(thickness.number()),
-                                                 m_watch, m_visitor, m_saver, m_record);
-      return Filler<Flow, Survey, Visitor>(guard, m_survey, thickness, runner)();
+      return Filler<Flow, Survey, Visitor>(guard, m_survey, m_visitor, m_state)();
     } catch(const Run_stopped&) {
       if(m_curves.has_garbage()) guard.collect_garbage();
       return stopped();
@@ -259,8 +251,8 @@ private:
     result.status = m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
     result.thickness = m_survey.thickness().averaged_at(m_curves.points()).number();
     result.medial_radius = std::numeric_limits<double>::quiet_NaN();
-    result.gradient_norm = m_record.gradient_norm;
-    result.statistics = m_record.statistics;
+    result.gradient_norm = m_state.gradient_norm;
+    result.statistics = m_state.statistics;
     const Unfilled unfilled(m_survey.samples(), m_survey.distances_to_boundary(), m_parameters.wall,
                             m_parameters.wall_distance);
     measure_filling(result, unfilled, m_curves, m_survey.thickness(), m_watch);
@@ -303,15 +295,15 @@ private:
   }
 
   Network& m_curves;
+  const Survey& m_survey;
   const Domain& m_domain;
-  const Parameters& m_parameters;
+  const Filling_parameters<Point_3>& m_parameters;
   Run_watch& m_watch;
   Visitor& m_visitor;
   const double m_unit;
-  const Survey m_survey;
   const Thickness_fit m_fit;
   Run_saver m_saver;
-  Filling_record m_record;
+  Filling_state m_state;
   std::vector<std::vector<Point_3>> m_circles, m_arcs; // if the run starts with them
   std::vector<Port_neck<Point_3>> m_necks;             // of the arcs
 };

@@ -25,9 +25,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Size of a filling, estimated before it starts. In a wide domain a curve of thickness r has the
-// length 0.26 V / r^2; between walls closer than 2 r its strands lie side by side, 2 r apart, and
-// cover half of the walls' area A, with the length A / (4 r). The larger value counts. The samples
-// nearest to the boundary give the area.
+// length that length_of_filling() estimates; between walls closer than 2 r its strands lie side by
+// side, 2 r apart, and cover half of the walls' area A, with the length A / (4 r). The larger value
+// counts. The samples nearest to the boundary give the area.
 class Filling_size
 {
 public:
@@ -60,11 +60,7 @@ public:
     if(*last > 0) m_area = share * volume / *last;
   }
 
-  double length(double thickness) const
-  {
-    if(m_is_planar) return (std::max)(length_of_planar_filling(m_volume, thickness), m_area / 2);
-    return (std::max)(length_of_filling(m_volume, thickness), m_area / (4 * thickness));
-  }
+  double length(double thickness) const { return length(thickness, m_is_round); }
 
   // of the result
   double number_of_nodes(double thickness) const
@@ -72,10 +68,10 @@ public:
     return length(thickness) / (m_last_edge * thickness);
   }
 
-  // on the way, at most: until its bends open, a round filling has the edges of any other
+  // on the way, at most: until its bends open, a round filling is like any other
   double max_number_of_nodes(double thickness) const
   {
-    return length(thickness) / (m_edge * thickness);
+    return length(thickness, false) / (m_edge * thickness);
   }
 
   // with one thread
@@ -112,16 +108,22 @@ public:
   }
 
 private:
+  double length(double thickness, bool is_round) const
+  {
+    if(m_is_planar) return (std::max)(length_of_planar_filling(m_volume, thickness), m_area / 2);
+    return (std::max)(length_of_filling(m_volume, thickness, is_round), m_area / (4 * thickness));
+  }
+
   // In units of the shortest: on the domains of run_filling there are 3.6 to 3.7 nodes per r with
   // edges of at least 0.2 r.
   static constexpr double mean_edge = 1.37, mean_round_edge = 1.47;
   // The bunny with 949,000 nodes takes 131 s and 1.3 GB.
   static constexpr double gigabytes_per_node = 1.4e-6;
-  // Fitted to the CPU time of 11 fillings, and of 9 round ones, of eight domains with 2,000 to
-  // 36,000 nodes: they take 0.65 to 1.28 times, and round ones 0.79 to 1.18 times, as long; a thin
-  // round one, whose limits are not reached, takes 2.65 times as long (2026-11-25).
+  // Fitted to the CPU time of 11 fillings, and of 10 round ones, of nine domains with 2,000 to
+  // 49,000 nodes: they take 0.65 to 1.28 times, and round ones 0.65 to 1.32 times, as long
+  // (2026-11-26).
   static constexpr double seconds_of_survey = 0.3;
-  static constexpr double seconds_per_node = 1.45e-4, seconds_per_round_node = 3.8e-4;
+  static constexpr double seconds_per_node = 1.45e-4, seconds_per_round_node = 4.4e-4;
 
   bool m_is_planar, m_is_round;
   double m_volume, m_edge, m_last_edge; // edges in units of the thickness

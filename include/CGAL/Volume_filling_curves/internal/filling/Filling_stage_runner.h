@@ -12,10 +12,10 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,11 +33,39 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Figures of a flow after its last complete step.
-struct Filling_record
+// All that a filling depends on between two steps, besides the curve and its guard. A run that was
+// interrupted makes the same decisions, and continues in the middle of a stage.
+struct Filling_state
 {
-  Curve_flow_statistics statistics;
+  Curve_flow_statistics statistics; // after the last complete step
   double gradient_norm = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> numbers; // decided between stages
+  std::vector<Vector> points;  // likewise, some at a time
+  std::vector<std::size_t> point_counts;
+  std::size_t stage = 0;   // from 1
+  Length_window lengths;   // of the stage, as all that follows
+  double displacement = 0; // at most, in units of the thickness
+  Idle_steps idle_steps;
+  Flow_memory memory;
+
+  auto members()
+  {
+    Step_size& step = memory.step_size;
+    return std::tie(statistics, gradient_norm, numbers, points, point_counts, stage,
+                    lengths.lengths, displacement, idle_steps, memory.first_certified_change,
+                    memory.first_refused_change, memory.statistics, memory.shaped_steps,
+                    step.time_step, step.turns, step.last_direction);
+  }
+
+  bool is_valid() const
+  {
+    std::size_t rest = points.size();
+    for(const std::size_t count : point_counts) {
+      if(count > rest) return false;
+      rest -= count;
+    }
+    return rest == 0 && stage > 0 && is_positive(displacement);
+  }
 };
 
 // Runner of the stages of a filling, one after another, each with its own parameters, until the
@@ -56,22 +85,21 @@ public:
                        const Thickness& thickness,
                        Run_watch& watch,
                        Visitor& visitor,
-                       Run_saver& saver,
-                       Filling_record& record)
+                       Filling_state& state)
       : m_parameters(parameters),
         m_shape(shape_goal(parameters)),
         m_watch(watch),
-        m_flow(guard, parameters, thickness, saver.is_resuming()),
+        m_flow(guard, parameters, thickness, state.stage > 0),
         m_visitor(visitor),
-        m_saver(saver),
-        m_record(record),
-        m_kept(saver.keep([this](State_archive& archive) { copy(archive); })),
-        m_resumed_stage(std::exchange(m_stage, 0))
+        m_state(state),
+        m_resumed_stage(std::exchange(state.stage, 0))
   {
-    if(m_resumed_stage > 0)
+    if(m_resumed_stage > 0) {
+      m_flow.memory() = state.memory;
       m_flow.go_on(parameters, thickness);
-    else
+    } else {
       m_visitor.on_start(m_flow);
+    }
   }
 
   const Flow& flow() const { return m_flow; }
@@ -86,43 +114,42 @@ public:
   template <typename Decide>
   double decide(const Decide& decide)
   {
-    if(m_next_number == m_numbers.size()) m_numbers.push_back(static_cast<double>(decide()));
-    return m_numbers[m_next_number++];
+    std::vector<double>& numbers = m_state.numbers;
+    if(m_next_number == numbers.size()) numbers.push_back(static_cast<double>(decide()));
+    return numbers[m_next_number++];
   }
 
   // likewise some points
   template <typename Decide>
   std::vector<Vector> decide_points(const Decide& decide_points)
   {
-    const double count = decide([&] {
+    if(m_next_points == m_state.point_counts.size()) {
       const std::vector<Vector> points = decide_points();
-      m_points.insert(m_points.end(), points.begin(), points.end());
-      return points.size();
-    });
-    State_archive::require(count >= 0 &&
-                           count <= static_cast<double>(m_points.size() - m_next_point));
-    const auto begin = m_points.begin() + static_cast<std::ptrdiff_t>(m_next_point);
-    m_next_point += static_cast<std::size_t>(count);
-    return {begin, m_points.begin() + static_cast<std::ptrdiff_t>(m_next_point)};
+      m_state.points.insert(m_state.points.end(), points.begin(), points.end());
+      m_state.point_counts.push_back(points.size());
+    }
+    const auto begin = m_state.points.begin() + m_next_point;
+    m_next_point += static_cast<std::ptrdiff_t>(m_state.point_counts[m_next_points++]);
+    return {begin, m_state.points.begin() + m_next_point};
   }
 
   // Runs a stage, with the required thickness.
   void run(const Filling_stage& stage, const Thickness& thickness_asked_for)
   {
     const Thickness thickness = stage.thickness * thickness_asked_for;
-    if(m_end || ++m_stage < m_resumed_stage) return;
+    if(m_end || ++m_state.stage < m_resumed_stage) return;
     m_flow.set_direction_field(m_parameters.direction_field,
                                stage.direction_weight * m_parameters.direction_weight);
     m_flow.set_shape(m_shape.in_units_of(stage.thickness), stage.phase);
-    if(m_stage == m_resumed_stage)
+    if(m_state.stage == m_resumed_stage)
       resume(stage, thickness);
     else
       start(stage, thickness);
     while(!(m_end = end_between_steps(stage)) && !is_over(stage)) {
-      m_idle_steps.note(step());
+      m_state.idle_steps.note(step());
       note();
-      m_lengths.add(m_flow.length());
-      m_flow.set_max_displacement(m_displacement *= stage.cooling);
+      m_state.lengths.add(m_flow.length());
+      m_flow.set_max_displacement(m_state.displacement *= stage.cooling);
       m_visitor.on_iteration(m_flow);
     }
   }
@@ -130,9 +157,9 @@ public:
 private:
   void note()
   {
-    m_record.statistics = m_flow.statistics();
-    m_record.gradient_norm = m_flow.gradient_norm();
-    m_watch.note_fraction(static_cast<double>(m_record.statistics.iterations) /
+    m_state.statistics = m_flow.statistics();
+    m_state.gradient_norm = m_flow.gradient_norm();
+    m_watch.note_fraction(static_cast<double>(m_state.statistics.iterations) /
                           expected_iterations());
     m_watch.note(m_flow);
   }
@@ -163,21 +190,21 @@ private:
   {
     const Curve_flow_parameters p = parameters_of(stage);
     m_flow.keep_apart(stage.separation);
-    m_displacement = p.max_displacement;
+    m_state.displacement = p.max_displacement;
     if(stage.phase == Shape_phase::POLISHING)
       m_flow.go_on(p, thickness); // edges stay as they are
     else
       m_flow.set_parameters(p, thickness);
-    m_idle_steps = {};
-    m_lengths = {};
-    m_lengths.add(m_flow.length());
+    m_state.idle_steps = {};
+    m_state.lengths = {};
+    m_state.lengths.add(m_flow.length());
   }
 
   bool is_over(const Filling_stage& stage) const
   {
-    return m_lengths.has_settled(stage.window, stage.change_of_length) ||
+    return m_state.lengths.has_settled(stage.window, stage.change_of_length) ||
            (stage.phase == Shape_phase::POLISHING &&
-            (m_flow.is_shaped() || m_idle_steps.are_too_many()));
+            (m_flow.is_shaped() || m_state.idle_steps.are_too_many()));
   }
 
   // Goes on in the middle of a stage.
@@ -185,16 +212,9 @@ private:
   {
     Curve_flow_parameters p = parameters_of(stage);
     m_flow.keep_apart(stage.separation);
-    p.max_displacement = m_displacement;
+    p.max_displacement = m_state.displacement;
     m_flow.go_on(p, thickness);
     m_visitor.on_start(m_flow);
-  }
-
-  void copy(State_archive& archive)
-  {
-    archive(m_stage, m_numbers, m_points, m_lengths.lengths(), m_displacement, m_idle_steps,
-            m_flow.history());
-    archive.require(m_stage > 0 && is_positive(m_displacement));
   }
 
   bool step()
@@ -208,7 +228,9 @@ private:
   std::optional<Filling_status> end_between_steps(const Filling_stage& stage)
   {
     const std::optional<Filling_status> end = end_before_step(stage);
-    if(end != Filling_status::STALLED) m_saver.offer(end.has_value());
+    if(end == Filling_status::STALLED || !m_watch.is_saving()) return end;
+    m_state.memory = m_flow.memory();
+    m_watch.pass(end ? Run_watch::Checkpoint::END : Run_watch::Checkpoint::STEP);
     return end;
   }
 
@@ -218,7 +240,7 @@ private:
     if(m_watch.is_interrupted()) return Filling_status::INTERRUPTED;
     if(m_flow.statistics().iterations >= m_parameters.number_of_iterations || !is_time_left())
       return Filling_status::LIMIT;
-    if(stage.phase != Shape_phase::POLISHING && m_idle_steps.are_too_many())
+    if(stage.phase != Shape_phase::POLISHING && m_state.idle_steps.are_too_many())
       return Filling_status::STALLED;
     if(!m_visitor.go_further(m_flow)) return Filling_status::INTERRUPTED;
     return std::nullopt;
@@ -229,21 +251,11 @@ private:
   Run_watch& m_watch;
   Flow m_flow;
   Visitor& m_visitor;
-  Run_saver& m_saver;
-  Filling_record& m_record;
-  std::vector<double> m_numbers; // decided so far
-  std::vector<Vector> m_points;
-  std::size_t m_next_number = 0, m_next_point = 0;
-  std::size_t m_stage = 0; // from 1
+  Filling_state& m_state;
+  std::size_t m_next_number = 0, m_next_points = 0; // of those decided
+  std::ptrdiff_t m_next_point = 0;
   std::optional<Filling_status> m_end;
-  double m_seconds_of_step = 0; // of the last one
-
-  // of the current stage
-  Length_window m_lengths;
-  double m_displacement = 0; // at most, in units of the thickness
-  Idle_steps m_idle_steps;
-
-  const Run_saver::Kept m_kept;
+  double m_seconds_of_step = 0;      // of the last one
   const std::size_t m_resumed_stage; // 0 if the run has started anew
 };
 

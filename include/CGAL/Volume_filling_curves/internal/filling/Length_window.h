@@ -18,25 +18,20 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Lengths of a growing curve in its last iterations.
-class Length_window
+struct Length_window
 {
-public:
-  void add(double length) { m_lengths.push_back(length); }
+  std::vector<double> lengths;
+
+  void add(double length) { lengths.push_back(length); }
 
   // returns whether the length changed by less than this fraction over the last iterations
   bool has_settled(std::size_t iterations, double fraction) const
   {
-    if(m_lengths.size() <= iterations) return false;
-    const auto begin = m_lengths.end() - static_cast<std::ptrdiff_t>(iterations) - 1;
-    const auto [min, max] = std::minmax_element(begin, m_lengths.end());
+    if(lengths.size() <= iterations) return false;
+    const auto begin = lengths.end() - static_cast<std::ptrdiff_t>(iterations) - 1;
+    const auto [min, max] = std::minmax_element(begin, lengths.end());
     return *max - *min < fraction * *max;
   }
-
-  // the state of the window
-  std::vector<double>& lengths() { return m_lengths; }
-
-private:
-  std::vector<double> m_lengths;
 };
 
 } // namespace internal

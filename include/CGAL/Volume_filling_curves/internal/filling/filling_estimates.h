@@ -18,9 +18,10 @@ namespace Volume_filling_curves {
 
 namespace internal {
 
-// Length of a curve that fills a volume V with thickness r, as a multiple of V / r^2: 0.259 to
-// 0.269 on nine domains of run_filling (2026-11-21).
-constexpr double filling_density = 0.26;
+// Length of a curve that fills a volume V with thickness r, as a multiple of V / r^2. On five
+// domains of run_filling round fillings have 0.330 to 0.344, and others 0.277 to 0.283
+// (2026-11-26).
+constexpr double filling_density = 0.28, round_filling_density = 0.33;
 
 // Length of a curve that fills an area A with thickness r, as a multiple of A / r: 0.48 to 0.52 on
 // plates, an L-shape and a star.
@@ -48,39 +49,46 @@ constexpr double tolerated_crowded_fraction = 0.05;
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief returns an estimate of the length of a curve that fills a volume, \f$0.26\, V / r^2\f$, to
- * plan time and material before calling `fill()`.
+ * \brief returns an estimate of the length of a curve that fills a volume, \f$0.33\, V / r^2\f$, or
+ * \f$0.28\, V / r^2\f$ without round bends, to plan time and material before calling `fill()`.
  *
- * The factor was 0.259 to 0.269 on nine domains that are wide compared with the thickness; in
- * narrow domains the curve is shorter.
+ * The factor was 0.330 to 0.344, and 0.277 to 0.283, on five domains; where these are narrow
+ * compared with the thickness the curve is shorter.
  *
  * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
  * \param thickness the thickness \f$r\f$, in the input's unit
+ * \param round_bends `Filling_parameters::round_bends`
  *
  * \pre `thickness` is positive
  */
-[[nodiscard]] inline double length_of_filling(double volume, double thickness)
+[[nodiscard]] inline double length_of_filling(double volume,
+                                              double thickness,
+                                              bool round_bends = true)
 {
   CGAL_precondition_msg(thickness > 0, "`thickness` is positive");
-  return internal::filling_density * volume / (thickness * thickness);
+  const double density = round_bends ? internal::round_filling_density : internal::filling_density;
+  return density * volume / (thickness * thickness);
 }
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
  * \brief returns an estimate of the thickness of a curve that fills a volume and has a given
- * length, \f$\sqrt{0.26\, V / L}\f$, see `length_of_filling()`. `fill()` starts from this thickness
- * if a length is required.
+ * length, \f$\sqrt{0.33\, V / L}\f$, or \f$\sqrt{0.28\, V / L}\f$ without round bends, see
+ * `length_of_filling()`. `fill()` starts from this thickness if a length is required.
  *
  * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
  * \param length the length \f$L\f$, in the input's unit
+ * \param round_bends `Filling_parameters::round_bends`
  *
  * \pre `length` is positive
  */
-[[nodiscard]] inline double thickness_of_filling(double volume, double length)
+[[nodiscard]] inline double thickness_of_filling(double volume,
+                                                 double length,
+                                                 bool round_bends = true)
 {
   CGAL_precondition_msg(length > 0, "`length` is positive");
-  return std::sqrt(internal::filling_density * volume / length);
+  return std::sqrt(length_of_filling(volume, 1, round_bends) / length);
 }
 
 } // namespace Volume_filling_curves

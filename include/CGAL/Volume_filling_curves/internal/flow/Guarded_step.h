@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -52,23 +51,16 @@ inline Motion_outcome motion_outcome(const std::vector<double>& fractions,
 }
 
 // Step of a curve along a direction: by the step size, as far as the guard certifies, followed by
-// the separation of strands that block one another. It stores the outcome of the last steps.
+// the separation of strands that block one another.
 template <typename Guard, typename ConcurrencyTag>
 class Guarded_step
 {
 public:
-  Guarded_step(Guard& guard, double max_displacement) : m_guard(guard), m_size(max_displacement) {}
-
-  // Forgets the outcome of the last steps.
-  void start_anew(double max_displacement) { m_size = Step_size(max_displacement); }
-
-  void set_max_displacement(double largest) { m_size.set_max_displacement(largest); }
+  // Takes the step size, which notes the outcome of each step.
+  Guarded_step(Guard& guard, Step_size& size) : m_guard(guard), m_size(size) {}
 
   // Sets the distance to which every step moves strands apart, in units of the least thickness.
   void keep_apart(double distance) { m_separation = distance; }
-
-  // Nodes were renumbered, see Step_size.
-  void renumber(const std::vector<std::uint32_t>& former) { m_size.renumber(former); }
 
   // Takes the positions of the nodes, the direction of each, and their thicknesses. Returns whether
   // any node moved.
@@ -93,8 +85,6 @@ public:
            outcome.has_moved();
   }
 
-  auto history() { return m_size.history(); }
-
 private:
   // Strands that block one another are separated by more than the length of an edge: at smaller
   // distances the energy does not distinguish them, and would bring them back together.
@@ -106,7 +96,7 @@ private:
   }
 
   Guard& m_guard;
-  Step_size m_size;
+  Step_size& m_size;
   double m_separation = 0; // in units of the least thickness
 };
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
 #include <CGAL/Volume_filling_curves/internal/guard/halve_edge.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
@@ -67,6 +68,19 @@ public:
     }
   }
 
+  // Removes nodes at which the curve turns back and its bend radius is below the node's least one.
+  // Leaves garbage in the network.
+  void remove_folds(const std::vector<double>& least_radii)
+  {
+    const std::size_t n = m_curve.number_of_nodes() + m_curve.number_of_removed_nodes();
+    for(std::size_t v = 0; v < n; ++v) {
+      if(m_curve.is_removed_node(v) || !is_fold(v, least_radii[v])) continue;
+      if(must_stop()) return;
+      check_run();
+      m_guard.remove_node(v);
+    }
+  }
+
   std::size_t number_of_refusals() const { return m_number_of_refusals; }
 
 private:
@@ -89,6 +103,14 @@ private:
   double spacing(std::size_t e) const
   {
     return (m_spacing[m_curve.source(e)] + m_spacing[m_curve.target(e)]) / 2;
+  }
+
+  bool is_fold(std::size_t v, double least_radius) const
+  {
+    if(!m_curve.is_removable(v)) return false;
+    const Vector in = position(v) - position(m_curve.neighbor(v, 0));
+    const Vector out = position(m_curve.neighbor(v, 1)) - position(v);
+    return in.dot(out) < 0 && bend_radius(in, out) < least_radius;
   }
 
   // the length of the edge that would replace node v

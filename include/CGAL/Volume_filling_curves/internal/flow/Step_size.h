@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,15 +28,14 @@ namespace internal {
 // direction that keeps turning has met the longest stable step: the time step then grows less,
 // which makes the curve settle instead of oscillating. The largest displacement is limited. The
 // energy is not used: with the spheres held fixed it hardly depends on the quality of the step.
-class Step_size
+struct Step_size
 {
-public:
   // A step that cannot be certified is halved at most six times; if it is still too long, the next
   // direction may do better.
   static constexpr double min_fraction = 1. / 64;
 
   // The limit is in units of the thickness.
-  explicit Step_size(double max_displacement) : m_max_displacement(max_displacement) {}
+  explicit Step_size(double displacement = 0) : max_displacement(displacement) {}
 
   // Returns the factor of the direction, where each node has its thickness.
   double next(const Vector_field& direction, const std::vector<double>& thickness)
@@ -45,18 +43,16 @@ public:
     double longest = 0; // in units of the thickness
     for(std::size_t v = 0; v < thickness.size(); ++v)
       longest = (std::max)(longest, row(direction, v).norm() / thickness[v]);
-    if(m_last_direction.rows() == direction.rows()) adapt(direction);
-    m_last_direction = direction;
-    m_time_step = (std::min)(m_time_step, m_max_displacement / longest);
-    return m_time_step;
+    if(last_direction.rows() == direction.rows()) adapt(direction);
+    last_direction = direction;
+    time_step = (std::min)(time_step, max_displacement / longest);
+    return time_step;
   }
-
-  void set_max_displacement(double largest) { m_max_displacement = largest; }
 
   // Takes the mean fraction of their displacements that the nodes moved.
   void note_fraction(double mean)
   {
-    if(mean < tolerated_fraction) m_time_step *= after_shortened_step;
+    if(mean < tolerated_fraction) time_step *= after_shortened_step;
   }
 
   // Nodes were renumbered: node v had the index former[v], or was inserted.
@@ -64,13 +60,15 @@ public:
   {
     Vector_field direction = Vector_field::Zero(static_cast<Eigen::Index>(former.size()), 3);
     for(std::size_t v = 0; v < former.size(); ++v)
-      if(former[v] < m_last_direction.rows())
-        direction.row(static_cast<Eigen::Index>(v)) = m_last_direction.row(former[v]);
-    m_last_direction = std::move(direction);
+      if(former[v] < last_direction.rows())
+        direction.row(static_cast<Eigen::Index>(v)) = last_direction.row(former[v]);
+    last_direction = std::move(direction);
   }
 
-  // the numbers that the next time step depends on
-  auto history() { return std::tie(m_time_step, m_turns, m_last_direction); }
+  double max_displacement;
+  double time_step = std::numeric_limits<double>::infinity();
+  double turns = 0; // of the direction, those long ago less
+  Vector_field last_direction;
 
 private:
   static constexpr double tolerated_fraction = 0.5;
@@ -83,21 +81,16 @@ private:
 
   void adapt(const Vector_field& direction)
   {
-    const double kept = dot(m_last_direction, direction) / dot(m_last_direction, m_last_direction);
-    m_turns = memory_of_turns * m_turns + (kept < 0 ? 1 : 0);
-    const double growth = 1 + (max_growth - 1) / (1 + m_turns);
+    const double kept = dot(last_direction, direction) / dot(last_direction, last_direction);
+    turns = memory_of_turns * turns + (kept < 0 ? 1 : 0);
+    const double growth = 1 + (max_growth - 1) / (1 + turns);
     if(kept < 0)
-      m_time_step *= after_turn;
+      time_step *= after_turn;
     else if(kept < 1)
-      m_time_step *= (std::min)(1 / (1 - kept), growth);
+      time_step *= (std::min)(1 / (1 - kept), growth);
     else
-      m_time_step *= growth;
+      time_step *= growth;
   }
-
-  double m_max_displacement;
-  double m_time_step = std::numeric_limits<double>::infinity();
-  double m_turns = 0; // of the direction, those long ago less
-  Vector_field m_last_direction;
 };
 
 } // namespace internal

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -24,50 +23,48 @@ namespace internal {
 
 // Proofs that the components of a moving curve are unknots, and that their link is trivial or not.
 // Curves only change by isotopies, hence a proof, once found, remains valid.
-template <typename Network>
-class Unknot_proofs
+struct Unknot_proofs
 {
-public:
   // searches for further proofs with the current curves
+  template <typename Network>
   void update(const Network& curves)
   {
-    m_proofs.resize(curves.number_of_components(), Unknot_proof::NONE);
-    for(std::size_t c = 0; c < m_proofs.size(); ++c)
-      if(m_proofs[c] == Unknot_proof::NONE) m_proofs[c] = unknot_proof(curves, c);
+    of_components.resize(curves.number_of_components(), Unknot_proof::NONE);
+    for(std::size_t c = 0; c < of_components.size(); ++c)
+      if(of_components[c] == Unknot_proof::NONE) of_components[c] = unknot_proof(curves, c);
     if(are_unknots()) update_link(curves);
   }
 
   // whether the curves are proved to be an unknot or a trivial link
   bool is_proved() const
   {
-    return m_link == Link_status::TRIVIAL || (m_proofs.size() == 1 && are_unknots());
+    return link == Link_status::TRIVIAL || (of_components.size() == 1 && are_unknots());
   }
 
   // Stores the proofs, and whether the components are linked, which no run needs before its end.
+  template <typename Network>
   void write(const Network& curves, Untangling_result& result)
   {
     update_link(curves);
-    result.proofs = m_proofs;
-    result.link = m_link;
+    result.proofs = of_components;
+    result.link = link;
   }
 
-  // the state of the proofs
-  auto contents() { return std::tie(m_proofs, m_link); }
+  std::vector<Unknot_proof> of_components;
+  Link_status link = Link_status::UNDECIDED;
 
 private:
   bool are_unknots() const
   {
-    return !m_proofs.empty() &&
-           std::find(m_proofs.begin(), m_proofs.end(), Unknot_proof::NONE) == m_proofs.end();
+    return !of_components.empty() && std::find(of_components.begin(), of_components.end(),
+                                               Unknot_proof::NONE) == of_components.end();
   }
 
+  template <typename Network>
   void update_link(const Network& curves)
   {
-    if(m_link == Link_status::UNDECIDED) m_link = Link_triviality<Network>(curves)(m_proofs);
+    if(link == Link_status::UNDECIDED) link = Link_triviality<Network>(curves)(of_components);
   }
-
-  std::vector<Unknot_proof> m_proofs; // one per component
-  Link_status m_link = Link_status::UNDECIDED;
 };
 
 } // namespace internal

@@ -28,13 +28,23 @@ namespace internal {
 struct Run_stopped
 {};
 
-// Clock of a run, its time limit, and the function that reports progress and may end the run. Every
+// Clock of a run, its time limit, the function that reports progress and may end the run, and the
+// one that saves its state. Every
 // loop that can last longer than some milliseconds calls must_stop(), in any thread, which takes
 // some 25 ns to read the clock. A run that is to stop never continues.
 class Run_watch
 {
 public:
   using Progress_function = std::function<bool(const Run_progress&)>;
+
+  // Moments of a run that concern those who save its state.
+  enum class Checkpoint
+  {
+    STEP,       // before a step
+    END,        // the run ends before its goal
+    PART,       // before a part without checkpoints, which is resumed at its beginning only
+    END_IN_PART // the run ends before its goal within this part
+  };
 
   static constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -130,6 +140,16 @@ public:
     report();
   }
 
+  // A function to be called at checkpoints; none if no states are saved.
+  void set_checkpoint(std::function<void(Checkpoint)> save) { m_save = std::move(save); }
+
+  bool is_saving() const { return m_save != nullptr; }
+
+  void pass(Checkpoint checkpoint) const
+  {
+    if(m_save) m_save(checkpoint);
+  }
+
   // to be changed before the next report
   Run_progress& progress() { return m_progress; }
 
@@ -163,6 +183,7 @@ private:
   std::atomic<double> m_stop{m_limit + m_grace}; // when it must stop, in the seconds of the clock
   const Progress_function m_report;              // none if nobody wants to know
   std::atomic<bool> m_is_stopped{false}, m_is_interrupted{false};
+  std::function<void(Checkpoint)> m_save;
   double m_next_report = 0; // in the seconds of the clock; of the own thread
   Run_progress m_progress;  // likewise
 };

@@ -26,12 +26,19 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// The sphere out of which closing rays lead.
+struct Ray_sphere
+{
+  Ball ball;
+  double inner_radius = 0;   // of the curves
+  double length_of_rays = 0; // of all of them
+};
 
 // Closing rays, which preserve the knot of an open curve: without them a strand could slip off an
 // end. While components with pinned ends flow, a straight ray of pinned nodes leads from each end
@@ -89,15 +96,15 @@ public:
   }
 
   // the length of all rays
-  double length() const { return m_length; }
+  double length() const { return m_sphere.length_of_rays; }
 
   // Returns whether the curve is inside the sphere, at least a step from it, and hence always was.
   bool hold() const
   {
-    if(m_length == 0) return true;
+    if(m_sphere.length_of_rays == 0) return true;
     for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)
       if(!m_curve.is_pinned(v) &&
-         !((to_vector(m_curve.point(v)) - m_ball.center).norm() < m_inner_radius))
+         !((to_vector(m_curve.point(v)) - m_sphere.ball.center).norm() < m_sphere.inner_radius))
         return false;
     return true;
   }
@@ -106,13 +113,13 @@ public:
   // could turn away from the present mean of the nodes without meeting anything.
   bool can_turn_outwards() const
   {
-    Ray_turn<Network> test(m_curve, m_ball, own_mean());
+    Ray_turn<Network> test(m_curve, m_sphere.ball, own_mean());
     for(const std::size_t tip : tips_of_rays(m_curve)) test.add_ray(nodes_from_tip(m_curve, tip));
     return test();
   }
 
-  // parameters of the rays
-  auto sphere() { return std::tie(m_ball, m_inner_radius, m_length); }
+  const Ray_sphere& sphere() const { return m_sphere; }
+  void set_sphere(const Ray_sphere& sphere) { m_sphere = sphere; }
 
 private:
   static constexpr double radius_over_size = 1.25, margin_over_thickness = 5;
@@ -137,13 +144,13 @@ private:
   void set_ball(double thickness)
   {
     const Vector_field x = coordinates(m_curve);
-    m_ball.center = centroid(x);
+    m_sphere.ball.center = centroid(x);
     double size = 0;
     for(Eigen::Index v = 0; v < x.rows(); ++v)
-      size = (std::max)(size, (row(x, v) - m_ball.center).norm());
+      size = (std::max)(size, (row(x, v) - m_sphere.ball.center).norm());
     const double margin = (std::min)(margin_over_thickness * thickness, 100 * size);
-    m_ball.radius = radius_over_size * size + margin;
-    m_inner_radius = m_ball.radius - (std::min)(thickness, margin / 2);
+    m_sphere.ball.radius = radius_over_size * size + margin;
+    m_sphere.inner_radius = m_sphere.ball.radius - (std::min)(thickness, margin / 2);
   }
 
   // Rays point away from the center of the ball or, if this is refused, in the nearest accepted one
@@ -167,14 +174,14 @@ private:
       ends = refused_ends;
     }
     for(const std::size_t v : m_ends)
-      m_length += edge_vector(m_curve, m_curve.incident_edge(v, 1)).norm();
+      m_sphere.length_of_rays += edge_vector(m_curve, m_curve.incident_edge(v, 1)).norm();
   }
 
   Point_3 tip(std::size_t end, const Vector& tilt) const
   {
-    const Vector p = to_vector(m_curve.point(end)), outwards = p - m_ball.center;
+    const Vector p = to_vector(m_curve.point(end)), outwards = p - m_sphere.ball.center;
     const Vector direction = outwards.norm() > 0 ? outwards.normalized() : Vector(1, 0, 0);
-    return to_point(m_ball.tip(p, (direction + tilt).normalized()), m_curve.traits());
+    return to_point(m_sphere.ball.tip(p, (direction + tilt).normalized()), m_curve.traits());
   }
 
   // Leaves garbage.
@@ -231,8 +238,7 @@ private:
   Guard& m_guard;
   const Network& m_curve;
   std::vector<std::size_t> m_ends; // with their initial numbers
-  Ball m_ball;
-  double m_inner_radius = 0, m_length = 0;
+  Ray_sphere m_sphere;
 };
 
 } // namespace internal

@@ -35,19 +35,11 @@ class Curve_search
   using Search = Polygon_search<Guard, ConcurrencyTag>;
 
 public:
-  // The state of the next search, apart from the curve.
-  struct State
-  {
-    Random_source seeds;
-    double patience_factor = 1;
-    std::size_t searches = 0, sweeps = 0;
-    double seconds = 0; // of all searches
-    bool has_changed_curve = false;
-  };
-
   explicit Curve_search(const Untangling_context<Guard, Visitor>& run)
-      : m_run(run), m_curve(run.guard.curve()), m_state{Random_source(run.parameters.random_seed)}
+      : m_run(run), m_curve(run.guard.curve()), m_state(run.state.search)
   {
+    if(m_state.searches > 0) return; // in a run that was interrupted
+    m_state.seeds = Random_source(run.parameters.random_seed);
     // no flow follows that could jam and lead to a search with more patience
     if(is_alone()) m_state.patience_factor = patience_growth;
   }
@@ -81,8 +73,7 @@ public:
   bool can_be_repeated() const { return m_state.searches < max_searches && !is_share_used_up(0); }
   bool is_last() const { return m_state.searches >= max_searches; }
 
-  const State& state() const { return m_state; }
-  State& state() { return m_state; }
+  const Search_state& state() const { return m_state; }
 
 private:
   static constexpr std::size_t max_searches = 4;
@@ -201,7 +192,7 @@ private:
 
   Untangling_context<Guard, Visitor> m_run;
   const Network& m_curve;
-  State m_state;
+  Search_state& m_state;
 };
 
 } // namespace internal

@@ -18,9 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <tuple>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -54,13 +52,14 @@ public:
   Flow_stop_rules(const Untangling_context<Guard, Visitor>& run,
                   const Flow& flow,
                   const Flow_start& start)
-      : m_run(run), m_flow(flow), m_start(start)
+      : m_run(run), m_flow(flow), m_start(start), m_state(run.state.flow)
   {}
 
   void note_step(bool did_move)
   {
     const double length = m_flow.length() - m_run.rays.length();
-    m_has_stalled = m_stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.rays.hold();
+    m_state.has_stalled =
+        m_state.stall_monitor(length, m_flow.gradient_norm(), did_move) || !m_run.rays.hold();
   }
 
   // Takes whether the curve is smooth on the scale of the thickness. Asking again changes nothing.
@@ -74,7 +73,7 @@ public:
     if(is_smooth && !is_slack && !may_be_unknot()) return Untangling_status::CONVERGED;
     if(is_at_limit()) return unless_proved(Untangling_status::LIMIT);
     if(is_interrupted()) return Untangling_status::INTERRUPTED;
-    if(m_has_stalled || m_plateau_monitor.has_lingered(m_flow, m_start.patience))
+    if(m_state.has_stalled || m_state.plateau_monitor.has_lingered(m_flow, m_start.patience))
       return unless_proved(Untangling_status::STALLED);
     return std::nullopt;
   }
@@ -127,7 +126,7 @@ public:
   // The polygon that a search has found is no input.
   bool is_unknot_from_start() const
   {
-    return m_iterations_to_proof == 0 && !m_start.follows_search;
+    return m_state.iterations_to_proof == 0 && !m_start.follows_search;
   }
 
   double settled_length() const
@@ -137,21 +136,12 @@ public:
     return length_over_thickness * m_flow.thickness() * static_cast<double>(number_of_components);
   }
 
-  void look_for_proof() { m_unknot_proofs.update(m_flow.curve()); }
-  bool is_proved() const { return m_unknot_proofs.is_proved(); }
-  void write_proofs(Untangling_result& result) { m_unknot_proofs.write(m_flow.curve(), result); }
-
-  // data besides the flow that determine the status
-  auto history()
-  {
-    return std::tuple_cat(
-        m_unknot_proofs.contents(),
-        std::tie(m_stall_monitor, m_has_stalled, m_iterations_to_proof, m_plateau_monitor));
-  }
+  void look_for_proof() { m_state.proofs.update(m_flow.curve()); }
+  bool is_proved() const { return m_state.proofs.is_proved(); }
+  void write_proofs(Untangling_result& result) { m_state.proofs.write(m_flow.curve(), result); }
 
 private:
   static constexpr std::size_t max_iterations_to_settle = 50;
-  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
   // in this flow, and in those before
   std::size_t iterations() const
@@ -187,7 +177,7 @@ private:
   // In a domain a curve may be tight around an obstacle.
   bool may_be_unknot()
   {
-    return !Guard::Boundary::is_bounded && m_plateau_monitor.may_leave_plateau(m_flow);
+    return !Guard::Boundary::is_bounded && m_state.plateau_monitor.may_leave_plateau(m_flow);
   }
 
   bool can_stop_at_proof()
@@ -204,19 +194,16 @@ private:
   bool is_settled()
   {
     const std::size_t iterations = m_flow.statistics().iterations;
-    if(m_iterations_to_proof == never) m_iterations_to_proof = iterations;
+    if(m_state.iterations_to_proof == Flow_state::never) m_state.iterations_to_proof = iterations;
     return is_unknot_from_start() || m_flow.length() <= settled_length() ||
-           iterations - m_iterations_to_proof >= max_iterations_to_settle;
+           iterations - m_state.iterations_to_proof >= max_iterations_to_settle;
   }
 
   const Untangling_context<Guard, Visitor>& m_run;
   const Flow& m_flow;
   const Flow_start& m_start;
-  Unknot_proofs<Network> m_unknot_proofs;
-  Stall_monitor m_stall_monitor;
-  Plateau_monitor m_plateau_monitor;
-  std::size_t m_iterations_to_proof = never;
-  bool m_has_stalled = false, m_is_too_thin = false;
+  Flow_state& m_state;
+  bool m_is_too_thin = false;
 };
 
 } // namespace internal

@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_finish.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_stop_rules.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Shape_finish.h>
@@ -24,6 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -42,21 +42,26 @@ public:
         m_flow(run.guard,
                run.parameters,
                typename Flow::Thickness(start.thickness),
-               run.saver.is_resuming()),
-        m_start(start)
+               run.state.is_flowing),
+        m_start(start),
+        m_state(run.state.flow)
   {}
 
   Untangling_result operator()()
   {
-    const bool is_resuming = m_run.saver.is_resuming();
-    const auto kept = m_run.saver.keep([this](State_archive& archive) { copy(archive); });
-    if(!is_resuming) begin_coarsely();
+    if(std::exchange(m_run.state.is_flowing, true)) {
+      resume();
+    } else {
+      m_state = Flow_state();
+      begin_coarsely();
+    }
     m_run.visitor.on_start(m_flow);
     Untangling_status status = flow();
     try {
       finish(status);
     } catch(const Run_stopped&) { // the curve keeps what was done so far
     }
+    m_run.state.is_flowing = false;
     return result(status);
   }
 
@@ -75,7 +80,7 @@ private:
   // A step that has begun is completed if states are saved: there are none within a step.
   void step()
   {
-    if(m_run.saver.is_saving()) m_run.guard.set_watch(nullptr);
+    if(m_run.watch.is_saving()) m_run.guard.set_watch(nullptr);
     turn_rays();
     const bool did_move = m_flow.step();
     m_run.watch.note(m_flow);
@@ -89,7 +94,8 @@ private:
   std::optional<Untangling_status> status_between_steps()
   {
     const std::optional<Untangling_status> status = m_rules.status(is_smooth());
-    if(!status || is_cut_short(*status)) m_run.saver.offer(status.has_value());
+    if(!status || is_cut_short(*status))
+      pass(status ? Run_watch::Checkpoint::END : Run_watch::Checkpoint::STEP);
     return status;
   }
 
@@ -98,48 +104,54 @@ private:
     return status == Untangling_status::LIMIT || status == Untangling_status::INTERRUPTED;
   }
 
-  void copy(State_archive& archive)
+  void resume()
   {
-    double thickness = m_flow.thickness();
-    archive(thickness, m_flow.history(), m_rules.history(), m_coarse_phase, m_number_of_turns,
-            m_are_rays_turning);
-    if(!archive.is_reading()) return;
-    archive.require(is_positive(thickness));
-    m_flow.go_on(parameters(m_coarse_phase.is_on()), typename Flow::Thickness(thickness));
+    m_flow.memory() = m_state.memory;
+    m_flow.go_on(parameters(m_state.coarse_phase.is_on()),
+                 typename Flow::Thickness(m_state.thickness));
+  }
+
+  void pass(Run_watch::Checkpoint checkpoint)
+  {
+    if(!m_run.watch.is_saving()) return;
+    m_state.thickness = m_flow.thickness();
+    m_state.memory = m_flow.memory();
+    m_run.watch.pass(checkpoint);
   }
 
   // Whether the curve is smooth on the scale of the thickness. While rays turn, it flows on.
   bool is_smooth()
   {
-    if(m_coarse_phase.is_on() || m_flow.gradient_norm() >= m_run.parameters.tolerance) return false;
-    if(!m_are_rays_turning) m_are_rays_turning = !m_run.rays.can_turn_outwards();
-    return !m_are_rays_turning || m_number_of_turns == max_turns;
+    if(m_state.coarse_phase.is_on() || m_flow.gradient_norm() >= m_run.parameters.tolerance)
+      return false;
+    if(!m_state.are_rays_turning) m_state.are_rays_turning = !m_run.rays.can_turn_outwards();
+    return !m_state.are_rays_turning || m_state.turns_of_rays == max_turns;
   }
 
   // If the ends are close together, a knot may settle around a ray.
   void turn_rays()
   {
-    if(!m_are_rays_turning || m_number_of_turns == max_turns) return;
-    ++m_number_of_turns;
+    if(!m_state.are_rays_turning || m_state.turns_of_rays == max_turns) return;
+    ++m_state.turns_of_rays;
     if(m_run.rays.turn_outwards(clearance_of_rays * m_flow.thickness()))
       m_flow.set_parameters(m_flow.parameters()); // records the positions of the rays
-    m_are_rays_turning = !m_run.rays.can_turn_outwards();
+    m_state.are_rays_turning = !m_run.rays.can_turn_outwards();
   }
 
   void begin_coarsely()
   {
     m_rules.look_for_proof();
     if(!can_flow_coarsely() || m_rules.is_at_limit()) return;
-    m_coarse_phase.begin(m_flow.gradient_norm());
-    if(m_coarse_phase.is_on()) flow_coarsely(true);
+    m_state.coarse_phase.begin(m_flow.gradient_norm());
+    if(m_state.coarse_phase.is_on()) flow_coarsely(true);
   }
 
   void update_coarse_phase(bool did_move)
   {
-    const bool was_on = m_coarse_phase.is_on();
-    m_coarse_phase.note(m_flow.length());
-    if(!did_move || !can_flow_coarsely()) m_coarse_phase.end();
-    if(m_coarse_phase.is_on() != was_on) flow_coarsely(!was_on);
+    const bool was_on = m_state.coarse_phase.is_on();
+    m_state.coarse_phase.note(m_flow.length());
+    if(!did_move || !can_flow_coarsely()) m_state.coarse_phase.end();
+    if(m_state.coarse_phase.is_on() != was_on) flow_coarsely(!was_on);
   }
 
   // An unknot that is proved is about to end.
@@ -166,14 +178,15 @@ private:
   void finish(Untangling_status& status)
   {
     const bool is_cut_short_before = is_cut_short(status);
-    const Run_state start = is_cut_short_before ? Run_state() : m_run.saver.state_if_saving();
-    if(m_coarse_phase.is_on()) flow_coarsely(false);
+    if(!is_cut_short_before) pass(Run_watch::Checkpoint::PART);
+    if(m_state.coarse_phase.is_on()) flow_coarsely(false);
     if constexpr(!Guard::Boundary::is_bounded)
       if(m_finish.can_lower_ropelength(status)) status = lower_ropelength(status);
     if(status == Untangling_status::UNKNOTTED && !has_constrained_node(m_flow.curve()))
       m_finish.settle();
     if(takes_shape(status)) status = m_shape_finish(status);
-    if(!is_cut_short_before && is_cut_short(status)) m_run.saver.offer_last(start);
+    if(!is_cut_short_before && is_cut_short(status))
+      m_run.watch.pass(Run_watch::Checkpoint::END_IN_PART);
   }
 
   bool takes_shape(Untangling_status status) const
@@ -214,12 +227,10 @@ private:
   Untangling_context<Guard, Visitor> m_run;
   Flow m_flow;
   Flow_start m_start;
+  Flow_state& m_state;
   Flow_stop_rules<Flow, Visitor> m_rules{m_run, m_flow, m_start};
   Flow_finish<Flow, Visitor> m_finish{m_run, m_flow, m_start, m_rules};
   Shape_finish<Flow, Visitor> m_shape_finish{m_run, m_flow, m_rules};
-  Coarse_phase m_coarse_phase;
-  std::size_t m_number_of_turns = 0;
-  bool m_are_rays_turning = false;
 };
 
 template <typename Flow, typename Guard, typename Visitor>

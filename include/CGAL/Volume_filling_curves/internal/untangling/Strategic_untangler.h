@@ -34,16 +34,15 @@ class Strategic_untangler
 
 public:
   explicit Strategic_untangler(const Untangling_context<Guard, Visitor>& run)
-      : m_run(run), m_curve(run.guard.curve()), m_thickness(run.parameters.thickness), m_search(run)
+      : m_run(run), m_curve(run.guard.curve()), m_thickness(run.state.thickness), m_search(run)
   {}
 
   Untangling_result operator()()
   {
-    const auto kept = m_run.saver.keep([this](State_archive& archive) { copy(archive); });
     if(m_run.parameters.strategy == Untangling_strategy::FLOW || !can_search())
       return fitting_flow();
-    const bool is_flowing = m_run.saver.is_resuming();
-    Untangling_status status = is_flowing ? Untangling_status::CONVERGED : prepare_flow();
+    Untangling_status status =
+        m_run.state.is_flowing ? Untangling_status::CONVERGED : prepare_flow();
     while(m_run.parameters.strategy == Untangling_strategy::AUTO &&
           status == Untangling_status::CONVERGED) {
       const Untangling_result last = fitting_flow();
@@ -77,10 +76,10 @@ private:
   // Has no state of its own: a run that is cut short resumes where the search began.
   Untangling_status search()
   {
-    const Run_state start = m_run.saver.state_if_saving();
+    m_run.watch.pass(Run_watch::Checkpoint::PART);
     const Untangling_status status = m_search();
     if(status == Untangling_status::LIMIT || status == Untangling_status::INTERRUPTED)
-      m_run.saver.offer_last(start);
+      m_run.watch.pass(Run_watch::Checkpoint::END_IN_PART);
     return status;
   }
 
@@ -106,28 +105,20 @@ private:
   Untangling_result flow()
   {
     const bool is_after_search = m_search.state().searches > 0;
-    Flow_start start{m_thickness, m_statistics.iterations, m_search.state().has_changed_curve,
+    Curve_flow_statistics& statistics = m_run.state.statistics;
+    Flow_start start{m_thickness, statistics.iterations, m_search.state().has_changed_curve,
                      is_after_search};
     if(is_after_search && !m_search.is_last()) start.patience = 0; // a search is faster
     start.is_last = !is_after_search || !m_search.can_be_repeated();
     start.can_be_thicker = can_be_thicker();
     const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
-    m_statistics += result.statistics;
+    statistics += result.statistics;
     return completed(result);
-  }
-
-  // state of a run between searches and flows
-  void copy(State_archive& archive)
-  {
-    auto& search = m_search.state();
-    archive(m_thickness, search.patience_factor, search.seeds, m_statistics, search.searches,
-            search.sweeps, search.seconds, search.has_changed_curve);
-    archive.require(m_thickness == 0 || is_positive(m_thickness));
   }
 
   Untangling_result completed(Untangling_result result) const
   {
-    result.statistics = m_statistics;
+    result.statistics = m_run.state.statistics;
     result.searches = m_search.state().searches;
     result.sweeps = m_search.state().sweeps;
     return result;
@@ -135,9 +126,8 @@ private:
 
   Untangling_context<Guard, Visitor> m_run;
   const Network& m_curve;
-  double m_thickness; // of the next flow; 0 if it is to be measured
+  double& m_thickness; // of the next flow; 0 if it is to be measured
   Curve_search<Guard, ConcurrencyTag, Visitor> m_search;
-  Curve_flow_statistics m_statistics;
 };
 
 // The whole space as the surroundings of an Untangling_run: all strategies, and rays at pinned

@@ -10,9 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
-#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_state.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
@@ -29,7 +29,7 @@ struct Untangling_context
   const Untangling_parameters& parameters;
   Run_watch& watch; // of the guard as well
   Visitor& visitor;
-  Run_saver& saver;
+  Untangling_state& state;
 
   // The status of a run that the watch has stopped.
   Untangling_status status_when_stopped() const
@@ -38,17 +38,12 @@ struct Untangling_context
   }
 };
 
-template <typename Guard, typename Visitor>
-Untangling_context(
-    Guard&, Closing_rays<Guard>&, const Untangling_parameters&, Run_watch&, Visitor&, Run_saver&)
-    -> Untangling_context<Guard, Visitor>;
-
 // Result for a curve whose run did not end with a flow. Proofs are about the current curve.
 template <typename Network>
 Untangling_result result_without_flow(const Network& curve, Untangling_status status)
 {
   Untangling_result result;
-  Unknot_proofs<Network> unknot_proofs;
+  Unknot_proofs unknot_proofs;
   unknot_proofs.update(curve);
   unknot_proofs.write(curve, result);
   result.status = unknot_proofs.is_proved() && status != Untangling_status::INTERRUPTED

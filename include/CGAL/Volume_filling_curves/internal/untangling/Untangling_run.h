@@ -26,6 +26,7 @@
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Untangling_state.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/untangled_shape.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
@@ -120,14 +121,15 @@ private:
 
   Untangling_result untangle(double length) // of the input
   {
-    Run_saver saver(m_parameters, [this] { return fingerprint(); });
-    const auto kept_curve = saver.keep_curve(
+    Run_saver saver(m_parameters, m_curves, m_watch, [this] { return fingerprint(); });
+    saver.resume_curve(
         m_curves, [this](const Network& curves) { m_surroundings.check(curves, m_parameters); });
     Guard guard = m_surroundings.guard(m_curves);
     guard.set_watch(&m_watch);
     if(m_parameters.certificate) guard.start_recording();
-    const auto kept_guard = saver.keep_guard(guard);
-    Untangling_result result = untangle_with_rays(guard, saver);
+    Untangling_state state;
+    saver.resume(m_curves, guard, state);
+    Untangling_result result = untangle_with_rays(guard, state, saver.is_resuming());
     guard.set_watch(nullptr); // the rest cannot be interrupted
     if(m_parameters.keep_length) rescale(guard, length, result);
     if(shape_goal(m_parameters).is_given()) compare_with_limits(result);
@@ -137,17 +139,21 @@ private:
     return result;
   }
 
-  Untangling_result untangle_with_rays(Guard& guard, Run_saver& saver)
+  Untangling_result untangle_with_rays(Guard& guard, Untangling_state& state, bool is_resuming)
   {
     Untangling_parameters parameters = m_parameters; // adding rays sets the thickness
-    parameters.thickness = (std::max)(parameters.thickness, min_thickness_for(parameters));
     Closing_rays<Guard> rays(guard);
-    if(!saver.is_resuming()) m_surroundings.add_rays(rays, parameters);
-    const auto kept = saver.keep([&](State_archive& archive) {
-      archive(rays.sphere(), parameters.thickness);
-      archive.require(parameters.thickness == 0 || is_positive(parameters.thickness));
-    });
-    const Untangling_context context{guard, rays, parameters, m_watch, m_visitor, saver};
+    if(is_resuming) {
+      rays.set_sphere(state.sphere);
+      parameters.thickness = state.given_thickness;
+    } else {
+      parameters.thickness = (std::max)(parameters.thickness, min_thickness_for(parameters));
+      m_surroundings.add_rays(rays, parameters);
+      state.sphere = rays.sphere();
+      state.thickness = state.given_thickness = parameters.thickness;
+    }
+    const Untangling_context<Guard, Visitor> context{guard,   rays,      parameters,
+                                                     m_watch, m_visitor, state};
     Untangling_result result = m_surroundings.untangle(context);
     result.is_closure_kept = rays.can_turn_outwards();
     return result;
@@ -169,14 +175,11 @@ private:
 
   std::string fingerprint() const
   {
-    State_archive curve;
-    copy_curve(curve, m_curves);
-    const std::string line = hash_line("curve", curve);
     if constexpr(Guard::Boundary::is_bounded)
-      return run_fingerprint("untangle in a domain", m_parameters) + line +
+      return run_fingerprint("untangle in a domain", m_parameters) +
              domain_line(m_surroundings.domain, m_curves.traits());
     else
-      return run_fingerprint("untangle", m_parameters) + line;
+      return run_fingerprint("untangle", m_parameters);
   }
 
   static void rescale(Guard& guard, double length, Untangling_result& result)

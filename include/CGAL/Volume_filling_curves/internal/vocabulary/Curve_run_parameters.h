@@ -63,7 +63,8 @@ struct Curve_run_parameters : Curve_flow_parameters
   /// The state to resume from, with the same curves, domain and parameters, except for
   /// `number_of_iterations` and `time_limit`. If it is null (default) or empty, the run starts at
   /// the beginning. As a named parameter, pass `std::cref()` of the state. Iterations count from
-  /// the beginning of the run, the time from its resumption.
+  /// the beginning of the run, the time from its resumption. A state that is damaged or belongs to
+  /// a different run throws `Run_state_error`, whose message names the difference.
   const Run_state* resume_from = nullptr;
 
   /// A name of the calling program's build, such as its commit, or empty (default). States store

@@ -105,8 +105,8 @@ struct Filling_parameters : Curve_run_parameters
 
   /// The least radius with which the curve may bend, in the input's unit: that of the arcs that
   /// round the corners, see `min_bend_radius()`. 0 (default) stands for 0.85 r, where r may vary in
-  /// space. For a larger one a thickness that does not vary grows to `bend_radius` / 0.85: no
-  /// denser curve has room for its bends.
+  /// space. For one larger than r a thickness that does not vary grows to `bend_radius`: no denser
+  /// curve has room for its bends.
   double bend_radius = 0;
 
   /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
@@ -116,7 +116,7 @@ struct Filling_parameters : Curve_run_parameters
 
   /// Whether the curve keeps a bend radius and a distance of strands. Where it cannot, the run ends
   /// as `Filling_status::CONSTRAINT_NOT_REACHED`. Without, for a preview, bends have about 0.15 r
-  /// and a run takes a quarter to a half of the time; a `bend_radius` or `strand_distance` that is
+  /// and a run takes a fifth to a half of the time; a `bend_radius` or `strand_distance` that is
   /// given holds nevertheless. With it edges are at least 0.3 r long. Yes by default.
   bool round_bends = true;
 };

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_RUN_STATE_H
-#define CGAL_VOLUME_FILLING_CURVES_RUN_STATE_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_RUN_STATE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_RUN_STATE_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -22,6 +22,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 
 /// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
 /// thrown if a `Run_state` is damaged or belongs to a different run.
 class Run_state_error : public std::invalid_argument
@@ -32,6 +33,7 @@ public:
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/untangle.h
  *
  * \brief The class `Run_state` is a snapshot of a run of `untangle()` or `fill()`. A run that
  * resumes from it ends with the same bits as an uninterrupted run.
@@ -90,6 +92,7 @@ private:
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
 /// A point between two iterations of `untangle()` or `fill()` at which the state of the run can be
 /// saved. Saving it does not affect the run.
@@ -107,4 +110,4 @@ struct Run_checkpoint
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_RUN_STATE_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_RUN_STATE_H

@@ -4,16 +4,15 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_STATE_ARCHIVE_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_STATE_ARCHIVE_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_SUPPORT_BYTE_ARCHIVE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_SUPPORT_BYTE_ARCHIVE_H
 
 #include <CGAL/license/Volume_filling_curves.h>
-
-#include <CGAL/Volume_filling_curves/Run_state.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -26,30 +25,31 @@ namespace internal {
 // Archive that copies numbers, plain structs and arrays of these to bytes and back, as they are in
 // memory. Structs must not have pointers, or members of type `bool` or `std::optional`, for which
 // some bytes are invalid. (Boost.Serialization would have to be linked.) Linear time.
-class State_archive
+class Byte_archive
 {
 public:
   // Writes.
-  State_archive() = default;
+  Byte_archive() = default;
 
   // Reads. The bytes must outlive the archive.
-  explicit State_archive(std::string_view bytes) : m_rest(bytes), m_is_reading(true) {}
+  explicit Byte_archive(std::string_view bytes) : m_rest(bytes), m_is_reading(true) {}
 
   bool is_reading() const { return m_is_reading; }
   bool is_at_end() const { return m_rest.empty(); }    // of what is read
   const std::string& bytes() const { return m_bytes; } // that were written
 
-  // Throws Run_state_error if there are not enough bytes, and allocates no more than they fill.
+  // Throws std::invalid_argument if there are not enough bytes, and allocates no more than they
+  // fill.
   template <typename... Parts>
   void operator()(Parts&&... parts)
   {
     (copy(parts), ...);
   }
 
-  // Throws Run_state_error if numbers that were read do not fit together.
+  // Throws std::invalid_argument if numbers that were read do not fit together.
   static void require(bool condition)
   {
-    if(!condition) throw Run_state_error("the state contradicts itself");
+    if(!condition) throw std::invalid_argument("numbers do not fit together");
   }
 
 private:
@@ -122,4 +122,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_STATE_ARCHIVE_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_SUPPORT_BYTE_ARCHIVE_H

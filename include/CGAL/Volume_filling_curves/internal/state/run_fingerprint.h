@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_RUN_FINGERPRINT_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_RUN_FINGERPRINT_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
+#include <CGAL/Volume_filling_curves/internal/support/Byte_archive.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
+
+#include <cstddef>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Fingerprint of a run: lines with the version, the kind of run, all parameters except those that
+// end a run, and hashes of curves and domain. A run resumes only if all lines match.
+
+template <typename Value, typename = void>
+constexpr bool is_printable = false;
+
+template <typename Value>
+constexpr bool
+    is_printable<Value,
+                 std::void_t<decltype(std::declval<std::ostream&>() << std::declval<Value>())>> =
+        !std::is_pointer_v<Value>;
+
+template <typename Parameters, typename Row>
+void print_row(std::ostream& out, const Parameters& p, const Row& row)
+{
+  using namespace internal_np;
+  using Tag = typename Row::Tag;
+  using Value = std::decay_t<decltype(p.*row.member)>;
+  constexpr bool is_limit = std::is_same_v<Tag, number_of_iterations_t> ||
+                            std::is_same_v<Tag, time_limit_t> || std::is_same_v<Tag, progress_t> ||
+                            std::is_same_v<Tag, checkpoint_t> || std::is_same_v<Tag, resume_from_t>;
+  if constexpr(!is_limit) {
+    out << name_of(Tag()) << ' ';
+    if constexpr(is_printable<Value>)
+      out << p.*row.member;
+    else if constexpr(std::is_enum_v<Value>)
+      out << static_cast<int>(p.*row.member);
+    else if constexpr(std::is_same_v<Tag, ports_t>)
+      out << (p.*row.member).size(); // the curve starts from them
+    else                             // a pointer or a function
+      out << (p.*row.member ? "given" : "none");
+    out << '\n';
+  }
+}
+
+template <typename Parameters>
+std::string run_fingerprint(const std::string& job, const Parameters& p)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(std::numeric_limits<double>::max_digits10);
+  out << "version " << CGAL_VOLUME_FILLING_CURVES_VERSION << "\njob " << job << '\n';
+  std::apply([&](const auto&... row) { (print_row(out, p, row), ...); },
+             parameter_table<Parameters>());
+  return out.str();
+}
+
+inline std::string hash_line(const std::string& name, const Byte_archive& content)
+{
+  return name + ' ' + to_hex(sha256(content.bytes())) + '\n';
+}
+
+// Returns the fingerprint of fields, by their values at samples.
+inline std::string field_line(std::vector<double> values)
+{
+  Byte_archive archive;
+  archive(values);
+  return hash_line("field", archive);
+}
+
+// Returns the fingerprint of an Any_domain_3: a hash of all corners of a mesh, and of the answers
+// to some random queries, by which other domains are recognized.
+template <typename Domain, typename Traits>
+std::string domain_line(const Domain& domain, const Traits& traits)
+{
+  constexpr std::size_t number_of_queries = 1000;
+  Byte_archive archive;
+  archive(std::vector(domain.corners()));
+  auto box = domain.bbox();
+  archive(box);
+  Random_source random(0);
+  for(std::size_t k = 0; k < number_of_queries; ++k) {
+    const double x = random.real(), y = random.real(), z = random.real();
+    const auto p = to_point(Vector(box.xmin() + x * box.x_span(), box.ymin() + y * box.y_span(),
+                                   box.zmin() + z * box.z_span()),
+                            traits);
+    archive(domain.is_inside(p) ? double(domain.distance(p)) : -1.);
+  }
+  return hash_line("domain", archive);
+}
+
+// Returns the first line in which two fingerprints differ, as a complaint.
+inline std::string first_difference(const std::string& of_state, const std::string& of_run)
+{
+  std::istringstream state(of_state), run(of_run);
+  std::string former, line;
+  while(std::getline(state, former) && std::getline(run, line) && former == line) {
+  }
+  const std::size_t end = line.find(' ');
+  std::string complaint = "the state is that of a run with another " + line.substr(0, end);
+  if(line.size() < end + 64 && former.size() > end) // no hash
+    complaint += ":" + former.substr(end) + ", not" + line.substr(end);
+  return complaint;
+}
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_STATE_RUN_FINGERPRINT_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_UNTANGLING_STATE_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_UNTANGLING_STATE_H
+
+#include <CGAL/license/Volume_filling_curves.h>
+
+#include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Plateau_monitor.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
+
+#include <cstddef>
+#include <limits>
+#include <tuple>
+
+namespace CGAL {
+namespace Volume_filling_curves {
+namespace internal {
+
+// Searches so far, and what the next one depends on.
+struct Search_state
+{
+  Random_source seeds{0};
+  double patience_factor = 1;
+  std::size_t searches = 0, sweeps = 0;
+  double seconds = 0; // of all searches
+  bool has_changed_curve = false;
+};
+
+// The current flow, between two steps.
+struct Flow_state
+{
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+
+  double thickness = 0;
+  Flow_memory memory;
+  Unknot_proofs proofs;
+  Stall_monitor stall_monitor;
+  Plateau_monitor plateau_monitor;
+  Coarse_phase coarse_phase;
+  std::size_t iterations_to_proof = never;
+  std::size_t turns_of_rays = 0;
+  bool has_stalled = false, are_rays_turning = false;
+};
+
+// All that a run of untangle() depends on between two steps, besides the curve and its guard. A run
+// that was interrupted continues from a copy.
+struct Untangling_state
+{
+  Ray_sphere sphere;
+  double given_thickness = 0;       // with the rays, which are as long as it requires
+  double thickness = 0;             // of the next flow; 0 if it is to be measured
+  Curve_flow_statistics statistics; // of the flows that have ended
+  Search_state search;
+  bool is_flowing = false; // rather than between searches and flows
+  Flow_state flow;
+
+  auto members()
+  {
+    Flow_memory& memory = flow.memory;
+    Step_size& step = memory.step_size;
+    return std::tie(sphere, given_thickness, thickness, statistics, search.seeds,
+                    search.patience_factor, search.searches, search.sweeps, search.seconds,
+                    search.has_changed_curve, is_flowing, flow.thickness,
+                    memory.first_certified_change, memory.first_refused_change, memory.statistics,
+                    memory.shaped_steps, step.time_step, step.turns, step.last_direction,
+                    flow.proofs.of_components, flow.proofs.link, flow.stall_monitor,
+                    flow.plateau_monitor, flow.coarse_phase, flow.iterations_to_proof,
+                    flow.turns_of_rays, flow.has_stalled, flow.are_rays_turning);
+  }
+
+  bool is_valid() const
+  {
+    return (given_thickness == 0 || is_positive(given_thickness)) &&
+           (thickness == 0 || is_positive(thickness)) &&
+           (!is_flowing || is_positive(flow.thickness));
+  }
+};
+
+} // namespace internal
+} // namespace Volume_filling_curves
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_UNTANGLING_UNTANGLING_STATE_H
