@@ -2,8 +2,8 @@
 #
 # Author(s) : The Volume_filling_curves authors
 #
-# One GoogleTest program per test_*.cpp, or two in a unity build. Each leaves the results of its
-# cases in gtest_results/. The target `tests` builds all but the long ones, `long_tests` those.
+# One GoogleTest program per test_*.cpp, or one for all of them in a unity build. Each leaves the
+# results of its cases in gtest_results/. Long cases are those of test_long_*.cpp, in suites Long_*.
 
 list(TRANSFORM places REPLACE "=(.*)$" "=\"\\1\"" OUTPUT_VARIABLE quoted_places)
 add_library(Volume_filling_curves_test_settings INTERFACE)
@@ -25,21 +25,25 @@ if(VFC_PRECOMPILE)
   target_precompile_headers(Volume_filling_curves_precompiled_tests PRIVATE <gtest/gtest.h>)
 endif()
 
-# add_test_program(NAME SHARDS SOURCE...): SHARDS tests of ctest, which share the cases.
-function(add_test_program program shards)
+function(add_test_program program)
   add_executable(${program} ${ARGN})
   target_link_libraries(${program} PRIVATE Volume_filling_curves_test_settings)
   if(TARGET vfc_parts)
     target_link_libraries(${program} PRIVATE vfc_parts)
   endif()
   vfc_precompile(${program} Volume_filling_curves_precompiled_tests)
+endfunction()
+
+# add_test_cases(NAME PROGRAM FILTER SHARDS): SHARDS tests of ctest, which share the cases that the
+# filter of GoogleTest selects.
+function(add_test_cases tests program filter shards)
   foreach(shard RANGE 1 ${shards})
-    set(name ${program}_${shard})
+    set(name ${tests}_${shard})
     if(shards EQUAL 1)
-      set(name ${program})
+      set(name ${tests})
     endif()
     math(EXPR index "${shard} - 1")
-    add_test(NAME ${name} COMMAND ${program}
+    add_test(NAME ${name} COMMAND ${program} --gtest_filter=${filter}
              --gtest_output=xml:${CMAKE_BINARY_DIR}/gtest_results/${name}.xml)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
@@ -54,11 +58,6 @@ if(NOT TARGET vfc_parts)
   list(FILTER sources EXCLUDE REGEX
     "/(arc_files|film|formats|meshes|pictures|repair|resampling)/") # modules of the program vfc
 endif()
-set(long_sources ${sources})
-list(FILTER long_sources INCLUDE REGEX "/test_long_")
-list(FILTER sources EXCLUDE REGEX "/test_long_")
-
-add_custom_target(long_tests)
 if(VFC_UNITY_BUILD)
   # A unit for the tests that instantiate the same templates, by what they include: fill(), runs of
   # untangle() and flows, meshes, and the others. Nine units in the order of the names compiled
@@ -76,23 +75,16 @@ if(VFC_UNITY_BUILD)
     endif()
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit})
   endforeach()
-  add_test_program(unity_tests 24 ${sources})
+  add_test_program(unity_tests ${sources})
   set_target_properties(unity_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  add_test_cases(unity_tests unity_tests -Long_* 24)
+  add_test_cases(unity_long_tests unity_tests Long_* 4)
   add_dependencies(tests unity_tests)
-  add_test_program(unity_long_tests 4 ${long_sources})
-  set_target_properties(unity_long_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-  # GCC 12 takes the empty functors of CGAL 5.5 for uninitialized variables.
-  target_compile_options(unity_long_tests PRIVATE
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  add_dependencies(long_tests unity_long_tests)
 else()
-  foreach(source IN LISTS sources long_sources)
+  foreach(source IN LISTS sources)
     get_filename_component(name ${source} NAME_WE)
-    add_test_program(${name} 1 ${source})
-    if(source IN_LIST sources)
-      add_dependencies(tests ${name})
-    else()
-      add_dependencies(long_tests ${name})
-    endif()
+    add_test_program(${name} ${source})
+    add_test_cases(${name} ${name} * 1)
+    add_dependencies(tests ${name})
   endforeach()
 endif()

@@ -43,7 +43,7 @@ Mesh cube()
   return mesh;
 }
 
-TEST(Fill, covers_a_ball_evenly)
+TEST(Long_fill, covers_a_ball_evenly)
 {
   const Ball ball(Point(1, 2, 3), 1);
   Curve curve;
@@ -58,7 +58,7 @@ TEST(Fill, covers_a_ball_evenly)
   EXPECT_NEAR(result.medial_radius, 0.15, 0.05 * 0.15);
 }
 
-TEST(Fill, covers_a_mesh_of_twelve_triangles)
+TEST(Long_fill, covers_a_mesh_of_twelve_triangles)
 {
   const Mesh_domain domain(cube());
   Curve curve;
@@ -70,7 +70,7 @@ TEST(Fill, covers_a_mesh_of_twelve_triangles)
   EXPECT_LT(c.p99, 1.45);
 }
 
-TEST(Fill, takes_as_many_iterations_at_every_size)
+TEST(Long_fill, takes_as_many_iterations_at_every_size)
 {
   const Mesh_domain domain(cube());
   for(const double thickness : {0.2, 0.1, 0.05}) {
@@ -80,7 +80,7 @@ TEST(Fill, takes_as_many_iterations_at_every_size)
   }
 }
 
-TEST(Fill, refines_the_edges_in_the_end)
+TEST(Long_fill, refines_the_edges_in_the_end)
 {
   const Ball ball(Point(1, 2, 3), 1);
   Curve curve;
@@ -90,7 +90,7 @@ TEST(Fill, refines_the_edges_in_the_end)
               CGAL::square(2.2 * 0.1 * 0.2)); // what a last step adds
 }
 
-TEST(Fill, keeps_clear_of_the_wall_on_request)
+TEST(Long_fill, keeps_clear_of_the_wall_on_request)
 {
   const Ball ball(Point(0, 0, 0), 1);
   Curve covering, clear;
@@ -106,7 +106,7 @@ TEST(Fill, keeps_clear_of_the_wall_on_request)
   EXPECT_LT(min_distance(covering), 1.2 * 0.15);
 }
 
-TEST(Fill, reproduces_a_thickness_that_varies)
+TEST(Long_fill, reproduces_a_thickness_that_varies)
 {
   const Box box(Point(0, 0, 0), Point(2, 1, 1));
   const auto thickness = [](const Point& p) { return 0.08 + 0.04 * p.x(); };
@@ -129,7 +129,7 @@ TEST(Fill, reproduces_a_thickness_that_varies)
   EXPECT_GT(VFC::coverage(samples, distances, thickness).fraction_within_r, 0.7);
 }
 
-TEST(Fill, finds_the_thickness_for_a_length)
+TEST(Long_fill, finds_the_thickness_for_a_length)
 {
   const Ball ball(Point(0, 0, 0), 1);
   Curve curve;

@@ -90,7 +90,7 @@ void test_at_all_scales(int cases, const Test& test)
   }
 }
 
-TEST(Border_of_double, segments_meet_triangles_as_on_the_lattice)
+TEST(Long_border_of_double, segments_meet_triangles_as_on_the_lattice)
 {
   test_at_all_scales(cases_per_scale, [](const auto& p, const auto& x) {
     const Triangle triangle(x[0], x[1], x[2], traits);
@@ -105,7 +105,7 @@ TEST(Border_of_double, segments_meet_triangles_as_on_the_lattice)
   });
 }
 
-TEST(Border_of_double, segments_from_a_corner_as_on_the_lattice)
+TEST(Long_border_of_double, segments_from_a_corner_as_on_the_lattice)
 {
   test_at_all_scales(cases_per_scale, [](const auto& p, const auto& x) {
     const Triangle triangle(x[0], x[1], x[2], traits);
@@ -122,7 +122,7 @@ TEST(Border_of_double, segments_from_a_corner_as_on_the_lattice)
   });
 }
 
-TEST(Border_of_double, triangles_meet_as_on_the_lattice)
+TEST(Long_border_of_double, triangles_meet_as_on_the_lattice)
 {
   test_at_all_scales(cases_per_scale / 10, [](const auto& p, const auto& x) {
     const bool meet = internal::Triangle_intersection<Traits>().do_intersect(
@@ -145,7 +145,7 @@ bool is_inside(const Lattice_point& p, const std::array<Lattice_point, 4>& c)
   return sum == 4 || sum == -4;
 }
 
-TEST(Border_of_double, rays_leave_tetrahedra_as_on_the_lattice)
+TEST(Long_border_of_double, rays_leave_tetrahedra_as_on_the_lattice)
 {
   test_at_all_scales(cases_per_scale, [](const auto& p, const auto& x) {
     if(brute_force::det<Integer>(p[1] - p[0], p[2] - p[0], p[3] - p[0]) == 0) return;

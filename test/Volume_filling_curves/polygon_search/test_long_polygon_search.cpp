@@ -28,7 +28,7 @@ using CGAL::Volume_filling_curves::Untangling_strategy;
 using Network = CGAL::Volume_filling_curves::Curve_network_3<>;
 using shared_curves::Known_curve;
 
-class Shared_curves_searched : public shared_curves::Shared_data_test
+class Long_polygon_search : public shared_curves::Shared_data_test
 {};
 
 Network read(const std::string& path)
@@ -55,20 +55,20 @@ void expect_untied(const std::string& path, std::size_t number_of_seeds)
   }
 }
 
-TEST_F(Shared_curves_searched, unties_the_unknots_of_the_paper)
+TEST_F(Long_polygon_search, unties_the_unknots_of_the_paper)
 {
   for(const std::string name : {"freedman_he_wang", "goeritz", "thistlethwaite", "ochiai1",
                                 "ochiai2", "ochiai3", "ochiai4", "haken"})
     expect_untied((shared_curves::folder() / "paper" / (name + ".obj")).string(), 20);
 }
 
-TEST_F(Shared_curves_searched, unties_hard_unknots)
+TEST_F(Long_polygon_search, unties_hard_unknots)
 {
   for(const Known_curve& known : shared_curves::known_curves({"hard_unknots"}))
     expect_untied(known.path(), known.file.find("PZ120") == std::string::npos ? 20 : 2);
 }
 
-TEST_F(Shared_curves_searched, brings_every_knot_to_a_tight_shape_of_its_type)
+TEST_F(Long_polygon_search, brings_every_knot_to_a_tight_shape_of_its_type)
 {
   for(const Known_curve& known : shared_curves::known_curves({"knot128", "trefoil100"})) {
     Network curve = read(known.path());
@@ -83,7 +83,7 @@ TEST_F(Shared_curves_searched, brings_every_knot_to_a_tight_shape_of_its_type)
 }
 
 // The flow alone jams on it.
-TEST_F(Shared_curves_searched, unties_what_the_flow_does_not)
+TEST_F(Long_polygon_search, unties_what_the_flow_does_not)
 {
   Network curve = read((shared_curves::folder() / "hard_unknots/07_PZ120.obj").string());
   EXPECT_EQ(untangled(curve, Untangling_strategy::AUTO, 0).status, Untangling_status::UNKNOTTED);

@@ -44,7 +44,7 @@ const std::vector<std::string> unknots = {
 const std::vector<std::string> knot_sets = {"knot128", "trefoil100", "trefoil_hard"};
 constexpr std::size_t max_iterations = 450;
 
-class Shared_curves : public shared_curves::Shared_data_test
+class Long_shared_curves : public shared_curves::Shared_data_test
 {};
 
 Network read(const std::string& path)
@@ -87,7 +87,7 @@ Untangling_result flow(Network& curve)
   return CGAL::Volume_filling_curves::untangle(curve, parameters::strategy(strategy));
 }
 
-TEST_F(Shared_curves, unknots_of_the_paper_are_proved_unknotted)
+TEST_F(Long_shared_curves, unknots_of_the_paper_are_proved_unknotted)
 {
   for(const std::string& name : unknots) {
     Network curve = read_of_paper(name);
@@ -97,7 +97,7 @@ TEST_F(Shared_curves, unknots_of_the_paper_are_proved_unknotted)
   }
 }
 
-TEST_F(Shared_curves, trefoil_of_the_paper_becomes_tight)
+TEST_F(Long_shared_curves, trefoil_of_the_paper_becomes_tight)
 {
   Network curve = read_of_paper("trefoil0001");
   const knot_test::Invariants expected = knot_test::invariants_of(knot_test::loops_of(curve));
@@ -109,7 +109,7 @@ TEST_F(Shared_curves, trefoil_of_the_paper_becomes_tight)
   EXPECT_EQ(expected.determinant, 3u);
 }
 
-TEST_F(Shared_curves, noise_does_not_matter)
+TEST_F(Long_shared_curves, noise_does_not_matter)
 {
   for(const std::string& name : unknots)
     for(unsigned seed : {1u, 2u}) {
@@ -118,7 +118,7 @@ TEST_F(Shared_curves, noise_does_not_matter)
     }
 }
 
-TEST_F(Shared_curves, place_and_size_and_mirror_images_do_not_matter)
+TEST_F(Long_shared_curves, place_and_size_and_mirror_images_do_not_matter)
 {
   Eigen::Matrix3d mirror_image = Eigen::Matrix3d::Identity();
   mirror_image(0, 0) = -1;
@@ -141,7 +141,7 @@ TEST_F(Shared_curves, place_and_size_and_mirror_images_do_not_matter)
   }
 }
 
-TEST_F(Shared_curves, powers_of_two_scale_every_bit)
+TEST_F(Long_shared_curves, powers_of_two_scale_every_bit)
 {
   constexpr double factor = 1024;
   for(const char* name : {"freedman_he_wang", "ochiai4", "trefoil0001"}) {
@@ -152,7 +152,7 @@ TEST_F(Shared_curves, powers_of_two_scale_every_bit)
   }
 }
 
-TEST_F(Shared_curves, knots_become_tight_and_simple_and_keep_their_types)
+TEST_F(Long_shared_curves, knots_become_tight_and_simple_and_keep_their_types)
 {
   const std::vector<Known_curve> knots = shared_curves::known_curves(knot_sets);
   ASSERT_EQ(knots.size(), 236u);
@@ -177,7 +177,7 @@ TEST_F(Shared_curves, knots_become_tight_and_simple_and_keep_their_types)
   EXPECT_LT(ropelengths.back(), 1.2 * median);
 }
 
-TEST_F(Shared_curves, links_stay_linked_as_they_are)
+TEST_F(Long_shared_curves, links_stay_linked_as_they_are)
 {
   for(const Known_curve& link : shared_curves::known_curves({"links"})) {
     Network curve = read(link.path());
@@ -197,7 +197,7 @@ TEST_F(Shared_curves, links_stay_linked_as_they_are)
   }
 }
 
-TEST_F(Shared_curves, open_arcs_keep_their_ends_and_types)
+TEST_F(Long_shared_curves, open_arcs_keep_their_ends_and_types)
 {
   const auto path_of = [](const Network& curve) {
     std::vector<std::vector<Network::Point_3>> polylines;
@@ -223,7 +223,7 @@ Network read_real(const std::string& name)
   return read((shared_curves::folder() / "real" / "curves" / (name + ".obj")).string());
 }
 
-TEST_F(Shared_curves, never_get_looser)
+TEST_F(Long_shared_curves, never_get_looser)
 {
   for(const std::string name : {"rrS_0.1", "rrS_2.2.1", "rrS_3.1", "rrS_blob", "rrT_4_1"}) {
     Network curve = read_real(name);
@@ -234,7 +234,7 @@ TEST_F(Shared_curves, never_get_looser)
   }
 }
 
-TEST_F(Shared_curves, are_not_searched_for_long)
+TEST_F(Long_shared_curves, are_not_searched_for_long)
 {
   for(const std::string name : {"rrS_blob", "conf300_R2"}) {
     Network curve = read_real(name);
@@ -246,7 +246,7 @@ TEST_F(Shared_curves, are_not_searched_for_long)
 }
 
 // 0.1.0 called this tight, with 91 crossings.
-TEST_F(Shared_curves, are_not_called_tight_on_a_plateau)
+TEST_F(Long_shared_curves, are_not_called_tight_on_a_plateau)
 {
   namespace parameters = CGAL::Volume_filling_curves::parameters;
   using CGAL::Volume_filling_curves::Untangling_strategy;
