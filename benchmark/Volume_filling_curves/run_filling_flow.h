@@ -10,10 +10,10 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/fill.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_ball.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 
 #include <CGAL/Real_timer.h>

@@ -44,7 +44,7 @@ void add_shape_options(CLI::App& command, Fill_options& options)
                         "0.15 r, and strands 0.7 r apart in places");
   command.add_flag("--finish", "with rounding; the default");
   add_number(command, "--bend-radius", options.parameters.bend_radius,
-             "least radius of bends; default: 0.85 r; r grows to R")
+             "least radius of bends; default: 0.85 r; if R exceeds r, r becomes R")
       .type_name("R");
   add_number(command, "--strand-distance", options.parameters.strand_distance,
              "least distance of strands; default: 1.6 r")

@@ -53,7 +53,7 @@ void check_filling(double thickness, double length, double spacing, const Mesh& 
   if(thickness > size)
     throw Usage_error("--thickness " + to_text(thickness) + " is larger than the mesh, whose box " +
                       "has a diagonal of " + to_text(size));
-  const bool is_round = false; // nor is a round one when it opens, which takes the most nodes
+  const bool is_round = false; // a filling has the most nodes before its bends are rounded
   const double r = length > 0 ? curves::thickness_of_filling(volume, length, is_round) : thickness;
   if(r > 0 && curves::length_of_filling(volume, r, is_round) / (r * spacing) > max_nodes)
     throw Usage_error((length > 0 ? "--length " + to_text(length) : "--thickness " + to_text(r)) +

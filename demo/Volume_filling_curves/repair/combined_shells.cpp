@@ -39,10 +39,10 @@ void combine(PMP::Corefinement::Boolean_operation_type kind, Mesh& a, Mesh& b, W
   Mesh result;
   std::array<CGAL::Volume_filling_curves::internal::Optional<Mesh*>, 4> results;
   results[kind] = &result;
-  const auto points = watched(result, watch);
+  const auto output = watched(result, watch);
   const bool is_manifold = PMP::corefine_and_compute_boolean_operations(
       a, b, results, watched(a, watch), watched(b, watch),
-      std::make_tuple(points, points, points, points))[kind];
+      std::make_tuple(output, output, output, output))[kind];
   // CGAL may wrongly report success if a shell touches itself in a vertex.
   if(!is_manifold || !CGAL::is_closed(result) || !result.is_valid(false))
     throw std::runtime_error("the result is no closed manifold");

@@ -62,9 +62,9 @@ void require_symmetric(const Mesh& mesh,
                 "a mesh that --symmetry maps onto itself within r / 100");
 }
 
-// A box on that side of the plane, with a side in the plane, around all that is there of the other
-// box. PMP::clip() makes one, too, but instantiates corefinement three more times.
-Mesh half_space(const Kernel::Plane_3& plane, const CGAL::Bbox_3& box)
+// Returns a box with one side in the plane that contains the part of another box on the positive
+// side of the plane. PMP::clip() would instantiate corefinement three more times.
+Mesh box_above(const Kernel::Plane_3& plane, const CGAL::Bbox_3& box)
 {
   const Point low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
   const Point middle = CGAL::midpoint(low, high), foot = plane.projection(middle);
@@ -95,7 +95,7 @@ void cut(Mesh& mesh, const Symmetry& symmetry, double distance, const std::strin
   Work_watch watch;
   for(const Symmetry::Side& side : symmetry.sides()) {
     const Kernel::Plane_3 plane(side.origin + distance * side.normal, side.normal);
-    std::optional<Mesh> rest = intersection(mesh, half_space(plane, PMP::bbox(mesh)), watch);
+    std::optional<Mesh> rest = intersection(mesh, box_above(plane, PMP::bbox(mesh)), watch);
     if(!rest || rest->is_empty())
       throw fault(file, "the mesh cannot be cut into sectors",
                   "a mesh that the planes of --symmetry cross");

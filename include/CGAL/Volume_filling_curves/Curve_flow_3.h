@@ -128,18 +128,18 @@ public:
   using Thickness = internal::Thickness<Point_3>;
 
   // A flow with a thickness that replaces the one in the parameters. A flow that is under way keeps
-  // the edges of another flow, and waits for its memory and go_on().
+  // the edges of another flow, and waits for resume().
   Curve_flow_3(Guard& guard,
                const Curve_flow_parameters& parameters,
                const Thickness& thickness,
                bool is_under_way = false)
       : m_guard(guard),
         m_parameters(parameters),
-        m_memory{guard.number_of_certified_changes(),
-                 guard.number_of_refused_changes(),
-                 {},
-                 internal::Step_size(parameters.max_displacement)},
-        m_motion(guard, thickness, m_parameters, m_memory)
+        m_state{guard.number_of_certified_changes(),
+                guard.number_of_refused_changes(),
+                {},
+                internal::Step_size(parameters.max_displacement)},
+        m_motion(guard, thickness, m_parameters, m_state)
   {
     if(!is_under_way) start();
   }
@@ -236,7 +236,7 @@ public:
   /// moves the curve by one step, remeshes it, and returns whether it moved.
   bool step()
   {
-    ++m_memory.statistics.iterations;
+    ++m_state.statistics.iterations;
     const bool has_moved = m_motion(m_direction.positions(), direction());
     update();
     return has_moved;
@@ -251,20 +251,29 @@ public:
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     m_motion.update_thickness();
     m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(),
-                       m_motion.node_thickness(), m_memory.statistics, m_guard.watch());
+                       m_motion.node_thickness(), m_state.statistics, m_guard.watch());
   }
 
   /// \cond SKIP_IN_MANUAL
   // An update() that counts the change as a step, for visitors, which see every state of a flow.
   void note_step()
   {
-    ++m_memory.statistics.iterations;
+    ++m_state.statistics.iterations;
     update();
   }
 
-  internal::Flow_memory& memory() { return m_memory; }
+  const internal::Flow_state& state() const { return m_state; }
 
-  // Continues with the memory of another flow of the same curve: update() computes the same bits.
+  // Continues from the state of another flow of the same curve, with the same bits.
+  void resume(const internal::Flow_state& state,
+              const Curve_flow_parameters& parameters,
+              const Thickness& thickness)
+  {
+    m_state = state;
+    go_on(parameters, thickness);
+  }
+
+  // Changes parameters and thickness. Edges stay as they are.
   void go_on(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
     m_parameters = parameters;
@@ -329,11 +338,10 @@ public:
   /// returns the work of the flow so far. Changes are those of the guard since the flow began.
   Curve_flow_statistics statistics() const
   {
-    Curve_flow_statistics statistics = m_memory.statistics;
+    Curve_flow_statistics statistics = m_state.statistics;
     statistics.certified_changes =
-        m_guard.number_of_certified_changes() - m_memory.first_certified_change;
-    statistics.refused_changes =
-        m_guard.number_of_refused_changes() - m_memory.first_refused_change;
+        m_guard.number_of_certified_changes() - m_state.first_certified_change;
+    statistics.refused_changes = m_guard.number_of_refused_changes() - m_state.first_refused_change;
     return statistics;
   }
 
@@ -368,7 +376,7 @@ private:
 
   Guard& m_guard;
   Curve_flow_parameters m_parameters;
-  internal::Flow_memory m_memory;
+  internal::Flow_state m_state;
   internal::Flow_motion<Guard, ConcurrencyTag> m_motion;
   internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
 };

@@ -10,8 +10,8 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Crowding.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Empty_region_search.h>

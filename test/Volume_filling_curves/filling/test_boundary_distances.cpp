@@ -7,9 +7,9 @@
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Deepest_point.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 
 #include "support/exact_surface.h"
 

@@ -306,27 +306,54 @@ TEST(Fill_round, is_the_same_in_parallel_and_at_another_scale)
 }
 
 // Interrupted while it bends, and while it is polished.
-TEST(Fill_round, goes_on_with_the_same_bits)
+template <typename Parameters>
+VFC::Run_state state_of_filling(const Box& domain, const Parameters& parameters, std::size_t limit)
 {
-  const Box small({0, 0, 0}, {4, 4, 4});
-  const auto parameters = np::thickness(1);
+  VFC::Run_state state;
+  Curve curve;
+  VFC::fill(
+      curve, domain,
+      parameters.number_of_iterations(limit).checkpoint([&](const VFC::Run_checkpoint& checkpoint) {
+        if(checkpoint.is_last) state = checkpoint.state();
+      }));
+  EXPECT_FALSE(state.is_empty());
+  return state;
+}
+
+template <typename Parameters>
+void expect_resumed(const Box& domain, const Parameters& parameters)
+{
   Curve whole;
-  const Result result = VFC::fill(whole, small, parameters);
-  for(const std::size_t limit : {std::size_t(20), result.statistics.iterations - 1}) {
-    VFC::Run_state state;
-    Curve begun;
-    VFC::fill(begun, small,
-              parameters.number_of_iterations(limit).checkpoint(
-                  [&](const VFC::Run_checkpoint& checkpoint) {
-                    if(checkpoint.is_last) state = checkpoint.state();
-                  }));
-    ASSERT_FALSE(state.is_empty());
+  const Result result = VFC::fill(whole, domain, parameters);
+  const std::size_t n = result.statistics.iterations;
+  for(const std::size_t limit : {std::size_t(20), n - 10, n - 1}) {
+    const VFC::Run_state state = state_of_filling(domain, parameters, limit);
     Curve resumed;
-    const Result end = VFC::fill(resumed, small, parameters.resume_from(std::cref(state)));
+    const Result end = VFC::fill(resumed, domain, parameters.resume_from(std::cref(state)));
     EXPECT_EQ(points(resumed), points(whole)) << "from iteration " << limit;
-    EXPECT_EQ(end.statistics.iterations, result.statistics.iterations);
+    EXPECT_EQ(end.statistics.iterations, n);
     EXPECT_EQ(end.status, result.status);
   }
+}
+
+TEST(Fill_round, goes_on_with_the_same_bits)
+{
+  expect_resumed(Box({0, 0, 0}, {4, 4, 4}), np::thickness(1));
+}
+
+TEST(Fill_round, goes_on_with_the_same_bits_when_it_is_loosened)
+{
+  const Box small({0, -1, -1}, {2, 1, 1});
+  const std::vector<VFC::Port<Point>> ports = {{Point(0, 0.3, 0.3)}, {Point(0, -0.4, -0.5)}};
+  const auto parameters = np::thickness(0.25).random_seed(2);
+  expect_resumed(small, parameters.ports(ports));
+
+  const VFC::Run_state state = state_of_filling(small, parameters.ports(ports), 3);
+  std::vector<VFC::Port<Point>> others = ports;
+  others[1].direction = {1, 0, 0.5};
+  Curve curve;
+  EXPECT_THROW(VFC::fill(curve, small, parameters.ports(others).resume_from(std::cref(state))),
+               VFC::Run_state_error);
 }
 
 } // namespace test_fill_round

@@ -7,9 +7,9 @@
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 
 #include <CGAL/squared_distance_3.h>
 

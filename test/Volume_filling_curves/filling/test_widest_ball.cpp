@@ -12,9 +12,9 @@
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_ball.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 
 #include <gtest/gtest.h>
 

@@ -108,12 +108,12 @@ TEST(Remesher, leaves_pins_ends_and_junctions_where_they_are)
   }
 }
 
-std::size_t nodes_without_folds(const std::vector<Polygon>& loops, double least_radius)
+std::size_t nodes_without_folds(const std::vector<Polygon>& loops, double min_radius)
 {
   Network curve = internal::closed_network(loops);
   Guard guard(curve);
-  const std::vector<double> least_radii(curve.number_of_nodes(), least_radius);
-  Remesher(guard, least_radii).remove_folds(least_radii);
+  const std::vector<double> min_radii(curve.number_of_nodes(), min_radius);
+  Remesher(guard, min_radii).remove_folds(min_radii);
   guard.collect_garbage();
   EXPECT_NO_THROW(internal::check_embedded(curve));
   return curve.number_of_nodes();

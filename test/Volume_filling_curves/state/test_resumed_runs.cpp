@@ -253,6 +253,13 @@ TEST(Run_state, curves_and_numbers_that_are_forged_are_refused)
       {forged(state, at(0), at(105)), forged(state, at(0), at(0).substr(8) + nan),
        forged(state, bytes_of({0.3}), nan), Run_state::sealed(state.body().substr(0, 2000))})
     EXPECT_THROW(run_from(untangling, trefoil(), flow(), other, 4), Run_state_error);
+  const Run_state contradicting = forged(state, bytes_of({0.3}), nan);
+  Network curve = trefoil();
+  EXPECT_THROW(untangle(curve, parameters::strategy(Untangling_strategy::FLOW)
+                                   .thickness(0.3)
+                                   .resume_from(std::cref(contradicting))),
+               Run_state_error);
+  EXPECT_EQ(contents(curve), contents(trefoil()));
 }
 
 std::string complaint(const Network& curve, const Parameters& parameters)

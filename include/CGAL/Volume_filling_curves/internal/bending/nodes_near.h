@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Marks the nodes that are at most `reach` edges away from some nodes.
+// Marks the nodes that are at most `reach` edges away from some nodes, not past ends and junctions.
 template <typename Network>
 void mark_along(const Network& curve,
                 const std::vector<std::size_t>& nodes,
@@ -33,9 +33,10 @@ void mark_along(const Network& curve,
       for(std::size_t i = 1; i <= reach; ++i) {
         marks[next] = true;
         if(curve.degree(next) != 2) break;
-        const std::size_t beyond = curve.neighbor(next, curve.neighbor(next, 0) == last ? 1 : 0);
+        const std::size_t after_next =
+            curve.neighbor(next, curve.neighbor(next, 0) == last ? 1 : 0);
         last = next;
-        next = beyond;
+        next = after_next;
       }
     }
   }

@@ -9,10 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Widest_ball.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>

@@ -11,13 +11,13 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_parts.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -166,8 +166,9 @@ private:
   {
     const double content = m_samples.volume(), length = m_parameters.length;
     return Thickness<Point_3>(
-        Space::is_plane ? thickness_of_planar_filling(content, length)
-                        : thickness_of_filling(content, length, m_parameters.round_bends));
+        Space::is_plane
+            ? thickness_of_planar_filling(content, length)
+            : thickness_of_filling(content, length, shape_goal(m_parameters).is_given()));
   }
 
   // returns the constant thickness that leads to as many nodes; their number is proportional to

@@ -19,12 +19,11 @@
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
@@ -80,6 +79,7 @@ public:
 
   Result operator()()
   {
+    check_box();
     if(m_fit.thin_fraction > tolerated_unfilled_fraction) m_visitor.on_thin_domain(m_fit);
     if(!m_parameters.ports.empty())
       place_arcs();
@@ -106,6 +106,17 @@ private:
     m_watch.report();
   }
 
+  // Distances may be estimates, since they only steer the curve: a radius may be twice too large.
+  void check_box() const
+  {
+    const Bbox_3 box = m_domain.bbox();
+    const double side = Space_of<Domain>::is_plane
+                            ? (std::min)(box.x_span(), box.y_span())
+                            : (std::min)({box.x_span(), box.y_span(), box.z_span()});
+    if(m_survey.widest_radius() > side)
+      throw std::invalid_argument("the domain contradicts itself: it reaches beyond its box");
+  }
+
   // Checks the curves at the start, and returns whether there was time for it.
   bool is_start_checked()
   {
@@ -123,9 +134,6 @@ private:
     if(!(m_survey.widest_radius() > 0))
       throw std::invalid_argument("the domain contradicts itself: points are inside, and all at "
                                   "distance 0 from the boundary");
-    const Bbox_3 box = m_domain.bbox();
-    if(2 * m_survey.widest_radius() > box.x_span() + box.y_span() + box.z_span())
-      throw std::invalid_argument("the domain contradicts itself: it reaches beyond its box");
     m_circles = m_survey.circles();
     if(m_circles.empty())
       refuse_wall_distance("no point was found that is farther from the boundary than ",

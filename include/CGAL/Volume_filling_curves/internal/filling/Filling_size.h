@@ -68,10 +68,10 @@ public:
     return length(thickness) / (m_last_edge * thickness);
   }
 
-  // on the way, at most: until its bends open, a round filling is like any other
+  // on the way, at most: until its bends are rounded, a round filling is like any other
   double max_number_of_nodes(double thickness) const
   {
-    return length(thickness, false) / (m_edge * thickness);
+    return (std::max)(length(thickness, false) / (m_edge * thickness), number_of_nodes(thickness));
   }
 
   // with one thread
@@ -87,7 +87,9 @@ public:
     if(m_is_planar)
       return (std::max)(std::sqrt(planar_filling_density * m_volume / (m_edge * nodes)),
                         m_area / (2 * m_edge * nodes));
-    return (std::max)(std::cbrt(filling_density * m_volume / (m_edge * nodes)),
+    const double density =
+        (std::max)(filling_density / m_edge, m_is_round ? round_filling_density / m_last_edge : 0);
+    return (std::max)(std::cbrt(density * m_volume / nodes),
                       std::sqrt(m_area / (4 * m_edge * nodes)));
   }
 

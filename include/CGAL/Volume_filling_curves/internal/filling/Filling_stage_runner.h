@@ -10,12 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -23,50 +20,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
-
-// All that a filling depends on between two steps, besides the curve and its guard. A run that was
-// interrupted makes the same decisions, and continues in the middle of a stage.
-struct Filling_state
-{
-  Curve_flow_statistics statistics; // after the last complete step
-  double gradient_norm = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> numbers; // decided between stages
-  std::vector<Vector> points;  // likewise, some at a time
-  std::vector<std::size_t> point_counts;
-  std::size_t stage = 0;   // from 1
-  Length_window lengths;   // of the stage, as all that follows
-  double displacement = 0; // at most, in units of the thickness
-  Idle_steps idle_steps;
-  Flow_memory memory;
-
-  auto members()
-  {
-    Step_size& step = memory.step_size;
-    return std::tie(statistics, gradient_norm, numbers, points, point_counts, stage,
-                    lengths.lengths, displacement, idle_steps, memory.first_certified_change,
-                    memory.first_refused_change, memory.statistics, memory.shaped_steps,
-                    step.time_step, step.turns, step.last_direction);
-  }
-
-  bool is_valid() const
-  {
-    std::size_t rest = points.size();
-    for(const std::size_t count : point_counts) {
-      if(count > rest) return false;
-      rest -= count;
-    }
-    return rest == 0 && stage > 0 && is_positive(displacement);
-  }
-};
 
 // Runner of the stages of a filling, one after another, each with its own parameters, until the
 // curve has settled or the run ends. A resumed run makes the same decisions, skips the stages that
@@ -95,8 +55,7 @@ public:
         m_resumed_stage(std::exchange(state.stage, 0))
   {
     if(m_resumed_stage > 0) {
-      m_flow.memory() = state.memory;
-      m_flow.go_on(parameters, thickness);
+      m_flow.resume(state.flow, parameters, thickness);
     } else {
       m_visitor.on_start(m_flow);
     }
@@ -149,7 +108,7 @@ public:
       m_state.idle_steps.note(step());
       note();
       m_state.lengths.add(m_flow.length());
-      m_flow.set_max_displacement(m_state.displacement *= stage.cooling);
+      m_flow.set_max_displacement(m_state.max_displacement *= stage.cooling);
       m_visitor.on_iteration(m_flow);
     }
   }
@@ -165,7 +124,7 @@ private:
   }
 
   // A tree of fingers opens, settles and is refined in 21 steps, or opens, bends and is polished in
-  // 26; a circle grows in 150 to 500.
+  // 26, unless it is loosened, which is rare; a circle grows in 150 to 500.
   double expected_iterations() const
   {
     const double of_tree = m_shape.is_given() ? 26 : 21;
@@ -190,7 +149,7 @@ private:
   {
     const Curve_flow_parameters p = parameters_of(stage);
     m_flow.keep_apart(stage.separation);
-    m_state.displacement = p.max_displacement;
+    m_state.max_displacement = p.max_displacement;
     if(stage.phase == Shape_phase::POLISHING)
       m_flow.go_on(p, thickness); // edges stay as they are
     else
@@ -212,7 +171,7 @@ private:
   {
     Curve_flow_parameters p = parameters_of(stage);
     m_flow.keep_apart(stage.separation);
-    p.max_displacement = m_state.displacement;
+    p.max_displacement = m_state.max_displacement;
     m_flow.go_on(p, thickness);
     m_visitor.on_start(m_flow);
   }
@@ -229,8 +188,8 @@ private:
   {
     const std::optional<Filling_status> end = end_before_step(stage);
     if(end == Filling_status::STALLED || !m_watch.is_saving()) return end;
-    m_state.memory = m_flow.memory();
-    m_watch.pass(end ? Run_watch::Checkpoint::END : Run_watch::Checkpoint::STEP);
+    m_state.flow = m_flow.state();
+    m_watch.checkpoint(end ? Run_watch::Checkpoint::END : Run_watch::Checkpoint::STEP);
     return end;
   }
 

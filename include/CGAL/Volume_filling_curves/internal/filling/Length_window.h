@@ -20,16 +20,16 @@ namespace internal {
 // Lengths of a growing curve in its last iterations.
 struct Length_window
 {
-  std::vector<double> lengths;
+  std::vector<double> values;
 
-  void add(double length) { lengths.push_back(length); }
+  void add(double length) { values.push_back(length); }
 
   // returns whether the length changed by less than this fraction over the last iterations
   bool has_settled(std::size_t iterations, double fraction) const
   {
-    if(lengths.size() <= iterations) return false;
-    const auto begin = lengths.end() - static_cast<std::ptrdiff_t>(iterations) - 1;
-    const auto [min, max] = std::minmax_element(begin, lengths.end());
+    if(values.size() <= iterations) return false;
+    const auto begin = values.end() - static_cast<std::ptrdiff_t>(iterations) - 1;
+    const auto [min, max] = std::minmax_element(begin, values.end());
     return *max - *min < fraction * *max;
   }
 };

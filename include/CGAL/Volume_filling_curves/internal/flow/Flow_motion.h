@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
@@ -24,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,13 +33,19 @@ namespace internal {
 
 // Numbers that the next steps of a flow depend on, besides its parameters, its thickness and the
 // curve.
-struct Flow_memory
+struct Flow_state
 {
   std::size_t first_certified_change = 0; // the guard's counts at the start of the flow
   std::size_t first_refused_change = 0;
   Curve_flow_statistics statistics;
   Step_size step_size;
   std::size_t shaped_steps = 0; // in this phase of the shape
+
+  auto members()
+  {
+    return std::tie(first_certified_change, first_refused_change, statistics, step_size.time_step,
+                    step_size.turns, step_size.last_direction, shaped_steps);
+  }
 };
 
 // Motion of a curve along the directions of its flow, followed by remeshing. A curve with a
@@ -51,30 +57,30 @@ class Flow_motion
 public:
   using Thickness = internal::Thickness<typename Guard::Curve_network::Point_3>;
 
-  // Takes the flow's parameters, which have the mean thickness, and its memory, which counts the
-  // time. Both must outlive the motion.
+  // Takes the flow's parameters, which have the mean thickness, and its state, whose statistics
+  // record the time. Both must outlive the motion.
   Flow_motion(Guard& guard,
               const Thickness& thickness,
               Curve_flow_parameters& parameters,
-              Flow_memory& memory)
+              Flow_state& state)
       : m_guard(guard),
         m_thickness(thickness),
         m_parameters(parameters),
-        m_memory(memory),
-        m_step(guard, memory.step_size)
+        m_state(state),
+        m_step(guard, state.step_size)
   {}
 
   // Forgets the outcome of the last steps.
   void start_anew()
   {
-    m_memory.step_size = Step_size(m_parameters.max_displacement);
-    m_memory.shaped_steps = 0;
+    m_state.step_size = Step_size(m_parameters.max_displacement);
+    m_state.shaped_steps = 0;
   }
 
   void set_max_displacement(double max_displacement)
   {
     m_parameters.max_displacement = max_displacement;
-    m_memory.step_size.max_displacement = max_displacement;
+    m_state.step_size.max_displacement = max_displacement;
   }
 
   // Sets the distance to which every free step moves strands apart, in units of the least
@@ -119,7 +125,7 @@ public:
   // halve edges that are too long. If the guard's watch ends the run, edges stay as they are.
   void remesh_until_even()
   {
-    const Stage_timer stage(m_memory.statistics.seconds_remeshing);
+    const Stage_timer stage(m_state.statistics.seconds_remeshing);
     do {
       collect_garbage();
       make_remesher().collapse_short_edges();
@@ -138,11 +144,11 @@ private:
   // Returns whether any node moved.
   bool move(const Vector_field& positions, const Vector_field& direction)
   {
-    const Stage_timer stage(m_memory.statistics.seconds_motion);
+    const Stage_timer stage(m_state.statistics.seconds_motion);
     if(m_shape_phase == Shape_phase::BENDING)
       return shaped_step().bend(direction, m_parameters.max_displacement * min_thickness(),
-                                m_memory.shaped_steps++);
-    return m_step(positions, direction, m_parameters, m_node_thickness, m_memory.statistics);
+                                m_state.shaped_steps++);
+    return m_step(positions, direction, m_parameters, m_node_thickness, m_state.statistics);
   }
 
   Shaped_step shaped_step() { return {m_guard, m_shape, m_node_thickness}; }
@@ -151,13 +157,13 @@ private:
   bool polish()
   {
     constexpr int motions_per_step = 5;
-    const Stage_timer stage(m_memory.statistics.seconds_motion);
+    const Stage_timer stage(m_state.statistics.seconds_motion);
     bool has_moved = false;
     std::optional<Shaped_step> step;
     for(int k = 0; k < motions_per_step && !must_stop(); ++k) {
       const bool is_tense = k + 1 < motions_per_step; // where it is too dense it gets shorter
-      unfold();
-      if(!step || has_garbage()) {
+      has_moved = unfold() || has_moved;
+      if(!step || has_garbage() || m_thickness.varies()) {
         collect_garbage();
         step.emplace(m_guard, m_shape, m_node_thickness);
       }
@@ -169,16 +175,18 @@ private:
 
   // Collapses edges that are far shorter than others, and removes nodes at which the curve turns
   // back. Other strands and narrow corners in a fold are nearer than the clearance: with it, a fold
-  // in a bunny of 727,559 nodes stayed (2026-11-27).
-  void unfold()
+  // in a bunny of 727,559 nodes stayed (2026-11-27). Returns whether the curve changed.
+  bool unfold()
   {
+    const std::size_t former = m_guard.number_of_certified_changes();
     constexpr double fold = 0.25; // of the least length of an edge
     const Clearance_scope<Guard> scope(m_guard, 0);
     Remesher remesher = make_remesher(fold * m_parameters.spacing);
     remesher.collapse_short_edges();
-    std::vector<double> least_radii;
-    for(const double h : m_node_thickness) least_radii.push_back(m_shape.bend_radius.at(h));
-    remesher.remove_folds(least_radii);
+    std::vector<double> min_radii;
+    for(const double h : m_node_thickness) min_radii.push_back(m_shape.bend_radius.at(h));
+    remesher.remove_folds(min_radii);
+    return m_guard.number_of_certified_changes() != former;
   }
 
   double min_thickness() const
@@ -190,19 +198,19 @@ private:
   {
     if(m_shape_phase == Shape_phase::POLISHING) return;
     if(m_shape_phase == Shape_phase::BENDING) return remesh_until_even();
-    const Stage_timer stage(m_memory.statistics.seconds_remeshing);
+    const Stage_timer stage(m_state.statistics.seconds_remeshing);
     Remesher remesher = make_remesher();
     remesher.collapse_short_edges();
     remesher.split_long_edges();
-    m_memory.statistics.refused_remeshing += remesher.number_of_refusals();
-    if(has_garbage()) m_memory.step_size.renumber(m_guard.collect_garbage());
+    m_state.statistics.refused_remeshing += remesher.number_of_refusals();
+    if(has_garbage()) m_state.step_size.renumber(m_guard.collect_garbage());
   }
 
   bool has_garbage() const { return m_guard.curve().has_garbage(); }
 
   void collect_garbage()
   {
-    m_memory.step_size.renumber(m_guard.collect_garbage());
+    m_state.step_size.renumber(m_guard.collect_garbage());
     update_thickness();
   }
 
@@ -221,7 +229,7 @@ private:
   Thickness m_thickness;
   std::vector<double> m_node_thickness; // of the current curve
   Curve_flow_parameters& m_parameters;
-  Flow_memory& m_memory;
+  Flow_state& m_state;
   Guarded_step<Guard, ConcurrencyTag> m_step;
   Shape_goal m_shape;
   Shape_phase m_shape_phase = Shape_phase::NONE;

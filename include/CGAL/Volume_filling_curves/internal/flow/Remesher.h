@@ -70,11 +70,11 @@ public:
 
   // Removes nodes at which the curve turns back and its bend radius is below the node's least one.
   // Leaves garbage in the network.
-  void remove_folds(const std::vector<double>& least_radii)
+  void remove_folds(const std::vector<double>& min_radii)
   {
     const std::size_t n = m_curve.number_of_nodes() + m_curve.number_of_removed_nodes();
     for(std::size_t v = 0; v < n; ++v) {
-      if(m_curve.is_removed_node(v) || !is_fold(v, least_radii[v])) continue;
+      if(m_curve.is_removed_node(v) || !is_fold(v, min_radii[v])) continue;
       if(must_stop()) return;
       check_run();
       m_guard.remove_node(v);
@@ -105,12 +105,12 @@ private:
     return (m_spacing[m_curve.source(e)] + m_spacing[m_curve.target(e)]) / 2;
   }
 
-  bool is_fold(std::size_t v, double least_radius) const
+  bool is_fold(std::size_t v, double min_radius) const
   {
     if(!m_curve.is_removable(v)) return false;
     const Vector in = position(v) - position(m_curve.neighbor(v, 0));
     const Vector out = position(m_curve.neighbor(v, 1)) - position(v);
-    return in.dot(out) < 0 && bend_radius(in, out) < least_radius;
+    return in.dot(out) < 0 && bend_radius(in, out) < min_radius;
   }
 
   // the length of the edge that would replace node v

@@ -67,7 +67,7 @@ public:
     const Shape_check check(m_guard.curve(), m_limits, *m_pairs);
     if(check.is_passed()) return false;
     return project(positions(), sweeps_to_polish, is_tense,
-                   nodes_near(m_guard.curve(), *m_pairs, check.nodes_beyond));
+                   nodes_near(m_guard.curve(), *m_pairs, check.exceeding_nodes));
   }
 
 private:

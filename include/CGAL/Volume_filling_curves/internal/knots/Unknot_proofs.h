@@ -29,16 +29,16 @@ struct Unknot_proofs
   template <typename Network>
   void update(const Network& curves)
   {
-    of_components.resize(curves.number_of_components(), Unknot_proof::NONE);
-    for(std::size_t c = 0; c < of_components.size(); ++c)
-      if(of_components[c] == Unknot_proof::NONE) of_components[c] = unknot_proof(curves, c);
+    component_proofs.resize(curves.number_of_components(), Unknot_proof::NONE);
+    for(std::size_t c = 0; c < component_proofs.size(); ++c)
+      if(component_proofs[c] == Unknot_proof::NONE) component_proofs[c] = unknot_proof(curves, c);
     if(are_unknots()) update_link(curves);
   }
 
   // whether the curves are proved to be an unknot or a trivial link
   bool is_proved() const
   {
-    return link == Link_status::TRIVIAL || (of_components.size() == 1 && are_unknots());
+    return link == Link_status::TRIVIAL || (component_proofs.size() == 1 && are_unknots());
   }
 
   // Stores the proofs, and whether the components are linked, which no run needs before its end.
@@ -46,24 +46,24 @@ struct Unknot_proofs
   void write(const Network& curves, Untangling_result& result)
   {
     update_link(curves);
-    result.proofs = of_components;
+    result.proofs = component_proofs;
     result.link = link;
   }
 
-  std::vector<Unknot_proof> of_components;
+  std::vector<Unknot_proof> component_proofs;
   Link_status link = Link_status::UNDECIDED;
 
 private:
   bool are_unknots() const
   {
-    return !of_components.empty() && std::find(of_components.begin(), of_components.end(),
-                                               Unknot_proof::NONE) == of_components.end();
+    return !component_proofs.empty() && std::find(component_proofs.begin(), component_proofs.end(),
+                                                  Unknot_proof::NONE) == component_proofs.end();
   }
 
   template <typename Network>
   void update_link(const Network& curves)
   {
-    if(link == Link_status::UNDECIDED) link = Link_triviality<Network>(curves)(of_components);
+    if(link == Link_status::UNDECIDED) link = Link_triviality<Network>(curves)(component_proofs);
   }
 };
 

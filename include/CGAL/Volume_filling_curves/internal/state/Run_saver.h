@@ -13,9 +13,9 @@
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
+#include <CGAL/Volume_filling_curves/internal/state/Byte_archive.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
-#include <CGAL/Volume_filling_curves/internal/support/Byte_archive.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
@@ -78,8 +78,8 @@ void copy_guard(Byte_archive& archive, Guard& guard)
 }
 
 // Saves the state of a run at the checkpoints of its watch, and resumes a run from such a state:
-// the fingerprint, the curve, its guard, and the numbers of the run, a struct whose `members()` are
-// tied and which checks itself by `is_valid()`.
+// the fingerprint, the curve, its guard, and what else the run depends on, a struct with `members()`,
+// a tuple of references, and `is_valid()`.
 class Run_saver
 {
 public:
@@ -91,11 +91,11 @@ public:
             Network& curve,
             Run_watch& watch,
             const Fingerprint& fingerprint)
-      : m_offer(parameters.checkpoint), m_watch(watch)
+      : m_checkpoint(parameters.checkpoint), m_watch(watch)
   {
     const Run_state* const former = parameters.resume_from;
     m_is_resuming = former && !former->is_empty();
-    if(!m_is_resuming && !m_offer) return;
+    if(!m_is_resuming && !m_checkpoint) return;
     Byte_archive input;
     copy_curve(input, curve);
     m_fingerprint = fingerprint() + hash_line("curve", input);
@@ -128,20 +128,21 @@ public:
     curve = std::move(former);
   }
 
-  // Resumes the guard of the curve, and the numbers. All exist as long as checkpoints come.
-  template <typename Network, typename Guard, typename Numbers>
-  void resume(Network& curve, Guard& guard, Numbers& numbers)
+  // Resumes the guard of the curve, and the rest of the state. They must outlive the last
+  // checkpoint.
+  template <typename Network, typename Guard, typename State>
+  void resume(Network& curve, Guard& guard, State& rest)
   {
-    const auto copy_rest = [&guard, &numbers](Byte_archive& archive) {
+    const auto copy_rest = [&guard, &rest](Byte_archive& archive) {
       copy_guard(archive, guard);
-      archive(numbers.members());
+      archive(rest.members());
     };
     if(m_is_resuming)
       read([&] {
         copy_rest(m_former);
-        m_former.require(m_former.is_at_end() && numbers.is_valid());
+        m_former.require(m_former.is_at_end() && rest.is_valid());
       });
-    if(!m_offer) return;
+    if(!m_checkpoint) return;
     m_copy = [&curve, copy_rest](Byte_archive& archive) {
       copy_curve(archive, curve);
       copy_rest(archive);
@@ -166,9 +167,11 @@ private:
     if(moment == Checkpoint::PART)
       m_start_of_part = state();
     else if(moment == Checkpoint::END_IN_PART)
-      m_offer({[this] { return m_start_of_part; }, true});
-    else
-      m_offer({[this] { return state(); }, moment == Checkpoint::END});
+      m_checkpoint({[this] { return m_start_of_part; }, true});
+    else {
+      m_start_of_part = Run_state();
+      m_checkpoint({[this] { return state(); }, moment == Checkpoint::END});
+    }
   }
 
   Run_state state() const
@@ -179,7 +182,7 @@ private:
     return Run_state::sealed(archive.bytes());
   }
 
-  const std::function<void(const Run_checkpoint&)>& m_offer; // none if nothing is saved
+  const std::function<void(const Run_checkpoint&)>& m_checkpoint; // none if nothing is saved
   Run_watch& m_watch;
   bool m_is_resuming;
   std::string m_fingerprint;

@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
-#include <CGAL/Volume_filling_curves/internal/support/Byte_archive.h>
+#include <CGAL/Volume_filling_curves/internal/state/Byte_archive.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 #include <cstddef>
@@ -42,6 +42,17 @@ constexpr bool
                  std::void_t<decltype(std::declval<std::ostream&>() << std::declval<Value>())>> =
         !std::is_pointer_v<Value>;
 
+template <typename Ports>
+void print_ports(std::ostream& out, const Ports& ports)
+{
+  out << ports.size();
+  for(const auto& port : ports) {
+    const Vector p = to_vector(port.point);
+    out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
+    for(const double x : port.direction) out << ' ' << x;
+  }
+}
+
 template <typename Parameters, typename Row>
 void print_row(std::ostream& out, const Parameters& p, const Row& row)
 {
@@ -58,8 +69,8 @@ void print_row(std::ostream& out, const Parameters& p, const Row& row)
     else if constexpr(std::is_enum_v<Value>)
       out << static_cast<int>(p.*row.member);
     else if constexpr(std::is_same_v<Tag, ports_t>)
-      out << (p.*row.member).size(); // the curve starts from them
-    else                             // a pointer or a function
+      print_ports(out, p.*row.member);
+    else // a pointer or a function
       out << (p.*row.member ? "given" : "none");
     out << '\n';
   }

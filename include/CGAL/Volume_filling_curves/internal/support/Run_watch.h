@@ -29,15 +29,15 @@ struct Run_stopped
 {};
 
 // Clock of a run, its time limit, the function that reports progress and may end the run, and the
-// one that saves its state. Every
-// loop that can last longer than some milliseconds calls must_stop(), in any thread, which takes
-// some 25 ns to read the clock. A run that is to stop never continues.
+// one that saves its state. Every loop that can last longer than some milliseconds calls
+// must_stop(), in any thread, which takes some 25 ns to read the clock. A run that is to stop never
+// continues.
 class Run_watch
 {
 public:
   using Progress_function = std::function<bool(const Run_progress&)>;
 
-  // Moments of a run that concern those who save its state.
+  // Points of a run at which its state is saved.
   enum class Checkpoint
   {
     STEP,       // before a step
@@ -145,9 +145,9 @@ public:
 
   bool is_saving() const { return m_save != nullptr; }
 
-  void pass(Checkpoint checkpoint) const
+  void checkpoint(Checkpoint kind) const
   {
-    if(m_save) m_save(checkpoint);
+    if(m_save) m_save(kind);
   }
 
   // to be changed before the next report

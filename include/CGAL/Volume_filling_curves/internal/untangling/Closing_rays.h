@@ -36,7 +36,7 @@ namespace internal {
 struct Ray_sphere
 {
   Ball ball;
-  double inner_radius = 0;   // of the curves
+  double inner_radius = 0;   // of the ball that the curves must not leave
   double length_of_rays = 0; // of all of them
 };
 

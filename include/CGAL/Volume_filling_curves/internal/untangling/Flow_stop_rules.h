@@ -52,7 +52,7 @@ public:
   Flow_stop_rules(const Untangling_context<Guard, Visitor>& run,
                   const Flow& flow,
                   const Flow_start& start)
-      : m_run(run), m_flow(flow), m_start(start), m_state(run.state.flow)
+      : m_run(run), m_flow(flow), m_start(start), m_state(run.state.flow_run)
   {}
 
   void note_step(bool did_move)
@@ -194,7 +194,8 @@ private:
   bool is_settled()
   {
     const std::size_t iterations = m_flow.statistics().iterations;
-    if(m_state.iterations_to_proof == Flow_state::never) m_state.iterations_to_proof = iterations;
+    if(m_state.iterations_to_proof == Flow_run_state::never)
+      m_state.iterations_to_proof = iterations;
     return is_unknot_from_start() || m_flow.length() <= settled_length() ||
            iterations - m_state.iterations_to_proof >= max_iterations_to_settle;
   }
@@ -202,7 +203,7 @@ private:
   const Untangling_context<Guard, Visitor>& m_run;
   const Flow& m_flow;
   const Flow_start& m_start;
-  Flow_state& m_state;
+  Flow_run_state& m_state;
   bool m_is_too_thin = false;
 };
 

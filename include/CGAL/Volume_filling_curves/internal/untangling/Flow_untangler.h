@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_finish.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_stop_rules.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Shape_finish.h>
@@ -44,7 +43,7 @@ public:
                typename Flow::Thickness(start.thickness),
                run.state.is_flowing),
         m_start(start),
-        m_state(run.state.flow)
+        m_state(run.state.flow_run)
   {}
 
   Untangling_result operator()()
@@ -52,7 +51,7 @@ public:
     if(std::exchange(m_run.state.is_flowing, true)) {
       resume();
     } else {
-      m_state = Flow_state();
+      m_state = Flow_run_state();
       begin_coarsely();
     }
     m_run.visitor.on_start(m_flow);
@@ -106,17 +105,16 @@ private:
 
   void resume()
   {
-    m_flow.memory() = m_state.memory;
-    m_flow.go_on(parameters(m_state.coarse_phase.is_on()),
-                 typename Flow::Thickness(m_state.thickness));
+    m_flow.resume(m_state.flow, parameters(m_state.coarse_phase.is_on()),
+                  typename Flow::Thickness(m_state.thickness));
   }
 
   void pass(Run_watch::Checkpoint checkpoint)
   {
     if(!m_run.watch.is_saving()) return;
     m_state.thickness = m_flow.thickness();
-    m_state.memory = m_flow.memory();
-    m_run.watch.pass(checkpoint);
+    m_state.flow = m_flow.state();
+    m_run.watch.checkpoint(checkpoint);
   }
 
   // Whether the curve is smooth on the scale of the thickness. While rays turn, it flows on.
@@ -186,7 +184,7 @@ private:
       m_finish.settle();
     if(takes_shape(status)) status = m_shape_finish(status);
     if(!is_cut_short_before && is_cut_short(status))
-      m_run.watch.pass(Run_watch::Checkpoint::END_IN_PART);
+      m_run.watch.checkpoint(Run_watch::Checkpoint::END_IN_PART);
   }
 
   bool takes_shape(Untangling_status status) const
@@ -227,7 +225,7 @@ private:
   Untangling_context<Guard, Visitor> m_run;
   Flow m_flow;
   Flow_start m_start;
-  Flow_state& m_state;
+  Flow_run_state& m_state;
   Flow_stop_rules<Flow, Visitor> m_rules{m_run, m_flow, m_start};
   Flow_finish<Flow, Visitor> m_finish{m_run, m_flow, m_start, m_rules};
   Shape_finish<Flow, Visitor> m_shape_finish{m_run, m_flow, m_rules};

@@ -76,10 +76,10 @@ private:
   // Has no state of its own: a run that is cut short resumes where the search began.
   Untangling_status search()
   {
-    m_run.watch.pass(Run_watch::Checkpoint::PART);
+    m_run.watch.checkpoint(Run_watch::Checkpoint::PART);
     const Untangling_status status = m_search();
     if(status == Untangling_status::LIMIT || status == Untangling_status::INTERRUPTED)
-      m_run.watch.pass(Run_watch::Checkpoint::END_IN_PART);
+      m_run.watch.checkpoint(Run_watch::Checkpoint::END_IN_PART);
     return status;
   }
 

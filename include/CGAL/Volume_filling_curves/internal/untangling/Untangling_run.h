@@ -73,7 +73,13 @@ public:
     if(!does_in_time(m_watch, [this] { check(); })) return unchecked();
     m_surroundings.check(m_curves, m_parameters);
     Network input = m_curves;
-    Untangling_result result = untangle(total_length(input));
+    Untangling_result result;
+    try {
+      result = untangle(total_length(input));
+    } catch(const Run_state_error&) {
+      m_curves = std::move(input);
+      throw;
+    }
     if(is_tighter_than_result(input, result)) keep(std::move(input), result);
     return result;
   }
@@ -145,12 +151,12 @@ private:
     Closing_rays<Guard> rays(guard);
     if(is_resuming) {
       rays.set_sphere(state.sphere);
-      parameters.thickness = state.given_thickness;
+      parameters.thickness = state.thickness_of_rays;
     } else {
       parameters.thickness = (std::max)(parameters.thickness, min_thickness_for(parameters));
       m_surroundings.add_rays(rays, parameters);
       state.sphere = rays.sphere();
-      state.thickness = state.given_thickness = parameters.thickness;
+      state.thickness = state.thickness_of_rays = parameters.thickness;
     }
     const Untangling_context<Guard, Visitor> context{guard,   rays,      parameters,
                                                      m_watch, m_visitor, state};

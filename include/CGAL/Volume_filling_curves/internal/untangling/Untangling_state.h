@@ -37,13 +37,13 @@ struct Search_state
   bool has_changed_curve = false;
 };
 
-// The current flow, between two steps.
-struct Flow_state
+// The current flow and what decides its end, between two steps.
+struct Flow_run_state
 {
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
   double thickness = 0;
-  Flow_memory memory;
+  Flow_state flow;
   Unknot_proofs proofs;
   Stall_monitor stall_monitor;
   Plateau_monitor plateau_monitor;
@@ -58,32 +58,31 @@ struct Flow_state
 struct Untangling_state
 {
   Ray_sphere sphere;
-  double given_thickness = 0;       // with the rays, which are as long as it requires
+  double thickness_of_rays = 0;     // given, or measured before the rays were added
   double thickness = 0;             // of the next flow; 0 if it is to be measured
   Curve_flow_statistics statistics; // of the flows that have ended
   Search_state search;
   bool is_flowing = false; // rather than between searches and flows
-  Flow_state flow;
+  Flow_run_state flow_run;
 
   auto members()
   {
-    Flow_memory& memory = flow.memory;
-    Step_size& step = memory.step_size;
-    return std::tie(sphere, given_thickness, thickness, statistics, search.seeds,
-                    search.patience_factor, search.searches, search.sweeps, search.seconds,
-                    search.has_changed_curve, is_flowing, flow.thickness,
-                    memory.first_certified_change, memory.first_refused_change, memory.statistics,
-                    memory.shaped_steps, step.time_step, step.turns, step.last_direction,
-                    flow.proofs.of_components, flow.proofs.link, flow.stall_monitor,
-                    flow.plateau_monitor, flow.coarse_phase, flow.iterations_to_proof,
-                    flow.turns_of_rays, flow.has_stalled, flow.are_rays_turning);
+    Flow_run_state& run = flow_run;
+    return std::tuple_cat(std::tie(sphere, thickness_of_rays, thickness, statistics, search.seeds,
+                                   search.patience_factor, search.searches, search.sweeps,
+                                   search.seconds, search.has_changed_curve, is_flowing,
+                                   run.thickness),
+                          run.flow.members(),
+                          std::tie(run.proofs.component_proofs, run.proofs.link, run.stall_monitor,
+                                   run.plateau_monitor, run.coarse_phase, run.iterations_to_proof,
+                                   run.turns_of_rays, run.has_stalled, run.are_rays_turning));
   }
 
   bool is_valid() const
   {
-    return (given_thickness == 0 || is_positive(given_thickness)) &&
+    return (thickness_of_rays == 0 || is_positive(thickness_of_rays)) &&
            (thickness == 0 || is_positive(thickness)) &&
-           (!is_flowing || is_positive(flow.thickness));
+           (!is_flowing || is_positive(flow_run.thickness));
   }
 };
 

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_DOMAIN_SAMPLES_3_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_DOMAIN_SAMPLES_3_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_DOMAIN_SAMPLES_3_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_DOMAIN_SAMPLES_3_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -133,4 +133,4 @@ explicit Domain_samples_3(const Domain&, std::size_t = 0, std::uint64_t = 0) -> 
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_GEOMETRY_DOMAIN_SAMPLES_3_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_DOMAIN_DOMAIN_SAMPLES_3_H
