@@ -124,10 +124,10 @@ private:
   }
 
   // A tree of fingers opens, settles and is refined in 21 steps, or opens, bends and is polished in
-  // 26, unless it is loosened, which is rare; a circle grows in 150 to 500.
+  // 23, unless it is loosened, which is rare; a circle grows in 150 to 500.
   double expected_iterations() const
   {
-    const double of_tree = m_shape.is_given() ? 26 : 21;
+    const double of_tree = m_shape.is_given() ? 23 : 21;
     const double all = m_parameters.start == Filling_start::TREE ? of_tree : 300;
     return (std::min)(all, static_cast<double>(m_parameters.number_of_iterations));
   }
