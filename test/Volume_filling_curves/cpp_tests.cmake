@@ -3,7 +3,7 @@
 # Author(s) : The Volume_filling_curves authors
 #
 # One GoogleTest program per test_*.cpp, or one for all of them in a unity build. Each leaves the
-# results of its cases in gtest_results/. Long cases are those of test_long_*.cpp, in suites Long_*.
+# results of its cases in gtest_results/. Long cases, in suites Long_*, are tests of their own.
 
 list(TRANSFORM places REPLACE "=(.*)$" "=\"\\1\"" OUTPUT_VARIABLE quoted_places)
 add_library(Volume_filling_curves_test_settings INTERFACE)
@@ -47,7 +47,7 @@ function(add_test_cases tests program filter shards)
              --gtest_output=xml:${CMAKE_BINARY_DIR}/gtest_results/${name}.xml)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
-    if(name MATCHES "^(test|unity)_long_")
+    if(name MATCHES "^long_")
       set_tests_properties(${name} PROPERTIES LABELS long TIMEOUT 1500 COST 1000) # first of all
     endif()
   endforeach()
@@ -77,14 +77,20 @@ if(VFC_UNITY_BUILD)
   endforeach()
   add_test_program(unity_tests ${sources})
   set_target_properties(unity_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  add_test_cases(unity_tests unity_tests -Long_* 24)
-  add_test_cases(unity_long_tests unity_tests Long_* 4)
+  add_test_cases(unity_tests unity_tests -*Long_* 24)
+  add_test_cases(long_unity_tests unity_tests *Long_* 8)
   add_dependencies(tests unity_tests)
 else()
   foreach(source IN LISTS sources)
     get_filename_component(name ${source} NAME_WE)
     add_test_program(${name} ${source})
-    add_test_cases(${name} ${name} * 1)
+    file(STRINGS ${source} long_suites REGEX "^TEST.*[(]Long_")
+    if(long_suites)
+      add_test_cases(long_${name} ${name} *Long_* 1)
+    endif()
+    if(NOT name MATCHES "^test_long_")
+      add_test_cases(${name} ${name} -*Long_* 1)
+    endif()
     add_dependencies(tests ${name})
   endforeach()
 endif()

@@ -94,8 +94,7 @@ void add_flow_options(CLI::App& command, Curve_flow_parameters& parameters)
       .each([&](const std::string&) { parameters.preconditioner = Preconditioner::MEDIAL; })
       ->capture_default_str();
   add_number(command, "--tau", parameters.time_step,
-             "the paper's fixed time step, dimensionless; default: adaptive, moves up to 0.5 r",
-             positive_ratio);
+             "the paper's fixed time step, dimensionless; default: adaptive", positive_ratio);
   add_choice(command, "--preconditioner", parameters.preconditioner,
              {{"medial", Preconditioner::MEDIAL},
               {"h1", Preconditioner::H1},

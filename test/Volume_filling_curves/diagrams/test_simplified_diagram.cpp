@@ -141,7 +141,7 @@ TEST(Simplified_diagram, Large_diagrams_shrink_in_a_second)
   EXPECT_TRUE(is_planar_diagram(simple));
 }
 
-TEST(Simplified_diagram, Random_moves_end_in_diagrams_with_large_faces)
+TEST(Long_simplified_diagram, Random_moves_end_in_diagrams_with_large_faces)
 {
   std::string word;
   for(int k = 0; k < 2001; ++k) word += "1 ";

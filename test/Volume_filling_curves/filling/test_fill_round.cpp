@@ -219,7 +219,7 @@ const Box box_of_arcs({0, 0, 0}, {8, 8, 8});
 const std::vector<VFC::Port<Point>> two_ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
 constexpr std::size_t iterations_to_jam = 42; // to open, to bend, and to polish in vain
 
-TEST(Fill_round, loosens_arcs_that_jam)
+TEST(Long_fill_round, loosens_arcs_that_jam)
 {
   for(const std::size_t seed : {23u, 24u}) {
     Curve curve;
@@ -344,7 +344,7 @@ TEST(Fill_round, goes_on_with_the_same_bits)
   expect_resumed(Box({0, 0, 0}, {4, 4, 4}), np::thickness(1));
 }
 
-TEST(Fill_round, goes_on_with_the_same_bits_when_it_is_loosened)
+TEST(Long_fill_round, goes_on_with_the_same_bits_when_it_is_loosened)
 {
   const auto parameters = np::thickness(1).random_seed(23);
   expect_resumed(box_of_arcs, parameters.ports(two_ports));

@@ -27,10 +27,11 @@ using Network = Curve_network_3<>;
 using Mesh_domain = Triangle_mesh_domain_3<>;
 
 // The neck is 0.2 wide; a loop of the curve takes 2 r from strand to strand.
-class Narrow_neck : public testing::TestWithParam<std::tuple<double, Filling_start, std::size_t>>
+class Long_narrow_neck
+    : public testing::TestWithParam<std::tuple<double, Filling_start, std::size_t>>
 {};
 
-TEST_P(Narrow_neck, is_no_obstacle_to_a_filling)
+TEST_P(Long_narrow_neck, is_no_obstacle_to_a_filling)
 {
   const auto [r, start, max_iterations] = GetParam();
   const Soup soup = exact_surface::two_chambers();
@@ -57,12 +58,12 @@ TEST_P(Narrow_neck, is_no_obstacle_to_a_filling)
 
 // Without fingers through the neck it took 500 iterations and more (2026-11-23).
 INSTANTIATE_TEST_SUITE_P(From_a_tree,
-                         Narrow_neck,
+                         Long_narrow_neck,
                          testing::Combine(testing::Values(0.15, 0.2),
                                           testing::Values(Filling_start::TREE),
                                           testing::Values(40u)));
 INSTANTIATE_TEST_SUITE_P(From_a_circle,
-                         Narrow_neck,
+                         Long_narrow_neck,
                          testing::Combine(testing::Values(0.15, 0.2),
                                           testing::Values(Filling_start::CIRCLE),
                                           testing::Values(150u)));

@@ -174,7 +174,7 @@ double distance(const Network& curve, const Vector& p)
   return std::sqrt(least);
 }
 
-TEST(Node_constraint, lets_a_curve_fill_the_shell_of_a_torus)
+TEST(Long_node_constraint, lets_a_curve_fill_the_shell_of_a_torus)
 {
   Mesh mesh;
   ASSERT_TRUE(CGAL::IO::read_OFF(std::string(VFC_DATA_DIR) + "/torus.off", mesh));

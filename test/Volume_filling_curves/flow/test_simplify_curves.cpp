@@ -219,7 +219,7 @@ TEST(Simplify_curves, refuses_a_curve_that_meets_itself)
 }
 
 // 1.1 seconds in a release; quadratic time would be hours.
-TEST(Simplify_curves, takes_seconds_for_a_hundred_thousand_nodes)
+TEST(Long_simplify_curves, takes_seconds_for_a_hundred_thousand_nodes)
 {
   Network curve = coil(100000);
   EXPECT_LT(cpu_time::of([&] { vfc::simplify_curves(curve); }), 300);

@@ -257,10 +257,10 @@ TEST(Identify_chain, progress_can_end_the_run)
   EXPECT_EQ(calls, 3);
 }
 
-using Identify_shared_chains = shared_curves::Shared_data_test;
+using Long_identify_chain = shared_curves::Shared_data_test;
 
 // The knots that KnotProt publishes: 3_1 for 2EFV and 3KZN, 4_1 for 3ULK.
-TEST_F(Identify_shared_chains, proteins_have_their_published_knots)
+TEST_F(Long_identify_chain, proteins_have_their_published_knots)
 {
   struct Protein
   {

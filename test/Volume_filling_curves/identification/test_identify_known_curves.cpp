@@ -55,8 +55,9 @@ std::vector<int> sorted_entries(const std::vector<std::vector<int>>& matrix)
 }
 
 using Identify_shared_curves = shared_curves::Shared_data_test;
+using Long_identify_known_curves = shared_curves::Shared_data_test;
 
-TEST_F(Identify_shared_curves, Knots_have_the_names_of_the_manifest_proved_and_with_chirality)
+TEST_F(Long_identify_known_curves, Knots_have_the_names_of_the_manifest_proved_and_with_chirality)
 {
   const auto table = prime_knots(VFC_DATA_DIR "/prime_knots.txt");
   const std::vector<std::string> sets{"knot128", "trefoil100", "trefoil_hard", "paper",

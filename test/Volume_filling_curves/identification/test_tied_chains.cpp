@@ -88,7 +88,7 @@ Tied_chain tied_chain(const Braid& knot, std::size_t before, std::size_t after, 
   return tied;
 }
 
-TEST(Tied_chains, knots_are_found_where_they_are_tied)
+TEST(Long_tied_chains, knots_are_found_where_they_are_tied)
 {
   const auto table = prime_knots(VFC_DATA_DIR "/prime_knots.txt");
   unsigned seed = 0;
@@ -127,7 +127,7 @@ std::string text(const VFC::Chain_identity& identity)
   return out.str() + text(identity.core) + text(identity.fingerprint) + text(identity.slipknots);
 }
 
-TEST(Tied_chains, results_do_not_depend_on_the_number_of_threads)
+TEST(Long_tied_chains, results_do_not_depend_on_the_number_of_threads)
 {
   const auto table = prime_knots(VFC_DATA_DIR "/prime_knots.txt");
   const Tied_chain chain = tied_chain(prime_knot(table, "5_2"), 20, 30, 1);

@@ -66,7 +66,9 @@ TEST_F(Command_line_checkpoints, runs_go_on_after_a_signal)
   expect_same_after_signal({"untangle", "unknot.obj", "--strategy", "flow"});
 }
 
-TEST_F(Command_line_checkpoints, fillings_go_on_after_a_signal)
+using Long_command_line_checkpoints = Command_line_checkpoints;
+
+TEST_F(Long_command_line_checkpoints, fillings_go_on_after_a_signal)
 {
   make_tetrahedron();
   expect_same_after_signal({"fill", "mesh.off", "--thickness", "0.1"});

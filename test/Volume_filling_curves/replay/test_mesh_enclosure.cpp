@@ -128,7 +128,7 @@ TEST(Mesh_enclosure, decides_as_brute_force_on_lattices)
 
 // A segment from a point inside to one of the points beyond, of which there are a few, always met
 // an edge; another one was tried for ever.
-TEST(Mesh_enclosure, decides_as_brute_force_where_coordinates_are_large)
+TEST(Long_mesh_enclosure, decides_as_brute_force_where_coordinates_are_large)
 {
   compare(cube_of_fans(), 5);
   compare(cube_of_fans(), 5, far_away);

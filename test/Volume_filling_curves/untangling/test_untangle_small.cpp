@@ -36,7 +36,7 @@ TEST(Untangle, of_nothing_does_nothing)
   EXPECT_EQ(result.link, Link_status::NOT_A_LINK);
 }
 
-TEST(Untangle, takes_polygons_of_a_few_edges)
+TEST(Long_untangle, takes_polygons_of_a_few_edges)
 {
   for(bool stop_at_proof : {true, false})
     for(std::size_t n : {3u, 4u, 5u, 6u})

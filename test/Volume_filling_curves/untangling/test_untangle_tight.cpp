@@ -36,7 +36,7 @@ Network ribbon(int p, int q, double gap)
   return internal::closed_network({polygon});
 }
 
-TEST(Untangle_tight, brings_ribbons_to_the_ropelength_of_their_knot)
+TEST(Long_untangle_tight, brings_ribbons_to_the_ropelength_of_their_knot)
 {
   for(const Untangling_strategy strategy : strategies)
     for(const double gap : {1e-2, 1e-3, 1e-4}) {

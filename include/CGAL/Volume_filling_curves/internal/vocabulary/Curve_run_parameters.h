@@ -39,11 +39,13 @@ struct Curve_run_parameters : Curve_flow_parameters
   /// see `Search_progress`.
   std::size_t number_of_iterations = 5000;
 
-  /// The time limit, in seconds, checked between iterations. Infinite by default.
+  /// The time limit, in seconds. A step that exceeds it is abandoned, unless there is a
+  /// `checkpoint`. Infinite by default.
   double time_limit = std::numeric_limits<double>::infinity();
 
   /// The seed of all random numbers, on which the result depends: in `untangle()` those of the
-  /// searches, in `fill()` those of the samples that reveal parts, widest points and empty regions.
+  /// searches, in `fill()` those of the tree of fingers, and of the samples that reveal parts, widest
+  /// points and empty regions.
   std::size_t random_seed = 0;
 
   /// Receives the record of the whole run for `verify_certificate()`; if null (default), nothing is

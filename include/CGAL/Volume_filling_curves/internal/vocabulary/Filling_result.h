@@ -30,8 +30,8 @@ namespace Volume_filling_curves {
 /// The outcome of a filling.
 enum class Filling_status
 {
-  CONVERGED,          ///< the curve has settled, was pushed into every empty region, and at most 1
-                      ///< % of the volume is farther than 2 r from it
+  CONVERGED,          ///< the curve has settled within its limits, and at most 1 % of the volume is
+                      ///< farther than 2 r from it
   PARTIAL,            ///< like `CONVERGED`, but more of the volume is farther, or another strand is
                       ///< nearer than r along more than 5 % of the length;
                       ///< `Filling_result::reason` states the cause
