@@ -201,9 +201,11 @@ public:
   }
 
   // whether it keeps the limits
-  bool is_shaped() const
+  bool is_shaped() const { return check_shape().is_passed(); }
+
+  internal::Shape_check check_shape() const
   {
-    return check_shape(m_motion.shape(), m_motion.node_thickness()).is_passed();
+    return check_shape(m_motion.shape(), m_motion.node_thickness());
   }
 
   // Compares the current curve with the limits of its shape.

@@ -190,8 +190,9 @@ private:
     return m_runner.decide([this] {
       constexpr double few = 1e-4; // of the nodes
       const Shape_check check = flow().check_shape(m_shape, m_thickness.at_each(curve().points()));
-      return !check.is_passed() && static_cast<double>(check.exceeding_nodes.size()) >
-                                       few * static_cast<double>(curve().number_of_nodes());
+      return !check.is_passed() && !are_limits_out_of_reach(check, curve()) &&
+             static_cast<double>(check.exceeding_nodes.size()) >
+                 few * static_cast<double>(curve().number_of_nodes());
     }) != 0;
   }
 

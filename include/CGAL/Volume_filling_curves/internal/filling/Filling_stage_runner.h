@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
@@ -163,7 +164,15 @@ private:
   {
     return m_state.lengths.has_settled(stage.window, stage.change_of_length) ||
            (stage.phase == Shape_phase::POLISHING &&
-            (m_flow.is_shaped() || m_state.idle_steps.are_too_many()));
+            (m_state.idle_steps.are_too_many() || is_polished_as_far_as_possible()));
+  }
+
+  // Further steps would empty a domain in which the limits are out of reach.
+  bool is_polished_as_far_as_possible() const
+  {
+    const Shape_check check = m_flow.check_shape();
+    const bool is_polished = m_state.lengths.values.size() > 1; // by a step
+    return check.is_passed() || (is_polished && are_limits_out_of_reach(check, m_flow.curve()));
   }
 
   // Goes on in the middle of a stage.
