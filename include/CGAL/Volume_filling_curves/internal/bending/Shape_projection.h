@@ -154,8 +154,9 @@ private:
     x[v] += m_mobility[v] * shift;
   }
 
-  // Lengths of the edges to be kept: their sum is that at the start, except next to held nodes. Arcs get even edges:
-  // short ones behind the necks of ports would stay short, and five of 42 arcs would jam.
+  // Lengths of the edges to be kept: their sum is that at the start, except next to held nodes.
+  // Arcs get even edges: short ones behind the necks of ports would stay short, and five of 42 arcs
+  // would jam.
   std::vector<double> lengths_to_keep(const Path& path) const
   {
     std::vector<double> lengths;

@@ -31,7 +31,8 @@ namespace internal {
 class Wall_planes
 {
 public:
-  // Takes the distance that nodes and the middles of edges must keep, in addition to that of the boundary itself.
+  // Takes the distance that nodes and the middles of edges must keep, in addition to that of the
+  // boundary itself.
   template <typename Network, typename Boundary>
   void find(const Network& curve, const Boundary& boundary, const std::vector<double>& distances)
   {

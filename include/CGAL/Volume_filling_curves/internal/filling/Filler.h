@@ -182,8 +182,8 @@ private:
   }
 
   // Whether the curve is too dense for its bends and strands. A few local excesses do not justify
-  // loosening the whole curve: for one fold, a bunny of 727,559 nodes was filled to 76 instead of 92 %,
-  // in 1.4 times the time (2026-11-26).
+  // loosening the whole curve: for one fold, a bunny of 727,559 nodes was filled to 76 instead of
+  // 92 %, in 1.4 times the time (2026-11-26).
   bool is_jammed()
   {
     if(m_runner.end()) return false;

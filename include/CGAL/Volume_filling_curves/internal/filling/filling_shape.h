@@ -20,7 +20,7 @@ namespace internal {
 // The shape that is required of a filling.
 
 // In units of the thickness. With a bend radius of 0.85 r the strands still touch one another; with
-// r bends jam before that, and 78 instead of 88 % of the volume are within r.
+// r bends jam before that, and 79 instead of 90 % of the volume are within r.
 constexpr double bend_radius_of_thickness = 0.85, strand_distance_of_thickness = 1.6;
 
 // The largest bend radius with which a domain is filled, likewise: with 1.1 r, 68 % are within r.
@@ -48,8 +48,8 @@ Shape_goal shape_goal(const Filling_parameters<Point_3>& parameters)
 }
 
 // Whether a polished curve cannot keep its limits: then a third to three quarters of its nodes
-// exceed them, on six meshes with walls too thin for their thickness, and elsewhere up to an eighth.
-// Polished on, and loosened, the curves on five of them came within r of 32 instead of 77 %
+// exceed them, on six meshes with walls too thin for their thickness; elsewhere up to an eighth do.
+// Polished on, and loosened, the curves came within r of 31 instead of 77 % of five of these meshes
 // (2026-11-27).
 template <typename Network>
 bool are_limits_out_of_reach(const Shape_check& check, const Network& curve)

@@ -78,8 +78,8 @@ void copy_guard(Byte_archive& archive, Guard& guard)
 }
 
 // Saves the state of a run at the checkpoints of its watch, and resumes a run from such a state:
-// the fingerprint, the curve, its guard, and what else the run depends on, a struct with `members()`,
-// a tuple of references, and `is_valid()`.
+// the fingerprint, the curve, its guard, and what else the run depends on, a struct with
+// `members()`, a tuple of references, and `is_valid()`.
 class Run_saver
 {
 public:

@@ -44,8 +44,8 @@ struct Curve_run_parameters : Curve_flow_parameters
   double time_limit = std::numeric_limits<double>::infinity();
 
   /// The seed of all random numbers, on which the result depends: in `untangle()` those of the
-  /// searches, in `fill()` those of the tree of fingers, and of the samples that reveal parts, widest
-  /// points and empty regions.
+  /// searches, in `fill()` those of the tree of fingers, and of the samples that reveal parts,
+  /// widest points and empty regions.
   std::size_t random_seed = 0;
 
   /// Receives the record of the whole run for `verify_certificate()`; if null (default), nothing is
