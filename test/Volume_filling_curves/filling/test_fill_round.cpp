@@ -231,6 +231,15 @@ TEST(Long_fill_round, loosens_arcs_that_jam)
   }
 }
 
+TEST(Fill_round, stops_polishing_where_the_limits_are_out_of_reach)
+{
+  const Box rod({0, 0, 0}, {30, 0.8, 0.8}); // narrower than a turn
+  Curve curve;
+  const Result result = VFC::fill(curve, rod, np::thickness(1));
+  EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
+  EXPECT_EQ(result.statistics.iterations, 23u) << "to open, to bend, and one to polish";
+}
+
 // Nodes that the guard held at that distance held bends of 0.3 r next to them.
 TEST(Fill_round, keeps_a_distance_from_the_boundary)
 {
