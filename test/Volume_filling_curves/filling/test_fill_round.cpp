@@ -26,7 +26,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -270,15 +269,16 @@ TEST(Fill_round, says_where_a_constraint_is_not_reached)
 TEST(Fill_round, does_not_call_a_curve_stalled_that_cannot_be_polished)
 {
   using Flow = VFC::Curve_flow_3<Traits, Box>;
-  constexpr int n = 24;
+  constexpr int n = 12;
+  const std::vector<Point> corners = {{1, 1, 3}, {5, 1, 3}, {5, 5, 3}, {1, 5, 3}, {1, 1, 3}};
   std::vector<Point> points;
-  for(int k = 0; k <= n; ++k) {
-    const double angle = 2 * CGAL_PI * (k % n) / n;
-    points.emplace_back(3 + std::cos(angle), 3 + std::sin(angle), 3);
-  }
-  Curve ring(points);
-  for(const std::size_t v : ring.nodes()) ring.set_pinned(v, true);
-  VFC::Isotopy_guard_3<Traits, Box> guard(ring, box);
+  for(std::size_t side = 0; side < 4; ++side)
+    for(int k = 0; k < n; ++k)
+      points.push_back(corners[side] + k * (corners[side + 1] - corners[side]) / n);
+  points.push_back(points.front());
+  Curve square(points);
+  for(const std::size_t v : square.nodes()) square.set_pinned(v, true);
+  VFC::Isotopy_guard_3<Traits, Box> guard(square, box);
   VFC::Filling_parameters<Point> parameters;
   parameters.bend_radius = 2.5;
   VFC::internal::Run_watch watch;
