@@ -39,9 +39,9 @@ struct Shape_extreme
   }
 
   // but for rounding
-  bool is_kept() const { return share >= least_share; }
+  bool is_kept() const { return share >= min_share; }
 
-  static constexpr double least_share = 1 - 1e-12;
+  static constexpr double min_share = 1 - 1e-12;
 };
 
 // Tightest bend and closest strands of a curve, compared with the limits of its shape. Near-linear.
@@ -63,7 +63,7 @@ struct Shape_check
       const Vector out = row(x, curve.neighbor(v, 1)) - row(x, v);
       const double radius = bend_radius(in, out);
       bend.note(radius, limits.bend_radius[v], row(x, v));
-      if(radius < Shape_extreme::least_share * limits.bend_radius[v]) exceeding_nodes.push_back(v);
+      if(radius < Shape_extreme::min_share * limits.bend_radius[v]) exceeding_nodes.push_back(v);
     }
     for(const auto& [e, f] : pairs.pairs()) {
       const auto end = [&](std::size_t k, std::size_t i) { return row(x, pairs.ends(k)[i]); };
@@ -71,7 +71,7 @@ struct Shape_check
           squared_segment_distance(end(e, 0), end(e, 1), end(f, 0), end(f, 1));
       const double distance = std::sqrt(squared_distance);
       strands.note(distance, pairs.distance(e, f), end(e, 0));
-      if(distance < Shape_extreme::least_share * pairs.distance(e, f))
+      if(distance < Shape_extreme::min_share * pairs.distance(e, f))
         for(const std::size_t k : {e, f})
           exceeding_nodes.insert(exceeding_nodes.end(), pairs.ends(k).begin(), pairs.ends(k).end());
     }

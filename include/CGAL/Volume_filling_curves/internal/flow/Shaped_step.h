@@ -84,8 +84,8 @@ private:
   static constexpr int motions_to_bend = 2;
 
   // With 20, which take as long altogether, a tight turn of a bunny of 43,000 nodes held out for 20
-  // steps, so that all of it was loosened, to 76 instead of 92 % within r; arcs between ports in
-  // five boxes and balls were filled to 80 instead of 85 % (2026-11-27).
+  // steps, so that all of it was loosened, to 76 instead of 92 % within r; arcs between ports of
+  // boxes and balls came within r of 80 instead of 85 % (2026-11-27).
   static constexpr int sweeps_to_polish = 200;
 
   // First the curve opens, then it settles within its limits.
