@@ -126,7 +126,8 @@ struct Filling_stage
   // six jam, and none does afterwards; with a thickness of 0.4 three do (2026-11-26).
   static Filling_stage loosening() { return bending_with(0.6, few_directions); }
 
-  // Projections alone, until the limits are kept: one step of at most five motions on twelve domains.
+  // Projections alone, until the limits are kept: one step of at most five motions on twelve
+  // domains.
   static Filling_stage polishing()
   {
     Filling_stage stage;
