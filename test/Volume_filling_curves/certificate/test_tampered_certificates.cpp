@@ -38,7 +38,7 @@ Motion tangled_trefoil()
   return motion;
 }
 
-TEST(Long_tampered_certificate, refuses_a_thousand_tamperings)
+TEST(Tampered_certificate, refuses_a_thousand_tamperings)
 {
   const Motion motion = tangled_trefoil();
   const std::string bytes = motion.certificate.bytes();

@@ -182,7 +182,7 @@ TEST(Fill, refuses_domains_whose_distances_contradict_them)
             "the domain contradicts itself: it reaches beyond its box");
 }
 
-TEST(Long_fill_refusals, refuses_domains_without_an_inside)
+TEST(Fill, refuses_domains_without_an_inside)
 {
   Strange_domain nothing;
   nothing.inside = [](const Point&) { return false; };

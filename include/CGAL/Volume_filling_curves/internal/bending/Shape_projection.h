@@ -155,8 +155,8 @@ private:
   }
 
   // Lengths of the edges to be kept: their sum is that at the start, except next to held nodes.
-  // Arcs get even edges: short ones behind the necks of ports would stay short, and five of 42 arcs
-  // would jam.
+  // Arcs get even edges: short ones behind the necks of ports would stay short, and six of 56
+  // fillings between ports would not converge, instead of one (2026-11-27).
   std::vector<double> lengths_to_keep(const Path& path) const
   {
     std::vector<double> lengths;

@@ -122,8 +122,8 @@ struct Filling_stage
   // diagonals; projections couple the strands.
   static Filling_stage bending() { return bending_with(0.3, 2); }
 
-  // Bends a jammed curve again, less dense. Of 16 arcs between two ports of a cube of side 8 r,
-  // six jam, and none does afterwards; with a thickness of 0.4 three do (2026-11-26).
+  // Bends a jammed curve again, less dense. Of 32 arcs between two ports of a cube of side 8 r,
+  // seven jam, and one does afterwards (2026-11-27).
   static Filling_stage loosening() { return bending_with(0.6, few_directions); }
 
   // Projections alone, until the limits are kept: one step of at most five motions on twelve
