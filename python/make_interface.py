@@ -36,6 +36,7 @@ OPTIONS = {"untangle": "Untangle_signature", "fill": "Fill_signature", "simplify
 NOT_IN_PYTHON = {"visitor", "progress", "certificate", "checkpoint", "resume_from", "build_name"}
 FIELD_TYPES = {
     "std::vector<Port<Point_3>>": "Sequence[Sequence[float]]",
+    "std::vector<double>": "Sequence[float]",
     # of functions of a point; arrays have a row per vertex of the mesh
     "std::function<double(const Point_3&)>": "Callable[[Any], float] | Sequence[float]",
     "std::function<Vector_3(const Point_3&)>": "Callable[[Any], Any] | Sequence[Any]"}

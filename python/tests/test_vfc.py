@@ -348,6 +348,11 @@ class Filling(unittest.TestCase):
         self.assertEqual([neck.is_free for neck in result.necks], [True, True])
         self.assertLess(np.abs(result.curves[0][[0, -1], :2] - 0.5).max(), 1e-12)
 
+    def test_arcs_divide_the_volume_by_their_shares(self):
+        ports = [(0.2, 0.5, 0), (0.2, 0.5, 1), (0.8, 0.5, 0), (0.8, 0.5, 1)]
+        result = vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=0.1, ports=ports, volume_shares=[1, 3], round_bends=False)
+        self.assertGreater(len(result.curves[1]), 2 * len(result.curves[0]))
+
     def test_an_open_mesh_is_a_value_error(self):
         with self.assertRaisesRegex(ValueError, "not closed"):
             vfc.fill(CUBE_VERTICES, CUBE_FACES[1:], thickness=0.1)

@@ -86,6 +86,15 @@ void add_start_options(CLI::App& command, Fill_options& options)
       add_file(command, "--curve", options.start,
                "curve to start from, inside MESH; default: a small circle in the widest ball");
   add_port_option(command, options.ports).excludes(&curve);
+  command
+      .add_option(
+          "--volume-shares", options.parameters.volume_shares,
+          "shares of the volume for the components of CURVE, or for the arcs between ports, "
+          "in any unit; default: equal shares")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->expected(1)
+      ->type_name("A,B,...");
   add_curve_options(command, options.curve);
   for(const char* option : {"--network", "--closed", "--open", "--pin", "--free-ends"})
     command.get_option(option)->needs(&curve);

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -106,6 +107,46 @@ TEST(Fill_ports, four_ports_make_two_arcs_that_share_the_volume)
   const std::vector<double> lengths = VFC::component_lengths(curve);
   ASSERT_EQ(lengths.size(), 2u);
   EXPECT_GT(std::min(lengths[0], lengths[1]), 0.5 * std::max(lengths[0], lengths[1]));
+}
+
+TEST(Fill_ports, arcs_divide_the_volume_in_the_proportion_of_their_shares)
+{
+  const std::vector<double> shares = {3, 2, 1};
+  Curve curve;
+  VFC::fill(curve, Box(Point(0, 0, 0), Point(2, 1, 1)),
+            preview(0.1).volume_shares(shares).ports(std::vector<Port>{{Point(0, 0.2, 0.2)},
+                                                                       {Point(2, 0.2, 0.2)},
+                                                                       {Point(0, 0.8, 0.8)},
+                                                                       {Point(2, 0.8, 0.8)},
+                                                                       {Point(0, 0.2, 0.8)},
+                                                                       {Point(2, 0.2, 0.8)}}));
+  const std::vector<double> lengths = VFC::component_lengths(curve);
+  ASSERT_EQ(lengths.size(), 3u);
+  const double all = lengths[0] + lengths[1] + lengths[2];
+  for(std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(lengths[c] / all, shares[c] / 6, 0.1) << c;
+}
+
+TEST(Fill_ports, refuses_shares_that_do_not_match_the_arcs)
+{
+  const auto message = [](const std::vector<double>& shares, VFC::Filling_start start) {
+    Curve curve;
+    const std::vector<Port> ports = {
+        {Point(-1, 0, 0)}, {Point(1, 0, 0)}, {Point(0, -1, 0)}, {Point(0, 1, 0)}};
+    try {
+      VFC::fill(curve, Ball(Point(0, 0, 0), 1),
+                preview(0.3).volume_shares(shares).ports(ports).start(start));
+    } catch(const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  constexpr VFC::Filling_start tree = VFC::Filling_start::TREE;
+  EXPECT_EQ(message({1}, tree), "volume_shares: there are 1 shares, but 2 components");
+  EXPECT_EQ(message({1, 0}, tree),
+            "volume_shares is 0, but the share of component 1 must be positive and finite");
+  EXPECT_NE(message({1, std::numeric_limits<double>::infinity()}, tree), "");
+  EXPECT_NE(message({1, 2}, VFC::Filling_start::CIRCLE), "");
+  EXPECT_EQ(message({1, 2}, tree), "");
 }
 
 TEST(Fill_ports, shortens_necks_where_the_domain_is_narrow)

@@ -251,6 +251,19 @@ TEST_F(Command_line_fill, ports_make_arcs_with_straight_necks)
   EXPECT_NE(again.find("necks: 0.6, 0.6\n"), std::string::npos) << again;
 }
 
+TEST_F(Command_line_fill, arcs_divide_the_volume_by_their_shares)
+{
+  make_cube();
+  const std::string fill = "fill cube.off --thickness 0.5 --preview -o c.obj --port 0,1,2 "
+                           "--port 4,1,2 --port 0,3,2 --port 4,3,2 --volume-shares ";
+  ASSERT_EQ(run(fill + "1,3").status, 0);
+  const std::string curve = read("c.obj");
+  const std::size_t second = curve.rfind("\nl ");
+  EXPECT_GT(curve.size() - second, 2 * (second - curve.find("\nl "))) << "lines of node numbers";
+  for(const std::string wrong : {"1", "1,2,3", "1,0", "1,-2", "1,x", "1,inf", "1,,2", "''"})
+    EXPECT_NE(run(fill + wrong + " --force").status, 0) << wrong;
+}
+
 TEST_F(Command_line_fill, ports_that_make_no_sense_are_refused)
 {
   make_cube();

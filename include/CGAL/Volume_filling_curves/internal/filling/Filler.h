@@ -44,6 +44,7 @@ bool grow_tree(Guard& guard, const Survey& survey)
   Finger_tree tree(guard, survey.samples().domain(), survey.thickness(), parameters.random_seed,
                    survey.watch());
   tree.follow(parameters.direction_field, parameters.direction_weight);
+  tree.divide_volume(parameters.volume_shares);
   tree.grow();
   return tree.number_of_fingers() > 0;
 }

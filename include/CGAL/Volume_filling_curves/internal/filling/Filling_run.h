@@ -23,6 +23,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
+#include <CGAL/Volume_filling_curves/internal/filling/check_volume_shares.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
@@ -168,6 +169,7 @@ private:
   // A circle is not checked against the wall distance: it lies in a ball that keeps it.
   void check_start() const
   {
+    check_volume_shares(m_parameters, m_curves.number_of_components());
     if(m_parameters.start == Filling_start::TREE) check_sliding();
     check_embedded(m_curves);
     try {

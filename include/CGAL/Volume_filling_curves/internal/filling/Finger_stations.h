@@ -93,9 +93,10 @@ public:
   std::size_t number_of_roots() const { return m_number_of_roots; }
   std::size_t number_of_targets() const { return m_number_of_targets; }
 
+  bool is_root(std::size_t s) const { return s < m_number_of_roots; }
   bool is_target(std::size_t s) const
   {
-    return s >= m_number_of_roots && s - m_number_of_roots < m_number_of_targets;
+    return !is_root(s) && s - m_number_of_roots < m_number_of_targets;
   }
 
   // the distance from a station to its neighbors

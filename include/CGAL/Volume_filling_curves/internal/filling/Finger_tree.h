@@ -35,7 +35,7 @@ namespace internal {
 // Tree of fingers that grow from curves through a whole domain before the flow. They follow a
 // random spanning tree of well-spaced points that starts from all points of the curves (Prim's
 // algorithm). A small circle becomes the outline of a tree, isotopic to it, in time proportional to
-// the number of points. The component with the smallest share of the volume grows next. Points that
+// the number of points. The component with the least volume per share grows next. Points that
 // no straight finger reaches, for example end a neck, are reached by thin fingers along paths from
 // a search.
 template <typename Guard, typename Domain>
@@ -71,6 +71,9 @@ public:
     m_spacing = spacing_along_field;
   }
 
+  // Divides the volume among the components in the proportion of the shares, if there are any.
+  void divide_volume(const std::vector<double>& shares) { m_shares = shares; }
+
   // Grows all fingers, and renumbers the nodes. Fingers need not keep the clearance of the guard:
   // the flow moves their strands apart.
   void grow()
@@ -80,9 +83,10 @@ public:
     m_connections.emplace(stations, m_random, m_guard.curve().traits());
     m_connections->follow(m_direction_field, m_detour);
     m_volumes.resize(m_guard.curve().number_of_components(), 0);
+    m_shares.resize(m_volumes.size(), 1);
     stations.add_targets(m_random.bits(), m_watch);
     for(std::size_t s = 0; s < stations.number_of_roots(); ++s) reach(s, stations[s].component);
-    for(std::size_t c = 0; c < m_volumes.size(); ++c) m_smallest_first.push({m_volumes[c], c});
+    for(std::size_t c = 0; c < m_volumes.size(); ++c) grow_later(c);
     grow_all();
     reach_rest();
     m_guard.collect_garbage();
@@ -111,8 +115,8 @@ private:
   {
     (*m_stations)[s].component = component;
     if(m_stations->is_target(s)) ++m_number_of_fingers;
-    const double distance = m_stations->spacing(s);
-    m_volumes[component] += Space_of<Domain>::content(distance);
+    const double strands = m_stations->is_root(s) ? 1 : 2;
+    m_volumes[component] += strands / 2 * Space_of<Domain>::content(m_stations->spacing(s));
     m_connections->add_from(s);
   }
 
@@ -127,7 +131,7 @@ private:
            static_cast<double>(m_stations->number_of_targets());
   }
 
-  // Grows a finger from the component with the smallest volume.
+  // Grows a finger from the component with the smallest volume per share.
   void grow_smallest()
   {
     const std::size_t component = m_smallest_first.top().second;
@@ -137,8 +141,13 @@ private:
       Finger_station& to = (*m_stations)[connection->to];
       if(!m_reach_out((*m_stations)[connection->from], to)) continue;
       reach(connection->to, component);
-      return m_smallest_first.push({m_volumes[component], component});
+      return grow_later(component);
     }
+  }
+
+  void grow_later(std::size_t component)
+  {
+    m_smallest_first.push({m_volumes[component] / m_shares[component], component});
   }
 
   // Leads fingers along paths to the remaining targets, wide paths first.
@@ -203,7 +212,7 @@ private:
       reach(next, component);
       from = next;
     }
-    m_smallest_first.push({m_volumes[component], component});
+    grow_later(component);
     return true;
   }
 
@@ -217,13 +226,14 @@ private:
   double m_detour = 0; // by how much more length across the field counts
   double m_spacing = spacing;
   std::size_t m_number_of_fingers = 0;
+  std::vector<double> m_shares; // of the volume, of the components
 
   // of grow()
   std::optional<Stations> m_stations;
   std::optional<Connections> m_connections;
   std::vector<double> m_volumes; // of the components so far
 
-  using Volume = std::pair<double, std::size_t>; // of a component, and its index
+  using Volume = std::pair<double, std::size_t>; // per share of a component, and its index
   std::priority_queue<Volume, std::vector<Volume>, std::greater<Volume>> m_smallest_first;
 };
 

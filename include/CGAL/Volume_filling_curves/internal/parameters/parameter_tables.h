@@ -117,7 +117,8 @@ constexpr auto parameter_table(const Filling_parameters<Point_3>* p)
                       parameter<direction_weight_t>(&P::direction_weight, Range::NOT_NEGATIVE),
                       parameter<length_t>(&P::length, Range::NOT_NEGATIVE),
                       parameter<wall_distance_t>(&P::wall_distance, Range::NOT_NEGATIVE),
-                      parameter<ports_t>(&P::ports), parameter<start_t>(&P::start),
+                      parameter<ports_t>(&P::ports), parameter<volume_shares_t>(&P::volume_shares),
+                      parameter<start_t>(&P::start),
                       parameter<bend_radius_t>(&P::bend_radius, Range::NOT_NEGATIVE),
                       parameter<strand_distance_t>(&P::strand_distance, Range::NOT_NEGATIVE),
                       parameter<round_bends_t>(&P::round_bends)));

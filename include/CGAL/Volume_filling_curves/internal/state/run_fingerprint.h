@@ -70,6 +70,8 @@ void print_row(std::ostream& out, const Parameters& p, const Row& row)
       out << static_cast<int>(p.*row.member);
     else if constexpr(std::is_same_v<Tag, ports_t>)
       print_ports(out, p.*row.member);
+    else if constexpr(std::is_same_v<Tag, volume_shares_t>)
+      for(const double share : p.*row.member) out << ' ' << share;
     else // a pointer or a function
       out << (p.*row.member ? "given" : "none");
     out << '\n';

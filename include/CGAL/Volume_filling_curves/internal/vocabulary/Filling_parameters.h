@@ -96,10 +96,15 @@ struct Filling_parameters : Curve_run_parameters
   double direction_weight = 0.2;
 
   /// The points where the curves enter the domain, if no curves are given: an even number of them.
-  /// An arc leads from each odd port to the next one. The arcs share the volume: the one with the
-  /// least of it grows first. At a port the curve is straight for a length of r, less where the
-  /// domain is narrow, see `Filling_result::necks`. None by default.
+  /// An arc leads from each odd port to the next one. At a port the curve is straight for a length
+  /// of r, less where the domain is narrow, see `Filling_result::necks`. None by default.
   std::vector<Port<Point_3>> ports;
+
+  /// The proportion in which the components of the curve, such as the arcs between ports, divide
+  /// the volume: a positive number for each, in any unit. The tree of fingers grows from the
+  /// component with the least volume per share; one that others enclose ends with less than its
+  /// share. Requires `Filling_start::TREE`. Empty (default) stands for equal shares.
+  std::vector<double> volume_shares;
 
   /// The required length of the result, reached within 2 %, in the input's unit, instead of a
   /// thickness. 0 (default) stands for none.

@@ -61,6 +61,7 @@
   X(time_limit)                    \
   X(time_step)                     \
   X(tolerance)                     \
+  X(volume_shares)                 \
   X(wall)                          \
   X(wall_distance)
 
