@@ -9,6 +9,7 @@
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Projected_nodes.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_projection.h>
@@ -284,6 +285,32 @@ TEST(Shape_projection, moves_only_what_it_may)
       EXPECT_GE(x[v].y(), 0.199) << v;
     else
       EXPECT_EQ(x[v], before[v]) << v;
+}
+
+TEST(Projected_nodes, ranges_have_all_indices_near_moving_nodes_and_no_others)
+{
+  const Curve curve = curve_of({ring(30, 1), segment(30, {0, 0, 5}, {3, 0, 5})});
+  for(const std::vector<std::size_t>& moving :
+      {std::vector<std::size_t>{}, {0}, {29}, {3, 12, 13, 31, 45, 60}, {28, 2, 30}}) {
+    internal::Projected_nodes nodes(curve);
+    std::vector<bool> marks(curve.number_of_nodes(), false);
+    for(const std::size_t v : moving) marks[v] = true;
+    nodes.move_only(marks);
+    for(const auto& path : nodes.paths())
+      for(const std::size_t reach : {0, 1, 2, 4, 8}) {
+        const std::size_t end = path.is_closed ? path.end : path.end - reach;
+        std::vector<std::size_t> expected, found;
+        for(std::size_t i = path.begin; i < end; ++i)
+          for(std::size_t k = 0; k <= reach; ++k)
+            if(!nodes.is_held(nodes.node(path, i + k))) {
+              expected.push_back(i);
+              break;
+            }
+        for(const auto& [first, last] : nodes.moving_ranges(path, end, reach))
+          for(std::size_t i = first; i < last; ++i) found.push_back(i);
+        EXPECT_EQ(found, expected) << reach;
+      }
+  }
 }
 
 TEST(Wall_planes, push_nodes_inside)

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Polishing_record.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
@@ -190,10 +191,8 @@ private:
     if(m_runner.end()) return false;
     return m_runner.decide([this] {
       constexpr double few = 1e-4; // of the nodes
-      const Shape_check check = flow().check_shape(m_shape, m_thickness.at_each(curve().points()));
-      return !check.is_passed() && !are_limits_out_of_reach(check, curve()) &&
-             static_cast<double>(check.exceeding_nodes.size()) >
-                 few * static_cast<double>(curve().number_of_nodes());
+      const Polishing_record& polishing = m_runner.polishing();
+      return polishing.last() > few && !polishing.are_limits_out_of_reach();
     }) != 0;
   }
 

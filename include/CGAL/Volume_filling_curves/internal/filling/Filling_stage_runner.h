@@ -9,9 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Polishing_record.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -67,6 +68,9 @@ public:
   // the reason to end before the curve has settled, if any
   const std::optional<Filling_status>& end() const { return m_end; }
 
+  // of the last stage that polished the curve
+  const Polishing_record& polishing() const { return m_state.polishing; }
+
   // whether there is time for another step
   bool is_time_left() const { return m_watch.leaves(m_seconds_of_step); }
 
@@ -108,7 +112,7 @@ public:
     while(!(m_end = end_between_steps(stage)) && !is_over(stage)) {
       m_state.idle_steps.note(step());
       note();
-      m_state.lengths.add(m_flow.length());
+      record(stage);
       m_flow.set_max_displacement(m_state.max_displacement *= stage.cooling);
       m_visitor.on_iteration(m_flow);
     }
@@ -157,22 +161,25 @@ private:
       m_flow.set_parameters(p, thickness);
     m_state.idle_steps = {};
     m_state.lengths = {};
-    m_state.lengths.add(m_flow.length());
+    m_state.polishing = {};
+    record(stage);
   }
 
+  void record(const Filling_stage& stage)
+  {
+    m_state.lengths.add(m_flow.length());
+    if(stage.phase == Shape_phase::POLISHING)
+      m_state.polishing.add(m_flow.check_shape().exceeding_nodes.size(),
+                            m_flow.curve().number_of_nodes());
+  }
+
+  // Further polishing would empty a domain in which the limits are out of reach.
   bool is_over(const Filling_stage& stage) const
   {
-    return m_state.lengths.has_settled(stage.window, stage.change_of_length) ||
-           (stage.phase == Shape_phase::POLISHING &&
-            (m_state.idle_steps.are_too_many() || is_polished_as_far_as_possible()));
-  }
-
-  // Further steps would empty a domain in which the limits are out of reach.
-  bool is_polished_as_far_as_possible() const
-  {
-    const Shape_check check = m_flow.check_shape();
-    const bool is_polished = m_state.lengths.values.size() > 1; // by a step
-    return check.is_passed() || (is_polished && are_limits_out_of_reach(check, m_flow.curve()));
+    if(m_state.lengths.has_settled(stage.window, stage.change_of_length)) return true;
+    return stage.phase == Shape_phase::POLISHING &&
+           (m_state.idle_steps.are_too_many() || m_state.polishing.is_done() ||
+            m_state.polishing.are_limits_out_of_reach());
   }
 
   // Goes on in the middle of a stage.

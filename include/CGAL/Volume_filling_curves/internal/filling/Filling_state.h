@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Polishing_record.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
@@ -34,8 +35,9 @@ struct Filling_state
   std::vector<double> numbers; // decided between stages
   std::vector<Vector> points;  // likewise, some at a time
   std::vector<std::size_t> point_counts;
-  std::size_t stage = 0;       // from 1
-  Length_window lengths;       // of the stage, as all that follows
+  std::size_t stage = 0; // from 1
+  Length_window lengths; // of the stage, as all that follows
+  Polishing_record polishing;
   double max_displacement = 0; // in units of the thickness
   Idle_steps idle_steps;
   Flow_state flow;
@@ -43,7 +45,8 @@ struct Filling_state
   auto members()
   {
     return std::tuple_cat(std::tie(statistics, gradient_norm, numbers, points, point_counts, stage,
-                                   lengths.values, max_displacement, idle_steps),
+                                   lengths.values, polishing.fractions, max_displacement,
+                                   idle_steps),
                           flow.members());
   }
 

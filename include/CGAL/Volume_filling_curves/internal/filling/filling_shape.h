@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
@@ -45,18 +44,6 @@ Shape_goal shape_goal(const Filling_parameters<Point_3>& parameters)
   goal.bend_radius = {radius, radius > 0 ? 0 : bend_radius_of_thickness};
   goal.strand_distance = {distance, distance > 0 ? 0 : strand_distance_of_thickness};
   return goal;
-}
-
-// Whether a polished curve cannot keep its limits: then a third to three quarters of its nodes
-// exceed them, on six meshes with walls too thin for their thickness; elsewhere up to an eighth do.
-// Polished on, and loosened, the curves came within r of 31 instead of 77 % of five of these meshes
-// (2026-11-27).
-template <typename Network>
-bool are_limits_out_of_reach(const Shape_check& check, const Network& curve)
-{
-  constexpr double share = 0.25; // of the nodes
-  return static_cast<double>(check.exceeding_nodes.size()) >
-         share * static_cast<double>(curve.number_of_nodes());
 }
 
 } // namespace internal
