@@ -19,6 +19,8 @@
 #include <CGAL/Volume_filling_curves/internal/bending/nodes_near.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
@@ -285,6 +287,26 @@ TEST(Shape_projection, moves_only_what_it_may)
       EXPECT_GE(x[v].y(), 0.199) << v;
     else
       EXPECT_EQ(x[v], before[v]) << v;
+}
+
+TEST(Strand_pairs, edges_surely_apart_are_apart)
+{
+  internal::Random_source random(1);
+  const auto point = [&] { return Vector(random.real(), random.real(), random.real()); };
+  int apart = 0;
+  for(int k = 0; k < 10000; ++k) {
+    const Vector a = point(), b = point(), c = point() + 2 * point(), d = c + point() - point();
+    const double distance = std::sqrt(internal::squared_segment_distance(a, b, c, d));
+    EXPECT_FALSE(Strand_pairs::are_surely_apart(1.000001 * distance, a, b, c, d));
+    apart += Strand_pairs::are_surely_apart(0.8 * distance, a, b, c, d);
+  }
+  EXPECT_GT(apart, 5000);
+}
+
+TEST(Strand_pairs, edges_one_behind_the_other_on_parallel_strands_are_surely_apart)
+{
+  const Vector a(0, 0, 0), b(1, 0, 0), c(3, 2, 0), d(4, 2, 0); // at a distance of 2.8
+  EXPECT_TRUE(Strand_pairs::are_surely_apart(2.7, a, b, c, d));
 }
 
 TEST(Projected_nodes, ranges_have_all_indices_near_moving_nodes_and_no_others)

@@ -50,8 +50,8 @@ public:
       const double distance = m_margin * m_pairs.distance(e, f);
       const auto [i, j] = m_pairs.ends(e);
       const auto [k, l] = m_pairs.ends(f);
-      if(!Strand_pairs::are_middles_apart((1 + slack_of_contacts) * distance, x[i], x[j], x[k],
-                                          x[l]))
+      if(!Strand_pairs::are_surely_apart((1 + slack_of_contacts) * distance, x[i], x[j], x[k],
+                                         x[l]))
         m_contacts.push_back({{i, j, k, l}, distance, side({i, j, k, l}, x)});
     }
   }
@@ -93,7 +93,7 @@ private:
     const auto [i, j, k, l] = contact.ends;
     const double distance = contact.distance;
     const Vector a = x[i], b = x[j], c = x[k], d = x[l];
-    if(Strand_pairs::are_middles_apart(distance, a, b, c, d)) return;
+    if(Strand_pairs::are_surely_apart(distance, a, b, c, d)) return;
     const auto [s, t] = nearest_points(a, b, c, d);
     const Vector chord = (a + s * (b - a)) - (c + t * (d - c));
     const double now = chord.norm();

