@@ -104,6 +104,7 @@ Filling_result fill(Session& session,
   // the rest after reading and mending
   parameters.time_limit = (std::max)(0., parameters.time_limit - session.seconds());
   if(!options.ports.empty()) parameters.ports = read_ports(options.ports);
+  parameters.volume_shares = read_volume_shares(options.volume_shares);
   parameters.thickness_field = field;
   parameters.direction_field = directions;
   if(!options.certificate.empty()) parameters.certificate = &certificate;
@@ -262,7 +263,8 @@ int run(Session& session, const Fill_options& options)
   session.report()["input"] = options.mesh;
   session.report()["seed"] = options.parameters.random_seed;
   plan_files(session, options);
-  read_ports(options.ports); // complains before any work starts
+  read_ports(options.ports); // these two complain before any work starts
+  read_volume_shares(options.volume_shares);
   const curves::Run_state state = read_run_state(options.saving);
   return is_polygon_file(options.mesh) ? fill_polygons(session, options, state)
                                        : fill_mesh(session, options, state);

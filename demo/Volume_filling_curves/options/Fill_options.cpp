@@ -88,12 +88,9 @@ void add_start_options(CLI::App& command, Fill_options& options)
   add_port_option(command, options.ports).excludes(&curve);
   command
       .add_option(
-          "--volume-shares", options.parameters.volume_shares,
+          "--volume-shares", options.volume_shares,
           "shares of the volume for the components of CURVE, or for the arcs between ports, "
           "in any unit; default: equal shares")
-      ->delimiter(',')
-      ->check(CLI::PositiveNumber)
-      ->expected(1)
       ->type_name("A,B,...");
   add_curve_options(command, options.curve);
   for(const char* option : {"--network", "--closed", "--open", "--pin", "--free-ends"})

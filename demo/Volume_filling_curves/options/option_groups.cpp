@@ -23,7 +23,7 @@ const Option_group groups[] = {
      {"--network", "--closed", "--open", "--free-ends", "--curve", "--start", "--obstacle"}},
     {"Shape of the result",
      {"--thickness-field", "--direction-field", "--direction-weight", "--wall", "--wall-distance",
-      "--keep-length", "--bend-radius", "--strand-distance", "--symmetry"}},
+      "--keep-length", "--bend-radius", "--strand-distance", "--symmetry", "--volume-shares"}},
     {"More outputs", {"--certificate", "--map", "--frames", "--every", "--frame-format"}},
     {"Interrupted runs", {"--checkpoint", "--save-every", "--resume"}},
     {"Many runs", {"--batch", "--shard", "--format"}},

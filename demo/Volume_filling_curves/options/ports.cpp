@@ -7,12 +7,14 @@
 #include "options/ports.h"
 
 #include "meshes/vertex_values.h"
+#include "options/numbers.h"
 #include "session/errors.h"
 
 #include <CLI/CLI.hpp>
 
 #include <array>
 #include <cstddef>
+#include <sstream>
 
 namespace vfc {
 namespace {
@@ -37,6 +39,17 @@ CLI::Option& add_port_option(CLI::App& command, std::vector<std::string>& texts)
               ->expected(1)
               ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
               ->type_name("X,Y,Z[,NX,NY,NZ]");
+}
+
+std::vector<double> read_volume_shares(const std::string& text)
+{
+  std::vector<double> shares;
+  if(text.empty()) return shares;
+  std::istringstream numbers(text + ',');
+  for(std::string number; std::getline(numbers, number, ',');)
+    if(!parse(number, shares.emplace_back()) || !(shares.back() > 0))
+      throw Usage_error("--volume-shares: '" + number + "' is not a positive number");
+  return shares;
 }
 
 Ports read_ports(const std::vector<std::string>& texts)

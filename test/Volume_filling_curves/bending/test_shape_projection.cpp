@@ -319,7 +319,7 @@ TEST(Projected_nodes, ranges_have_all_indices_near_moving_nodes_and_no_others)
     for(const std::size_t v : moving) marks[v] = true;
     nodes.move_only(marks);
     for(const auto& path : nodes.paths())
-      for(const std::size_t reach : {0, 1, 2, 4, 8}) {
+      for(const std::size_t reach : {0u, 1u, 2u, 4u, 8u}) {
         const std::size_t end = path.is_closed ? path.end : path.end - reach;
         std::vector<std::size_t> expected, found;
         for(std::size_t i = path.begin; i < end; ++i)

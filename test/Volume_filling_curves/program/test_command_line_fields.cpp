@@ -68,7 +68,8 @@ protected:
   static std::string thickness_at(const Point& p) { return p[0] > 2 ? "0.8" : "0.4"; }
 };
 
-const std::string limit = " --max-iterations 20 --report r.json";
+// Rounding, which depends on the order of faces, shows at 1e-6 after 20 iterations.
+const std::string limit = " --max-iterations 10 --report r.json";
 
 TEST_F(Command_line_fields, stl_files_have_the_order_that_convert_tells)
 {

@@ -40,7 +40,7 @@ public:
                     double margin)
       : m_nodes(nodes), m_limits(limits), m_path(path), m_margin(margin)
   {
-    for(const std::size_t apart : {1, 2, 4})
+    for(const std::size_t apart : {1u, 2u, 4u})
       if(path.size() > 2 * apart)
         m_ranges[apart] =
             nodes.moving_ranges(path, path.is_closed ? path.end : path.end - 2 * apart, 2 * apart);

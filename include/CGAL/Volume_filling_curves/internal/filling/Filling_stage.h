@@ -123,7 +123,7 @@ struct Filling_stage
   static Filling_stage bending() { return bending_with(0.3, 2); }
 
   // Bends a jammed curve again, less dense. Of 32 arcs between two ports of a cube of side 8 r,
-  // seven jam, and one does afterwards (2026-11-27).
+  // four jam, and two do afterwards (2026-11-27).
   static Filling_stage loosening() { return bending_with(0.6, few_directions); }
 
   // Projections alone, until the limits are kept: one step of at most five motions on twelve
