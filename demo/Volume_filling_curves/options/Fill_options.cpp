@@ -62,7 +62,7 @@ void add_symmetry_option(CLI::App& command, Fill_options& options)
       "point and a normal, or rotation:K, by K-ths of a turn about an axis with a point and a "
       "direction; default: through the middle of the box, with the normal x or the direction z");
   symmetry.type_name("mirror|rotation:K[:X,Y,Z,NX,NY,NZ]")->needs("--thickness");
-  for(const char* other : {"--curve", "--port", "--certificate"})
+  for(const char* other : {"--curve", "--port", "--volume-shares", "--certificate"})
     symmetry.excludes(command.get_option(other));
 }
 
@@ -90,7 +90,7 @@ void add_start_options(CLI::App& command, Fill_options& options)
       .add_option(
           "--volume-shares", options.volume_shares,
           "shares of the volume for the components of CURVE, or for the arcs between ports, "
-          "in any unit; default: equal shares")
+          "of which only the ratios matter; default: equal shares")
       ->type_name("A,B,...");
   add_curve_options(command, options.curve);
   for(const char* option : {"--network", "--closed", "--open", "--pin", "--free-ends"})

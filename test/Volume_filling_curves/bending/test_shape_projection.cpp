@@ -303,6 +303,16 @@ TEST(Strand_pairs, edges_surely_apart_are_apart)
   EXPECT_GT(apart, 5000);
 }
 
+TEST(Strand_pairs, edges_are_surely_apart_or_not_at_any_scale)
+{
+  for(const double s : {1e-140, 1e-100, 1., 1e100, 1e140}) {
+    const Vector a(-s, 0, 0), b(s, 0, 0), c(0, -s, 0.5 * s), d(0, s, 0.5 * s);
+    EXPECT_FALSE(Strand_pairs::are_surely_apart(0.6 * s, a, b, c, d));
+    EXPECT_TRUE(Strand_pairs::are_surely_apart(0.4 * s, a, b, c, d));
+    EXPECT_FALSE(Strand_pairs::are_surely_apart(0.1 * s, a, b, {0, -s, 0}, {0, s, 0}));
+  }
+}
+
 TEST(Strand_pairs, edges_one_behind_the_other_on_parallel_strands_are_surely_apart)
 {
   const Vector a(0, 0, 0), b(1, 0, 0), c(3, 2, 0), d(4, 2, 0); // at a distance of 2.8

@@ -141,7 +141,8 @@ TEST(Fill_ports, refuses_shares_that_do_not_match_the_arcs)
     return std::string();
   };
   constexpr VFC::Filling_start tree = VFC::Filling_start::TREE;
-  EXPECT_EQ(message({1}, tree), "volume_shares: there are 1 shares, but 2 components");
+  EXPECT_EQ(message({1}, tree),
+            "volume_shares: the number of shares is 1, but that of components is 2");
   EXPECT_EQ(message({1, 0}, tree),
             "volume_shares is 0, but the share of component 1 must be positive and finite");
   EXPECT_NE(message({1, std::numeric_limits<double>::infinity()}, tree), "");

@@ -269,7 +269,7 @@ TEST(Fill_round, says_where_a_constraint_is_not_reached)
 TEST(Fill_round, does_not_call_a_curve_stalled_that_cannot_be_polished)
 {
   using Flow = VFC::Curve_flow_3<Traits, Box>;
-  constexpr int n = 24; // so that the corners are few
+  constexpr int n = 12;
   const std::vector<Point> corners = {{1, 1, 3}, {5, 1, 3}, {5, 5, 3}, {1, 5, 3}, {1, 1, 3}};
   std::vector<Point> points;
   for(std::size_t side = 0; side < 4; ++side)

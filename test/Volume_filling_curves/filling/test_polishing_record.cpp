@@ -45,7 +45,8 @@ TEST(Polishing_record, gives_up_only_after_a_step_that_leaves_most_of_many_nodes
   EXPECT_TRUE(gives_up(220, 170));
   EXPECT_TRUE(gives_up(900, 500));
   EXPECT_FALSE(gives_up(900, 400)); // it still succeeds
-  EXPECT_FALSE(gives_up(60, 50));   // so few may be in one fold
+  EXPECT_TRUE(gives_up(60, 51));
+  EXPECT_FALSE(gives_up(60, 40)); // so few may be in one fold
 }
 
 } // namespace test_polishing_record

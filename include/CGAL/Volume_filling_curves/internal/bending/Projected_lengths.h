@@ -96,11 +96,10 @@ private:
     return even;
   }
 
-  // of the i-th edge of all paths
+  // Moves the ends of an edge towards its length; i is the index of the first one in all paths.
   void keep_length(std::vector<Vector>& x, std::size_t i) const
   {
     const std::size_t v = node(i), w = node(i + 1);
-    if(m_nodes.are_held({v, w})) return;
     const Vector edge = x[w] - x[v];
     const double now = edge.norm();
     if(!(now > 0)) return;

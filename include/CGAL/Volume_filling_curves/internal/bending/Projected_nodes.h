@@ -77,12 +77,13 @@ public:
     x[v] += m_mobility[v] * shift;
   }
 
-  // Returns the ranges of the indices i, from the begin of a path to an end, for which a node from
-  // the i-th to the (i + reach)-th one can move.
+  // Returns the maximal ranges of the indices i, from the begin of a path to an end, for which any
+  // of the nodes i to i + reach can move, around the end of a closed path. \pre reach is less than
+  // the number of nodes
   std::vector<Range> moving_ranges(const Path& path, std::size_t end, std::size_t reach) const
   {
     std::vector<Range> ranges;
-    std::size_t last = path.begin; // before which all nodes have been seen
+    std::size_t last = path.begin; // end of the last range
     for(std::size_t i = path.begin; i < path.end + (path.is_closed ? reach : 0); ++i) {
       if(is_held(node(path, i))) continue;
       const std::size_t first = (std::max)(last, i < path.begin + reach ? path.begin : i - reach);

@@ -16,7 +16,6 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_passage.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

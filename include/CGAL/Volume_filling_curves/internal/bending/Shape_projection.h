@@ -29,8 +29,8 @@ namespace internal {
 // (position based dynamics; Mueller et al. 2007): edges get their lengths, strands move apart,
 // nodes leave the walls, and corners open. Each sweep visits the constraints in the order of the
 // curve. Displacements are linear combinations of differences of positions and of the walls'
-// normals, hence do not depend on the frame. Linear time; sweeps take time for the nodes that can
-// move only.
+// normals, hence do not depend on the frame. Linear time; sweeps leave out stretches of the curve
+// in which all nodes are held.
 class Shape_projection
 {
 public:

@@ -68,7 +68,7 @@ public:
   // the reason to end before the curve has settled, if any
   const std::optional<Filling_status>& end() const { return m_end; }
 
-  // of the last stage that polished the curve
+  // the record of the current stage, empty unless that polishes
   const Polishing_record& polishing() const { return m_state.polishing; }
 
   // whether there is time for another step
@@ -110,9 +110,10 @@ public:
     else
       start(stage, thickness);
     while(!(m_end = end_between_steps(stage)) && !is_over(stage)) {
-      m_state.idle_steps.note(step());
+      const bool has_moved = step();
+      m_state.idle_steps.note(has_moved);
       note();
-      record(stage);
+      record(stage, has_moved);
       m_flow.set_max_displacement(m_state.max_displacement *= stage.cooling);
       m_visitor.on_iteration(m_flow);
     }
@@ -162,18 +163,20 @@ private:
     m_state.idle_steps = {};
     m_state.lengths = {};
     m_state.polishing = {};
-    record(stage);
+    record(stage, true);
   }
 
-  void record(const Filling_stage& stage)
+  // A step that the guard refuses says nothing of the room for the limits: the next may move.
+  void record(const Filling_stage& stage, bool has_moved)
   {
     m_state.lengths.add(m_flow.length());
-    if(stage.phase == Shape_phase::POLISHING)
+    if(stage.phase == Shape_phase::POLISHING && has_moved)
       m_state.polishing.add(m_flow.check_shape().exceeding_nodes.size(),
                             m_flow.curve().number_of_nodes());
   }
 
-  // Further polishing would empty a domain in which the limits are out of reach.
+  // Whether the stage is complete, or would not get further: where the limits are out of reach,
+  // polishing would empty the domain.
   bool is_over(const Filling_stage& stage) const
   {
     if(m_state.lengths.has_settled(stage.window, stage.change_of_length)) return true;

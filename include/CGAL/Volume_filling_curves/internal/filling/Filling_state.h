@@ -52,6 +52,8 @@ struct Filling_state
 
   bool is_valid() const
   {
+    for(const double fraction : polishing.fractions)
+      if(!(fraction >= 0 && fraction <= 1)) return false;
     std::size_t rest = points.size();
     for(const std::size_t count : point_counts) {
       if(count > rest) return false;

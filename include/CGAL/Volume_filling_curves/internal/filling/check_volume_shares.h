@@ -21,15 +21,17 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Throws std::invalid_argument unless there is a positive share for each component, or none at all.
+// Throws std::invalid_argument unless there is a positive share for each component, and a tree of
+// fingers that heeds them, or no share at all.
 template <typename Point_3>
 void check_volume_shares(const Filling_parameters<Point_3>& parameters, std::size_t components)
 {
   const auto& shares = parameters.volume_shares;
   if(shares.empty()) return;
   if(shares.size() != components)
-    throw std::invalid_argument("volume_shares: there are " + std::to_string(shares.size()) +
-                                " shares, but " + std::to_string(components) + " components");
+    throw std::invalid_argument("volume_shares: the number of shares is " +
+                                std::to_string(shares.size()) + ", but that of components is " +
+                                std::to_string(components));
   for(std::size_t c = 0; c < components; ++c)
     if(!(shares[c] > 0 && std::isfinite(shares[c])))
       refuse_value(internal_np::volume_shares_t(), shares[c],

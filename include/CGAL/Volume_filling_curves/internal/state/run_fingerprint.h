@@ -53,6 +53,12 @@ void print_ports(std::ostream& out, const Ports& ports)
   }
 }
 
+inline void print_numbers(std::ostream& out, const std::vector<double>& numbers)
+{
+  out << numbers.size();
+  for(const double number : numbers) out << ' ' << number;
+}
+
 template <typename Parameters, typename Row>
 void print_row(std::ostream& out, const Parameters& p, const Row& row)
 {
@@ -71,7 +77,7 @@ void print_row(std::ostream& out, const Parameters& p, const Row& row)
     else if constexpr(std::is_same_v<Tag, ports_t>)
       print_ports(out, p.*row.member);
     else if constexpr(std::is_same_v<Tag, volume_shares_t>)
-      for(const double share : p.*row.member) out << ' ' << share;
+      print_numbers(out, p.*row.member);
     else // a pointer or a function
       out << (p.*row.member ? "given" : "none");
     out << '\n';

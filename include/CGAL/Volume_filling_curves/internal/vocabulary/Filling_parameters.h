@@ -100,10 +100,12 @@ struct Filling_parameters : Curve_run_parameters
   /// of r, less where the domain is narrow, see `Filling_result::necks`. None by default.
   std::vector<Port<Point_3>> ports;
 
-  /// The proportion in which the components of the curve, such as the arcs between ports, divide
-  /// the volume: a positive number for each, in any unit. The tree of fingers grows from the
-  /// component with the least volume per share; one that others enclose ends with less than its
-  /// share. Requires `Filling_start::TREE`. Empty (default) stands for equal shares.
+  /// The shares of the volume for the components of the curve, such as the arcs between ports: a
+  /// positive number for each, in the order of the components, which for arcs is that of their
+  /// ports. Only their ratios matter. The tree of fingers always grows from the component with the
+  /// least volume per share; a component that others enclose ends with less, and components in
+  /// different parts of the domain do not share. Requires `Filling_start::TREE`. Empty (default)
+  /// stands for equal shares.
   std::vector<double> volume_shares;
 
   /// The required length of the result, reached within 2 %, in the input's unit, instead of a
