@@ -9,12 +9,12 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/bending/Projected_corners.h>
-#include <CGAL/Volume_filling_curves/internal/bending/Projected_lengths.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Corner_projection.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Length_projection.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Projected_nodes.h>
-#include <CGAL/Volume_filling_curves/internal/bending/Projected_strands.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Strand_projection.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -49,20 +49,20 @@ public:
   // Sweeps over nodes at x. A tense curve keeps its length; otherwise its edges are evened.
   void operator()(std::vector<Vector>& x, int sweeps, bool is_tense) const
   {
-    std::vector<Projected_lengths> lengths;
-    std::vector<Projected_corners> corners;
+    std::vector<Length_projection> lengths;
+    std::vector<Corner_projection> corners;
     for(const auto& path : m_nodes.paths()) {
       lengths.emplace_back(m_nodes, m_limits, path, is_tense);
       corners.emplace_back(m_nodes, m_limits, path, margin);
     }
-    Projected_strands strands(m_nodes, m_pairs, margin);
+    Strand_projection strands(m_nodes, m_pairs, margin);
     for(int k = 0; k < sweeps; ++k) {
       check_run();
       if(k % sweeps_per_search == 0) strands.find_contacts(x);
-      for(const Projected_lengths& of_path : lengths) of_path(x);
+      for(const Length_projection& project : lengths) project(x);
       strands(x);
       m_walls.push_inside(x, m_nodes.mobility());
-      for(const Projected_corners& of_path : corners) of_path(x);
+      for(const Corner_projection& project : corners) project(x);
     }
   }
 

@@ -126,8 +126,8 @@ struct Filling_stage
   // four jam, and two do afterwards (2026-11-27).
   static Filling_stage loosening() { return bending_with(0.6, few_directions); }
 
-  // Projections alone, until the limits are kept: one step of at most five motions on twelve
-  // domains.
+  // Projections alone, until the limits are kept: one to three steps of at most five motions on
+  // twelve domains.
   static Filling_stage polishing()
   {
     Filling_stage stage;

@@ -17,7 +17,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Progress of polishing: the fractions of the nodes at which a limit is exceeded, before the first
-// step and after each.
+// step and after each that moves the curve.
 struct Polishing_record
 {
   std::vector<double> fractions;
@@ -32,7 +32,7 @@ struct Polishing_record
   bool is_done() const { return last() == 0; }
 
   // Whether the domain has no room for the limits: after the last step more than a twentieth of the
-  // nodes still exceed them, and more than half as many as before it. In 56 fillings between ports
+  // nodes still exceed them, and more than half as many as before it. In 108 fillings between ports
   // the first step leaves at most 4 %; in six meshes with walls too thin for the thickness 34 to
   // 70 %, in a plate 1.8 r thick 17 of 22 %. Without this rule the plate took 25 s instead of 2 s,
   // and five of the meshes, polished further and loosened, were filled to 31 instead of 77 %

@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_CORNERS_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_CORNERS_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_CORNER_PROJECTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_CORNER_PROJECTION_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -26,15 +26,15 @@ namespace internal {
 
 // Projection of a path towards its bend radius. Corners of nodes 4, 2 and 1 apart are opened in
 // turn, since corners of neighbors alone take hundreds of sweeps for a bend.
-class Projected_corners
+class Corner_projection
 {
   using Path = Projected_nodes::Path;
   using Index = Projected_nodes::Index;
   using Range = Projected_nodes::Range;
 
 public:
-  // Takes a factor of the limits. Nodes and limits must outlive the projection.
-  Projected_corners(const Projected_nodes& nodes,
+  // Takes a factor of the limits. Nodes, limits and path must outlive the projection.
+  Corner_projection(const Projected_nodes& nodes,
                     const Shape_limits& limits,
                     const Path& path,
                     double margin)
@@ -159,4 +159,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_CORNERS_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_CORNER_PROJECTION_H

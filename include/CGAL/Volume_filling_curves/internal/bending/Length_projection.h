@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_LENGTHS_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_LENGTHS_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_LENGTH_PROJECTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_LENGTH_PROJECTION_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -23,18 +23,18 @@ namespace internal {
 
 // Projection of the edges of a path towards lengths: a tense path keeps its own, otherwise edges
 // are evened.
-class Projected_lengths
+class Length_projection
 {
   using Path = Projected_nodes::Path;
   using Range = Projected_nodes::Range;
 
 public:
-  // The nodes must outlive the projection.
-  Projected_lengths(const Projected_nodes& nodes,
+  // Nodes and path must outlive the projection.
+  Length_projection(const Projected_nodes& nodes,
                     const Shape_limits& limits,
                     const Path& path,
                     bool is_tense)
-      : m_nodes(nodes), m_path(path)
+      : m_nodes(nodes), m_path(path), m_is_tense(is_tense)
   {
     if(is_tense) {
       m_lengths = lengths_to_keep(limits);
@@ -47,7 +47,11 @@ public:
   void operator()(std::vector<Vector>& x) const
   {
     for(const auto& [begin, end] : m_ranges)
-      for(std::size_t i = begin; i < end; ++i) m_lengths.empty() ? even(x, i) : keep_length(x, i);
+      for(std::size_t i = begin; i < end; ++i)
+        if(m_is_tense)
+          keep_length(x, i);
+        else
+          even(x, i);
   }
 
 private:
@@ -128,7 +132,8 @@ private:
 
   const Projected_nodes& m_nodes;
   const Path& m_path;
-  std::vector<double> m_lengths; // to be kept, of each edge; none to even the edges
+  const bool m_is_tense;
+  std::vector<double> m_lengths; // to be kept, of each edge of a tense path
   std::vector<Range> m_ranges;   // of edges, or of nodes, that can move
 };
 
@@ -136,4 +141,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_LENGTHS_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_LENGTH_PROJECTION_H

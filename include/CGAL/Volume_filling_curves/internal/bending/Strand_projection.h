@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_STRANDS_H
-#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_STRANDS_H
+#ifndef CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_STRAND_PROJECTION_H
+#define CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_STRAND_PROJECTION_H
 
 #include <CGAL/license/Volume_filling_curves.h>
 
@@ -24,13 +24,13 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Projection of pairs of strands towards their distance.
-class Projected_strands
+class Strand_projection
 {
   using Index = Projected_nodes::Index;
 
 public:
   // Takes a factor of the distances. Nodes and pairs must outlive the projection.
-  Projected_strands(const Projected_nodes& nodes, const Strand_pairs& pairs, double margin)
+  Strand_projection(const Projected_nodes& nodes, const Strand_pairs& pairs, double margin)
       : m_nodes(nodes), m_pairs(pairs), m_margin(margin)
   {
     for(const auto& [e, f] : pairs.pairs()) {
@@ -40,8 +40,7 @@ public:
     }
   }
 
-  // Finds the pairs that may come close in the next sweeps: with all pairs in each sweep a cube of
-  // side 20 r takes 1.2 times as long (2026-11-25).
+  // Finds the pairs that may come close in the next sweeps, which visit these only.
   void find_contacts(const std::vector<Vector>& x)
   {
     m_contacts.clear();
@@ -118,4 +117,4 @@ private:
 } // namespace Volume_filling_curves
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_PROJECTED_STRANDS_H
+#endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_BENDING_STRAND_PROJECTION_H
