@@ -31,14 +31,22 @@ void check_coordinates(const Mesh_soup& soup, Mesh_findings& findings)
       findings.add_error(*fault, {0, {v + 1}});
 }
 
+// Whether a negative index of an OBJ file, which counts backwards, was too small.
+bool is_before_the_first(std::size_t v)
+{
+  return static_cast<std::ptrdiff_t>(v) < 0;
+}
+
 void check_indices(const Mesh_soup& soup, Mesh_findings& findings)
 {
   for(std::size_t f = 0; f < soup.faces.size(); ++f)
     for(const std::size_t v : soup.faces[f])
       if(v >= soup.points.size())
         findings.add_error("bad index",
-                           "a face refers to vertex " + std::to_string(v + 1) + " of " +
-                               std::to_string(soup.points.size()),
+                           is_before_the_first(v)
+                               ? "a face refers to a vertex before the first"
+                               : "a face refers to vertex " + std::to_string(v + 1) + " of " +
+                                     std::to_string(soup.points.size()),
                            {0, {}, {soup.face_numbers[f]}});
 }
 

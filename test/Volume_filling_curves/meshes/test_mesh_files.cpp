@@ -85,6 +85,8 @@ TEST_F(Mesh_file, says_where_a_file_is_malformed)
     ASSERT_NE(defect, nullptr) << c.name << ": " << defects.at(0).text;
     EXPECT_EQ(defect->line, c.line) << c.name;
   }
+  EXPECT_FALSE(read("minus.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9\n"));
+  EXPECT_NE(defects.at(0).text.find("refers to a vertex before the first"), std::string::npos);
   EXPECT_FALSE(read("plate.wkt", "POLYGON((0 0,1 0,0 1))"));
   EXPECT_NE(defects.at(0).text.find("polygons are no mesh"), std::string::npos);
   EXPECT_FALSE(read("there_is_no_such_file.off"));

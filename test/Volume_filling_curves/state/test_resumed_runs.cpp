@@ -288,6 +288,22 @@ TEST(Run_state, another_run_does_not_resume)
   EXPECT_EQ(complaint(pinned, flow()), other + "curve");
 }
 
+TEST(Run_state, a_filling_with_other_shares_does_not_resume)
+{
+  const Box_domain_3<> box(Point(0, 0, 0), Point(2, 1, 1));
+  Filling parameters;
+  parameters.thickness = 0.25;
+  for(const double y : {0.2, 0.8}) {
+    parameters.ports.push_back({Point(0, y, 0.5)});
+    parameters.ports.push_back({Point(2, y, 0.5)});
+  }
+  parameters.volume_shares = {1, 2};
+  const Run_state state = run_from(filling(box), Network(), parameters, {}, 1).state;
+  run_from(filling(box), Network(), parameters, state, 2);
+  parameters.volume_shares = {1, 3};
+  EXPECT_THROW(run_from(filling(box), Network(), parameters, state, 2), Run_state_error);
+}
+
 TEST(Run_state, taking_states_changes_nothing_and_limits_may_be_others)
 {
   const auto np = parameters::strategy(Untangling_strategy::FLOW).thickness(0.3);

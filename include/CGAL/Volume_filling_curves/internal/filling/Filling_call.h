@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Visitor_in_unit.h>
+#include <CGAL/Volume_filling_curves/internal/filling/check_volume_shares.h>
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
@@ -102,6 +103,7 @@ private:
   void check(double size) const
   {
     check_parameters(m_parameters);
+    check_volume_shares(m_parameters);
     check_thickness(m_parameters.thickness, size, "the domain");
     if(m_parameters.bend_radius > size)
       refuse_value(internal_np::bend_radius_t(), m_parameters.bend_radius,

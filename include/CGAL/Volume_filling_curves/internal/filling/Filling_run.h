@@ -169,7 +169,7 @@ private:
   // A circle is not checked against the wall distance: it lies in a ball that keeps it.
   void check_start() const
   {
-    check_volume_shares(m_parameters, m_curves.number_of_components());
+    check_number_of_shares(m_parameters.volume_shares, m_curves.number_of_components());
     if(m_parameters.start == Filling_start::TREE) check_sliding();
     check_embedded(m_curves);
     try {

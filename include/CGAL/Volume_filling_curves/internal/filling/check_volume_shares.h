@@ -16,29 +16,34 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Throws std::invalid_argument unless there is a positive share for each component, and a tree of
-// fingers that heeds them, or no share at all.
+// Throws std::invalid_argument unless all shares are positive, and given to a tree of fingers that
+// heeds them.
 template <typename Point_3>
-void check_volume_shares(const Filling_parameters<Point_3>& parameters, std::size_t components)
+void check_volume_shares(const Filling_parameters<Point_3>& parameters)
 {
   const auto& shares = parameters.volume_shares;
-  if(shares.empty()) return;
-  if(shares.size() != components)
-    throw std::invalid_argument("volume_shares: the number of shares is " +
-                                std::to_string(shares.size()) + ", but that of components is " +
-                                std::to_string(components));
-  for(std::size_t c = 0; c < components; ++c)
+  for(std::size_t c = 0; c < shares.size(); ++c)
     if(!(shares[c] > 0 && std::isfinite(shares[c])))
       refuse_value(internal_np::volume_shares_t(), shares[c],
                    "the share of component " + std::to_string(c) + " must be positive and finite");
-  if(parameters.start != Filling_start::TREE)
+  if(!shares.empty() && parameters.start != Filling_start::TREE)
     throw std::invalid_argument("volume_shares: only fingers divide the volume, see "
                                 "Filling_start::TREE");
+}
+
+// Throws std::invalid_argument unless there is a share for each component, or none at all.
+inline void check_number_of_shares(const std::vector<double>& shares, std::size_t components)
+{
+  if(!shares.empty() && shares.size() != components)
+    throw std::invalid_argument("volume_shares: the number of shares is " +
+                                std::to_string(shares.size()) + ", but that of components is " +
+                                std::to_string(components));
 }
 
 } // namespace internal
