@@ -65,7 +65,8 @@ std::vector<std::string> endings_of(const File_options& files)
 std::vector<std::string> all_endings(const Command_line& command_line)
 {
   std::vector<std::string> endings = endings_of(command_line.files);
-  if(command_line.files.follower) endings.push_back(command_line.files.follower());
+  if(command_line.files.followers)
+    for(const std::string& name : command_line.files.followers()) endings.push_back(name);
   endings.push_back(command_line.batch.format);
   endings.erase(std::remove(endings.begin(), endings.end(), ""), endings.end());
   return endings;

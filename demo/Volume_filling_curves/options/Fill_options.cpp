@@ -62,7 +62,7 @@ void add_symmetry_option(CLI::App& command, Fill_options& options)
       "point and a normal, or rotation:K, by K-ths of a turn about an axis with a point and a "
       "direction; default: through the middle of the box, with the normal x or the direction z");
   symmetry.type_name("mirror|rotation:K[:X,Y,Z,NX,NY,NZ]")->needs("--thickness");
-  for(const char* other : {"--curve", "--port", "--volume-shares", "--certificate"})
+  for(const char* other : {"--curve", "--port", "--volume-shares"})
     symmetry.excludes(command.get_option(other));
 }
 
@@ -118,7 +118,8 @@ void add_fill_options(CLI::App& command, Fill_options& options)
   add_file(
       command, "--certificate", options.certificate,
       "record of all certified changes, for vfc check --certificate with MESH for --domain and the "
-      "same obstacles; without --curve the circles at the start are written to FILE.start.obj");
+      "same obstacles; without --curve the start is written to FILE.start.obj; with --symmetry "
+      "FILE.end.obj and FILE.domain.off have the arc and its sector");
   add_film_options(command, options.film);
   add_checkpoint_options(command, options.saving);
   add_start_options(command, options);

@@ -35,7 +35,8 @@ struct File_options
 {
   std::string *input = nullptr, *output = nullptr;
   std::vector<std::string*> others;
-  std::function<std::string()> follower = nullptr; // another file whose name follows from them
+  // further files whose names follow from them; may be empty
+  std::function<std::vector<std::string>()> followers = nullptr;
 };
 
 // Lets a command run in batches. The option `input` of the command is no longer required then. A

@@ -100,6 +100,29 @@ TEST_F(Command_line_symmetry, thirds_of_a_torus_are_alike)
   }
 }
 
+TEST_F(Command_line_symmetry, arc_is_certified_in_its_sector)
+{
+  for(const std::string symmetry : {"mirror", "rotation:2:0,0,0,1,0,0"}) {
+    const Finished fill = run("fill box.off --preview --thickness .25 --max-iterations 5 --force "
+                              "--certificate c.cert -o c.obj --symmetry " +
+                              symmetry);
+    ASSERT_EQ(fill.status, 2) << fill.err;
+    const std::string replay = "check --certificate c.cert c.cert.start.obj c.cert.end.obj "
+                               "--domain ";
+    EXPECT_EQ(run(replay + "c.cert.domain.off").status, 0) << symmetry;
+    const std::vector<Point> arc = points("c.cert.end.obj"), nodes = points("c.obj");
+    ASSERT_EQ(nodes.size(), 2 * arc.size());
+    EXPECT_TRUE(std::equal(arc.begin(), arc.end(), nodes.begin()) ||
+                std::equal(arc.rbegin(), arc.rend(), nodes.begin()));
+  }
+  write("thin.off", "OFF\n8 12 0\n.1 -1 -.1\n2 -1 -.1\n2 1 -.1\n.1 1 -.1\n.1 -1 .1\n2 -1 .1\n"
+                    "2 1 .1\n.1 1 .1\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n"
+                    "3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  EXPECT_EQ(
+      run("check --certificate c.cert c.cert.start.obj c.cert.end.obj --domain thin.off").status,
+      4);
+}
+
 // Strands near a cut do not see those of the other images.
 TEST_F(Command_line_symmetry, tells_where_images_are_too_near_to_one_another)
 {
