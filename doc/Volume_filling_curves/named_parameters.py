@@ -58,9 +58,12 @@ def rows(name):
 
 
 @cache
-def by_hand(name):
-    """The lines that describe a named parameter that sets no member."""
-    blocks = re.findall(rf"\\cgalParamNBegin{{{name}}}.*?\\cgalParamNEnd", sources(), re.S)
+def by_hand(name, lists):
+    """The lines that describe a named parameter that sets no member: those before one of the lists of
+    tags, or else those before no list."""
+    found = re.findall(rf"(\\cgalParamNBegin{{{name}}}.*?\\cgalParamNEnd)(?:\nusing (\w+))?", sources(), re.S)
+    blocks = ([block for block, owner in found if owner in lists] or
+              [block for block, owner in found if not owner])
     if len(blocks) != 1:
         raise SystemExit(f"{name} is described {len(blocks)} times by hand, and sets no member")
     return [re.sub(r"^\s*(//|\*) *", "", line) for line in blocks[0].splitlines()]
@@ -70,7 +73,9 @@ def from_members(name, owner, settings):
     """Likewise, of a parameter that sets one or more members of a struct."""
     settings.sort(key=lambda setting: setting[0] != name)
     comments, kinds, _, defaults = zip(*(described(owner, member) for member, _ in settings))
-    text = " ".join(re.findall(r"/// ?(.*)", "".join(comments)))
+    text, *others = (" ".join(re.findall(r"/// ?(.*)", comment)) for comment in comments)
+    for other in others:
+        text += " Or: " + other[0].lower() + re.sub(r" [^.]*by default\.", "", other[1:])
     kind = ", or ".join(f"`{kind.replace('internal::Field_vector', 'Vector_3')}`" for kind in kinds)
     default = DEFAULTS.get(defaults[0]) or f"`{defaults[0]}`"
     ranges = [RANGES[limits] for _, limits in settings if limits]
@@ -97,14 +102,15 @@ def entries(signature):
     """The lines of each parameter of a signature, or of a struct, by name."""
     found = re.search(rf"using {signature} =\s*Signature<(\w+)(?:<Point_3>)?(.*?)>;", sources(), re.S)
     owner, others = found.groups() if found else (signature, "")
-    lists = "".join(definition(name) for name in re.findall(r"\w+", others))
+    names = tuple(re.findall(r"\w+", others))
+    lists = "".join(definition(name) for name in names)
     unused = tags(r"Without", lists)
     settings = {}
     for name, member, limits in rows(owner):
         if name not in unused:
             settings.setdefault(name, []).append((member, limits))
     return {name: from_members(name, owner, members) for name, members in settings.items()} | {
-        name: by_hand(name) for name in tags(r"Tag_list", lists)}
+        name: by_hand(name, names) for name in tags(r"Tag_list", lists)}
 
 
 def is_signature(name):

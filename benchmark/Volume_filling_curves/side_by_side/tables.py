@@ -114,7 +114,7 @@ def exponents(series):
         of_all, of_large = (grown(points, LEAST_SECONDS_OF_GROWTH) for grown in (growth, growth_of_large))
         if of_large and of_large.at(1e6) >= 1:
             rows.append([name, f"{of_all.exponent:.2f}", f"{of_large.exponent:.2f}", f"{of_large.at(1e6):.0f}"])
-    head = ["", "exponent", "of the last decade", "hence at 1,000,000 nodes"]
+    head = ["", "exponent, all runs", "exponent, largest runs", "predicted for 1,000,000 nodes"]
     return {"growth": table(head, rows)} if rows else {}
 
 

@@ -162,7 +162,8 @@ void add_convert_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Convert_options>();
   CLI::App& command = command_line.add_command(
-      "convert", "a curve or a mesh in another format, a curve as arcs, or the tube around it",
+      "convert",
+      "write a curve or a mesh in another format, a curve as arcs, or the tube around it",
       [options](Session& session) { return convert(session, *options); });
   add_curve(command, options->file);
   add_file(command, "OUT", options->second, "the same as --output");
@@ -179,7 +180,8 @@ void add_convert_command(Command_line& command_line)
       add_number(command, "--tube", options->radius,
                  "write the surface of the tube of this radius, in the input's unit");
   tube.type_name("R")->excludes(&arcs);
-  add_whole_number(command, "--sides", options->number_of_sides, "of the tube's sections", 3, 1024)
+  add_whole_number(command, "--sides", options->number_of_sides,
+                   "number of sides of the tube's sections", 3, 1024)
       .capture_default_str()
       ->needs(&tube);
   add_number(command, "--thickness", options->thickness,

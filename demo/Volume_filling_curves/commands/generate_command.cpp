@@ -129,7 +129,7 @@ void add_generate_command(Command_line& command_line)
   const auto options = std::make_shared<Generate_options>();
   const auto self = std::make_shared<CLI::App*>();
   CLI::App& command = command_line.add_command(
-      "generate", "a knot, a link or a random polygon",
+      "generate", "make a knot, a link or a random polygon",
       [options, self](Session& session) { return generate(session, **self, *options); });
   *self = &command;
   command.add_option("KIND", options->kind, "torus-knot, braid, random-polygon or hard-unknot")

@@ -114,7 +114,7 @@ void add_chain_options(CLI::App& command, Identify_options& options)
   add_whole_number(command, "--stride", options.chain.stride,
                    "edges between the ends of the sections; default: a 60th of the chain", 1)
       .needs(command.get_option("--fingerprint"));
-  add_seed_option(command, options.chain.random_seed, "of the directions");
+  add_seed_option(command, options.chain.random_seed, "seed of the directions");
 }
 
 } // namespace
@@ -123,7 +123,7 @@ void add_identify_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Identify_options>();
   CLI::App& command = command_line.add_command(
-      "identify", "what knots or links closed curves and open chains form",
+      "identify", "name the knots and links that closed curves and open chains form",
       [options, &command_line](Session& session) { return run(session, command_line, *options); });
   CLI::Option& curves = add_curves(command, options->files);
   command
@@ -133,7 +133,7 @@ void add_identify_command(Command_line& command_line)
       ->check(CLI::IsMember({"pd", "gauss", "dt"}).description(""))
       ->type_name("NAMES");
   add_number(command, "--time-limit", options->time_limit,
-             "of each file, which ends without a result then; default: none", not_negative)
+             "time after which each file ends without a result; default: none", not_negative)
       .type_name("SECONDS");
   add_reading_flags(command, options->reading);
   add_chain_options(command, *options);

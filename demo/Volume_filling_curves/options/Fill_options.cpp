@@ -38,10 +38,10 @@ void add_density_options(CLI::App& command, Fill_options& options)
 // How round the curve is.
 void add_shape_options(CLI::App& command, Fill_options& options)
 {
-  CLI::Option& preview =
-      *command.add_flag("--preview{false}", options.parameters.round_bends,
-                        "without rounding, in 0.4 to 0.8 of the time: bends of 0.15 r, and "
-                        "strands 0.7 r apart in places");
+  CLI::Option& preview = *command.add_flag_callback(
+      "--preview", [&options] { options.parameters.round_bends = false; },
+      "without rounding, in 0.4 to 0.8 of the time: bends of 0.15 r, and strands 0.7 r apart in "
+      "places");
   command.add_flag("--finish", "with rounding; the default")->group("Shape of the result");
   add_number(command, "--bend-radius", options.parameters.bend_radius,
              "least radius of bends; default: 0.85 r; if R exceeds r, r becomes R")
@@ -136,7 +136,7 @@ void add_fill_options(CLI::App& command, Fill_options& options)
       .type_name("C");
   add_stop_options(command, options.parameters);
   add_seed_option(command, options.parameters.random_seed,
-                  "of the tree, and of the samples for coverage");
+                  "seed of the tree of fingers and of the samples for coverage");
   add_flow_options(command, options.parameters);
   command.get_option("--lambda")
       ->description(

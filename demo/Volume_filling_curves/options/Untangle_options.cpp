@@ -43,22 +43,24 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
   add_number(command, "--tolerance", parameters.tolerance,
              "converged if gradient_norm is less; dimensionless", not_negative)
       .capture_default_str();
-  add_choice(command, "--strategy", parameters.strategy,
-             {{"auto", Untangling_strategy::AUTO},
-              {"flow", Untangling_strategy::FLOW},
-              {"tighten", Untangling_strategy::SEARCH}},
-             "flow: continuous motion, for a film; tighten: a random search for a polygon with few "
-             "edges; auto: the search first, then the flow to an even, smooth shape");
+  add_choice(
+      command, "--strategy", parameters.strategy,
+      {{"auto", Untangling_strategy::AUTO},
+       {"flow", Untangling_strategy::FLOW},
+       {"search", Untangling_strategy::SEARCH},
+       {"tighten", Untangling_strategy::SEARCH}},
+      "flow: continuous motion, for a film; search, or tighten: a random search for a polygon "
+      "with few edges; auto: the search first, then the flow to an even, smooth shape");
   command
       .add_option("--chains", parameters.number_of_chains,
                   "independent random searches; the fastest one wins; they share the threads")
       ->check(CLI::Range(std::size_t(1), max_chains).description(""))
       ->capture_default_str()
       ->type_name("N");
-  add_seed_option(command, parameters.random_seed, "of the random search");
+  add_seed_option(command, parameters.random_seed, "seed of the random search");
   add_number(command, "--thickness", parameters.thickness,
-             "r, the distance that strands keep from the medial surface between them, in the "
-             "input's unit; default: the 25th percentile of the medial radii")
+             "r, the distance at which the strands of a tight curve end, in the input's unit; "
+             "default: the 25th percentile of the medial radii")
       .type_name("R");
   add_number(command, "--bend-radius", parameters.bend_radius,
              "least radius of bends of the result; r grows to R / 0.75")

@@ -54,7 +54,7 @@ void add_batch_options(CLI::App& command,
   command
       .add_option_function<std::string>(
           "--shard", [&options](const std::string& text) { read_shard(text, options); },
-          "of LIST only the lines K, K + N, K + 2 N, ...")
+          "run only the lines K, K + N, K + 2 N, ... of LIST")
       ->type_name("K/N")
       ->needs(&batch);
   if(!writes_curves) {
@@ -63,7 +63,8 @@ void add_batch_options(CLI::App& command,
   }
   command
       .add_option("--format", options.format,
-                  "of the results of a batch: obj, polylines.txt, ply, vtp, vect, xyz, txt or dat")
+                  "format of the results of a batch: obj, polylines.txt, ply, vtp, vect, xyz, txt "
+                  "or dat")
       ->check(CLI::IsMember({"obj", "polylines.txt", "ply", "vtp", "vect", "xyz", "txt", "dat"})
                   .description(""))
       ->capture_default_str()

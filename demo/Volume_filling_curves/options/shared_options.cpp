@@ -60,7 +60,8 @@ void add_curve_options(CLI::App& command, Curve_options& options)
 
 void add_stop_options(CLI::App& command, Curve_run_parameters& parameters)
 {
-  add_number(command, "--time-limit", parameters.time_limit, "default: none", not_negative)
+  add_number(command, "--time-limit", parameters.time_limit,
+             "end the run after this time and write the current curve; default: none", not_negative)
       .type_name("SECONDS");
   add_whole_number(command, "--max-iterations", parameters.number_of_iterations,
                    "the largest number of iterations", 0)

@@ -42,9 +42,9 @@ class CurveFlowVisitor
 public:
   /// is called once per flow, before its first step, when the thickness is known and the curve is
   /// remeshed. `flow.statistics()` starts from 0, unless the run resumes in the middle of this
-  /// flow. `fill()` calls it with the required thickness, although the curve first grows with a
-  /// coarser one. `Flow` is an instance of `CGAL::Volume_filling_curves::Curve_flow_3`, or has the
-  /// same reading functions.
+  /// flow. `fill()` calls it with the required thickness; some stages use another one: multiples of
+  /// it with `Filling_start::CIRCLE`, and fractions of it while bends are rounded. `Flow` is an
+  /// instance of `CGAL::Volume_filling_curves::Curve_flow_3`, or has the same reading functions.
   template <typename Flow>
   void on_start(const Flow& flow);
 
@@ -59,7 +59,8 @@ public:
 
   /// is called first by `CGAL::Volume_filling_curves::fill()` if more than 1 % of the domain's
   /// volume is too thin for the thickness, as a warning: the curve will not reach these regions,
-  /// and the status will most likely be `Filling_status::PARTIAL`.
+  /// and the status will most likely be `Filling_status::CONSTRAINT_NOT_REACHED` or
+  /// `Filling_status::PARTIAL`.
   void on_thin_domain(const CGAL::Volume_filling_curves::Thickness_fit& fit);
 
   /// is called every few milliseconds during a search. If it returns `false`, the search ends, the

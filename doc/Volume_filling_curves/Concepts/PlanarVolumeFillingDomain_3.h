@@ -20,6 +20,7 @@
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Volume_filling_curves::Polygon_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Inset_domain_3}
  * \cgalHasModelsEnd
  */
 class PlanarVolumeFillingDomain_3

@@ -21,6 +21,7 @@
  * \cgalHasModels{CGAL::Volume_filling_curves::Ball_domain_3}
  * \cgalHasModels{CGAL::Volume_filling_curves::Box_domain_3}
  * \cgalHasModels{CGAL::Volume_filling_curves::Polygon_domain_3}
+ * \cgalHasModels{CGAL::Volume_filling_curves::Inset_domain_3}
  * \cgalHasModelsEnd
  */
 class ScalableVolumeFillingDomain_3

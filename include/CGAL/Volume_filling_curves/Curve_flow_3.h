@@ -29,6 +29,8 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -143,18 +145,21 @@ public:
   {
     if(!is_under_way) start();
   }
-  /// \endcond
 
-  Curve_flow_3(const Curve_flow_3&) = delete;
-  Curve_flow_3& operator=(const Curve_flow_3&) = delete;
-
-  /// changes the largest displacement of a node in a step, in units of the thickness.
-  ///
-  /// \pre `max_displacement` is positive
+  // Changes the largest displacement of a node in a step, in units of the thickness.
   void set_max_displacement(double max_displacement)
   {
     m_motion.set_max_displacement(max_displacement);
   }
+
+  // Separates strands that are closer than the distance, in units of the least thickness, after
+  // every step. By default only strands that block one another are separated, up to half of the
+  // thickness.
+  void keep_apart(double distance) { m_motion.keep_apart(distance); }
+  /// \endcond
+
+  Curve_flow_3(const Curve_flow_3&) = delete;
+  Curve_flow_3& operator=(const Curve_flow_3&) = delete;
 
   /// changes the least length of an edge, in units of the thickness, and remeshes the curve to it.
   ///
@@ -165,11 +170,6 @@ public:
     m_motion.remesh_until_even();
     update();
   }
-
-  /// separates strands that are closer than `distance`, in units of the least thickness, after
-  /// every step. By default only strands that block one another are separated, up to half of the
-  /// thickness.
-  void keep_apart(double distance) { m_motion.keep_apart(distance); }
 
   /// changes the parameters, and remeshes the curve to the edge lengths that they require.
   ///

@@ -64,7 +64,7 @@ template <typename Traits>
  * \param network the network
  * \param polylines receives the polylines
  *
- * \return the output iterator past the last polyline
+ * \returns the output iterator past the last polyline
  */
 template <typename Traits, typename OutputIterator>
 OutputIterator curve_network_to_polylines(const Curve_network_3<Traits>& network,

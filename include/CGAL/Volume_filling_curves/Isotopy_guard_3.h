@@ -29,6 +29,8 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

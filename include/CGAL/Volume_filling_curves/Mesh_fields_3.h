@@ -99,9 +99,8 @@ private:
  * The sign of a vector does not matter: before taking the mean, the vectors at the corners of a
  * face are flipped where they point away from the first. Lengths act as weights; where all vectors
  * are zero there is no direction. The mesh is copied. Construction takes \cgalBigO{n \log n} time
- * for `n` faces, evaluation
- * \cgalBigO{\log n} for most points. Evaluation uses double arithmetic and may be called
- * concurrently.
+ * for `n` faces, evaluation \cgalBigO{\log n} for most points. Evaluation uses double arithmetic
+ * and may be called concurrently.
  *
  * \tparam Kernel a model of \cgal's `Kernel`, as for `Triangle_mesh_domain_3`
  */

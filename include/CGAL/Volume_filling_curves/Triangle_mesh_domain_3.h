@@ -81,14 +81,13 @@ public:
    * \tparam NamedParameters a sequence of Named Parameters
    *
    * \param mesh the mesh
-   * \param np optional named parameters
+   * \param np an optional sequence of named parameters among the ones listed below
    *
    * \cgalNamedParamsBegin
    *   \cgalParamNBegin{vertex_point_map}
    *     \cgalParamDescription{a property map from the vertices of a mesh to their points}
-   *     \cgalParamType{a model of `ReadablePropertyMap`, for `tube_mesh()` of
-   *       `WritablePropertyMap`, whose key type is the mesh's vertex descriptor and whose value
-   *       type is `Point_3`}
+   *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is the mesh's vertex
+   *       descriptor and whose value type is `Point_3`}
    *     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{check_mesh}

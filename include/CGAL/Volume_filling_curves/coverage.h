@@ -21,6 +21,7 @@
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Coverage.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -124,12 +125,16 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \param samples the samples
  * \param distances the distances of the samples to the curve
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ *
+ * \pre `distances` has one entry per sample
  */
 template <typename Traits, typename Domain, typename Thickness>
 [[nodiscard]] Coverage coverage(const Domain_samples_3<Traits, Domain>& samples,
                                 const std::vector<double>& distances,
                                 const Thickness& thickness)
 {
+  CGAL_precondition_msg(distances.size() == samples.points().size(),
+                        "`distances` has one entry per sample");
   Coverage result;
   result.samples = distances.size();
   if(distances.empty()) return result;
@@ -160,12 +165,16 @@ template <typename Traits, typename Domain, typename Thickness>
  * \param samples the samples
  * \param distances the distances of the samples to the curve, from `sample_distances()`
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
+ *
+ * \pre `distances` has one entry per sample
  */
 template <typename Traits, typename Domain, typename Thickness>
 [[nodiscard]] double unfilled_fraction(const Domain_samples_3<Traits, Domain>& samples,
                                        const std::vector<double>& distances,
                                        const Thickness& thickness)
 {
+  CGAL_precondition_msg(distances.size() == samples.points().size(),
+                        "`distances` has one entry per sample");
   if(distances.empty()) return 0;
   const auto thickness_at = internal::thickness_function(thickness);
   std::size_t unfilled = 0;
@@ -191,6 +200,8 @@ template <typename Traits, typename Domain, typename Thickness>
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre `distances` has one entry per sample
+ *
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
@@ -204,6 +215,8 @@ template <typename Traits,
     const Thickness& thickness,
     const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(distances.size() == samples.points().size(),
+                        "`distances` has one entry per sample");
   const auto boundary_distance = [&](std::size_t k) {
     return samples.domain().distance(samples.points()[k]);
   };

@@ -100,6 +100,10 @@ struct Tightest_bend
  * Functions that can run for seconds have the named parameter `progress`, a function that receives
  * a `Run_progress` every few milliseconds, in the thread of the caller. If it returns `false`, they
  * throw `Run_interrupted`.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \param curve the curve
  */
 template <typename Traits>
 [[nodiscard]] std::vector<double> component_lengths(const Curve_network_3<Traits>& curve)
@@ -108,6 +112,8 @@ template <typename Traits>
 }
 
 /// returns the total length of all components. Takes linear time.
+/// \tparam Traits a model of `CurveFlowTraits_3`
+/// \param curve the curve
 template <typename Traits>
 [[nodiscard]] double length(const Curve_network_3<Traits>& curve)
 {
@@ -119,7 +125,11 @@ template <typename Traits>
  * curve turns at its nodes; NaN for a component with junctions. Takes linear time.
  *
  * The total curvature of a closed curve is at least \f$2\pi\f$, and more than \f$4\pi\f$ if the
- * curve is knotted (Fary, Milnor).
+ * curve is knotted \cgalCite{vfc:f-ctcgfn-49}, \cgalCite{vfc:m-tck-50}.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \param curve the curve
  */
 template <typename Traits>
 [[nodiscard]] std::vector<double> total_curvatures(const Curve_network_3<Traits>& curve)
@@ -135,10 +145,15 @@ template <typename Traits>
  * returns the least bend radius of the curve's corners, or infinity if there are none. Takes linear
  * time.
  *
- * The bend radius of a corner with the turning angle \f$\theta\f$ is \f$\min(l_1, l_2) / (2
- * \tan(\theta/2))\f$, the radius of the arc that is tangent to both edges, of lengths \f$l_1\f$ and
- * \f$l_2\f$, and touches the shorter one in its middle (Rawdon's MinRad). For a regular polygon it
- * is the radius of the inscribed circle. Components with junctions are left out.
+ * The bend radius of a corner with the turning angle \f$\theta\f$ is
+ * \f$\min(l_1, l_2) / (2 \tan(\theta/2))\f$, the radius of the arc that is tangent to both edges,
+ * of lengths \f$l_1\f$ and \f$l_2\f$, and touches the shorter one in its middle (Rawdon's MinRad
+ * \cgalCite{vfc:r-atk-98}). For a regular polygon it is the radius of the inscribed circle.
+ * Components with junctions are left out.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \param curve the curve
  */
 template <typename Traits>
 [[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
@@ -147,6 +162,8 @@ template <typename Traits>
 }
 
 /// returns the corner with the least bend radius, see `min_bend_radius()`. Linear time.
+/// \tparam Traits a model of `CurveFlowTraits_3`
+/// \param curve the curve
 template <typename Traits>
 [[nodiscard]] Tightest_bend tightest_bend(const Curve_network_3<Traits>& curve)
 {
@@ -156,6 +173,8 @@ template <typename Traits>
 
 /// returns for each node the reciprocal of its bend radius, see `min_bend_radius()`; 0 at ends and
 /// junctions. Takes linear time.
+/// \tparam Traits a model of `CurveFlowTraits_3`
+/// \param curve the curve
 /// \pre the network has no garbage
 template <typename Traits>
 [[nodiscard]] std::vector<double> node_curvatures(const Curve_network_3<Traits>& curve)
@@ -165,6 +184,8 @@ template <typename Traits>
 }
 
 /// returns the reciprocal of `min_bend_radius()`, 0 if the curve is straight. Takes linear time.
+/// \tparam Traits a model of `CurveFlowTraits_3`
+/// \param curve the curve
 template <typename Traits>
 [[nodiscard]] double max_curvature(const Curve_network_3<Traits>& curve)
 {
@@ -179,6 +200,7 @@ template <typename Traits>
  * whose projections come close.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
@@ -210,23 +232,27 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \f$O(n \log n + k)\f$ time for \f$n\f$ nodes and \f$k\f$ pairs of segments whose projections come
  * close.
  *
- * \pre no two components intersect.
+ * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws std::invalid_argument if they do, and their linking number is undefined
+ * \throws std::invalid_argument if two closed components meet so that their linking number is
+ * undefined
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] std::vector<std::vector<int>> linking_matrix(
     const Curve_network_3<Traits>& curve, const NamedParameters& np = parameters::default_values())
 {
-  const auto matrix = internal::measured(np, [&](internal::Run_watch* watch) {
-    return internal::Linking_numbers<Curve_network_3<Traits>>(curve, watch)();
+  return internal::measured(np, [&](internal::Run_watch* watch) {
+    internal::Linking_numbers<Curve_network_3<Traits>> numbers(curve, watch);
+    const auto matrix = numbers();
+    if(matrix) return *matrix;
+    const auto [a, b] = numbers.meeting_components();
+    throw std::invalid_argument("components " + std::to_string(a) + " and " + std::to_string(b) +
+                                " meet, and their linking number is undefined");
   });
-  if(!matrix) throw std::invalid_argument("components with linking numbers must not intersect");
-  return *matrix;
 }
 
 /*!
@@ -234,11 +260,13 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`, as for `average_crossing_number()`,
  * which takes most of the time
+ * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param r as for `min_clearance()`
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \throws std::invalid_argument as `linking_matrix()`
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
@@ -269,7 +297,8 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \param r as for `min_clearance()`
  * \param np \vfcNamedParams{Measure_polylines_signature}
  *
- * \throws std::invalid_argument like the constructor of `Curve_network_3` from polylines
+ * \throws std::invalid_argument like the constructor of `Curve_network_3` from polylines, and as
+ * `linking_matrix()`
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename PolylineRange,
@@ -291,7 +320,7 @@ template <typename PolylineRange,
 /// @}
 
 /*!
- * \ingroup PkgVolumeFillingCurvesRef
+ * \ingroup PkgVolumeFillingCurvesMeasures
  *
  * \brief returns how well curves follow a direction field: the mean by length of the squared cosine
  * of the angle between an edge and the field at its middle.

@@ -75,7 +75,7 @@ auto fill(Curve_network_3<Traits>& curves,
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
  *
- * \brief fills a domain evenly with curves: grows them until about nine tenths of the volume are
+ * \brief fills a domain evenly with curves: grows them until about nine tenths of the volume is
  * within the thickness r of them, and nearly all of it within 1.4 r.
  *
  * The curves never leave the domain and never pass through themselves or one another. Every change
@@ -96,21 +96,21 @@ auto fill(Curve_network_3<Traits>& curves,
  * The curve settles at about r from the boundary with `Wall::COVER` and at about 2 r with
  * `Wall::KEEP_CLEAR`. On nine domains, 86 to 92 % of the volume ended within r of the curve, and
  * 99 % within 1.2 r to 1.45 r. If nearly every point must lie within d of the curve, use
- * r = d / 1.4. Unless the status is `Filling_status::CONSTRAINT_NOT_REACHED`, strands are at least
- * 1.6 r apart; without `round_bends`, about 80 % are within r, and strands come closer. The result
- * has the least distances, the tightest bend, and the share of the length that another strand comes
- * nearer to than r.
+ * r = d / 1.4. If the status is `Filling_status::CONVERGED` or `Filling_status::PARTIAL`, strands
+ * are at least 1.6 r apart; without `round_bends`, about 80 % are within r, and strands come
+ * closer. The result has the least distances, the tightest bend, and the share of the length that
+ * another strand comes nearer to than r.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
  * areas replace volumes; 97 % of a plate ended within r of the curve, and 99 % within 1.1 r.
  *
  * The run ends when the curve has settled within the limits of its shape. Without `round_bends` it
- * has also been pushed into every empty region; with them, spikes and gaps that are too narrow for
- * a bend stay empty. A settled curve need not fill its domain: if more than 1 % of the volume is
- * farther than 2 r from it, or another strand nearer than r along more than 5 % of its length, the
- * status is `Filling_status::PARTIAL`, unless the length or a limit of the shape is missed;
- * `Filling_result::reason` states the cause. Towards the end each step is about a fifth shorter
- * than the one before; otherwise the curve keeps oscillating.
+ * has also been pushed into every empty region. With `round_bends`, spikes and gaps that are too
+ * narrow for a bend stay empty. A settled curve need not fill its domain: if more than 1 % of the
+ * volume is farther than 2 r from it, or another strand nearer than r along more than 5 % of its
+ * length, the status is `Filling_status::PARTIAL`, unless the length or a limit of the shape is
+ * missed; `Filling_result::reason` states the cause. Towards the end each step is about a fifth
+ * shorter than the one before; otherwise the curve keeps oscillating.
  *
  * The time limit includes the survey of the domain, which then takes fewer samples, and the
  * measures of the result, which are then skipped. A step that is expected to end after the limit is

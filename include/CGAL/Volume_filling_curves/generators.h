@@ -29,8 +29,9 @@ namespace Volume_filling_curves {
  * \addtogroup PkgVolumeFillingCurvesGenerators
  *
  * Closed curves for experiments and tests: knots and links of known types, and polygons. The same
- * arguments give the same bits on every machine. All functions return embedded networks, take
- * near-linear time, and can run concurrently. `Traits` is a model of `CurveFlowTraits_3`.
+ * arguments give the same bits on every machine. The networks are embedded, random polygons with
+ * probability 1. The functions can run concurrently and take time near-linear in the number of
+ * nodes, `make_hard_unknot()` in the number of moves. `Traits` is a model of `CurveFlowTraits_3`.
  *
  * @{
  */
@@ -63,7 +64,8 @@ template <typename Traits = Curve_flow_traits_3<>>
 }
 
 /*!
- * returns the closure of a braid. Every knot and every link is a closed braid (Alexander 1923).
+ * returns the closure of a braid. Every knot and every link is a closed braid
+ * \cgalCite{vfc:a-lskc-23}.
  *
  * The strands run side by side around the z-axis, at distance 1. The letter `i` of the word
  * exchanges the strands `i` and `i + 1` by a half turn with a positive crossing, and `-i` with a
@@ -123,7 +125,8 @@ template <typename Traits = Curve_flow_traits_3<>>
 }
 
 /*!
- * returns a random closed polygon with edges of length 1 (the hedgehog method, Klenin et al. 1988).
+ * returns a random closed polygon with edges of length 1 (the hedgehog method
+ * \cgalCite{vfc:kvadf-eevtp-88}).
  *
  * It is embedded with probability 1, and mostly knotted if it has several hundred nodes.
  *

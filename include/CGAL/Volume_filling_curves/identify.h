@@ -68,6 +68,8 @@ namespace Volume_filling_curves {
  * \param diagram the diagram
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \returns the name, proofs and invariants
+ *
  * \throws std::invalid_argument if the crossings are not a planar diagram code
  * \throws Run_interrupted if `progress` returns `false`
  */
@@ -98,6 +100,8 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
  * \param curves the curves
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \returns the name, proofs and invariants
+ *
  * \pre the network has no garbage
  *
  * \throws std::invalid_argument if the curves are not embedded, or if a component is open or has a
@@ -127,7 +131,10 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param polylines the polylines
  * \param np \vfcNamedParams{Measure_polylines_signature}
  *
- * \throws std::invalid_argument as that overload and the constructor of `Curve_network_3`
+ * \returns the name, proofs and invariants
+ *
+ * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
+ * polylines
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Polylines,
@@ -170,6 +177,8 @@ template <typename Polylines,
  * \param component the number of the component that is the chain
  * \param np \vfcNamedParams{Chain_signature}
  *
+ * \returns the knots of the closures and, if wanted, the core and the fingerprint
+ *
  * \pre the network has no garbage
  *
  * \throws std::invalid_argument if the curves are not embedded, the component does not exist, is
@@ -207,7 +216,10 @@ template <typename ConcurrencyTag = Sequential_tag,
  * \param polyline the polyline
  * \param np \vfcNamedParams{Chain_polyline_signature}
  *
- * \throws std::invalid_argument as that overload and that constructor
+ * \returns the knots of the closures and, if wanted, the core and the fingerprint
+ *
+ * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
+ * polylines
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = Sequential_tag,
@@ -309,7 +321,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 
 /*!
  * returns the signature of a link, -2 for the right-handed trefoil, by the formula of Gordon and
- * Litherland. Takes milliseconds for 600 crossings.
+ * Litherland \cgalCite{vfc:gl-osl-78}. Takes milliseconds for 600 crossings.
  *
  * \throws std::invalid_argument if the crossings are not a planar diagram code
  */
@@ -332,6 +344,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 
 /// returns the planar diagram code in the form of KnotTheory, with arcs numbered from 1: `PD[X[1,
 /// 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]`; a component without crossings is `Loop[7]`.
+/// \throws std::invalid_argument if the crossings are not a planar diagram code
 [[nodiscard]] inline std::string pd_code(const Planar_diagram& diagram)
 {
   internal::check_planar_diagram(diagram);
@@ -340,6 +353,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 
 /// returns the signed Gauss code: the passes of each component in order, such as
 /// `O1+U2+O3+U1+O2+U3+`, with ` / ` between components and `-` for one without crossings.
+/// \throws std::invalid_argument if the crossings are not a planar diagram code
 [[nodiscard]] inline std::string gauss_code(const Planar_diagram& diagram)
 {
   internal::check_planar_diagram(diagram);
@@ -348,7 +362,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 
 /// returns the Dowker-Thistlethwaite code of a knot, such as `4 6 2`, with a minus if the even pass
 /// is the upper one. It does not distinguish a knot from its mirror image.
-/// \throws std::invalid_argument unless there is one component
+/// \throws std::invalid_argument if the crossings are not a planar diagram code, or if there is not
+/// exactly one component
 [[nodiscard]] inline std::string dt_code(const Planar_diagram& diagram)
 {
   internal::check_planar_diagram(diagram);

@@ -77,8 +77,8 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * the thickest tube that neither kinks at the node nor meets another strand there.
  *
  * As the number of directions grows, this tends to the radius of the smallest circle that is
- * tangent to the curve at the node and passes through another node (Gonzalez and Maddocks 1999).
- * The minimum over all nodes is about `polygonal_thickness()`.
+ * tangent to the curve at the node and passes through another node \cgalCite{vfc:gm-gctis-99}. The
+ * minimum over all nodes is about `polygonal_thickness()`.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -135,7 +135,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  *
  * \throws Run_interrupted if `progress` returns `false`
  *
- * \return 0 if the curve is empty
+ * \returns 0 if the curve is empty
  *
  * \pre the network has no garbage
  * \pre `largest` is positive and finite

@@ -129,10 +129,11 @@ template <typename Start,
           std::enable_if_t<internal::Are_named_parameters<NamedParameters>::value, int> = 0
 #endif
           >
-Certificate_verdict verify_certificate(const Isotopy_certificate& certificate,
-                                       const Start& start,
-                                       const End& end,
-                                       const NamedParameters& np = parameters::default_values())
+[[nodiscard]] Certificate_verdict verify_certificate(
+    const Isotopy_certificate& certificate,
+    const Start& start,
+    const End& end,
+    const NamedParameters& np = parameters::default_values())
 {
   return internal::watched(Run_stage::VERIFYING, np, [&](internal::Run_watch* watch) {
     internal::replay::Certificate_verifier verifier(certificate.bytes(), nullptr, watch);
@@ -163,7 +164,7 @@ auto enclosure_of(const Domain& domain)
  *
  * In addition to the conditions without a domain, the start curve must lie strictly inside, and so
  * must every triangle that an operation sweeps. For a mesh this is decided by an implementation
- * that shares no code with `Triangle_mesh_domain_3`: CGAL's AABB tree finds faces, and questions
+ * that shares no code with `Triangle_mesh_domain_3`: \cgal's AABB tree finds faces, and questions
  * that `double` arithmetic cannot settle are decided with rational numbers. For any other domain it
  * is as certain as the domain's own answers. A certificate of `fill()` is valid for the domain that
  * was filled; if no curve was given, its start is `Filling_result::start`.
@@ -200,11 +201,12 @@ template <typename Start,
           std::enable_if_t<!internal::Are_named_parameters<Domain>::value, int> = 0
 #endif
           >
-Certificate_verdict verify_certificate(const Isotopy_certificate& certificate,
-                                       const Start& start,
-                                       const End& end,
-                                       const Domain& domain,
-                                       const NamedParameters& np = parameters::default_values())
+[[nodiscard]] Certificate_verdict verify_certificate(
+    const Isotopy_certificate& certificate,
+    const Start& start,
+    const End& end,
+    const Domain& domain,
+    const NamedParameters& np = parameters::default_values())
 {
   return internal::watched(Run_stage::VERIFYING, np, [&](internal::Run_watch* watch) {
     const auto enclosure = internal::replay::enclosure_of(domain);

@@ -4,6 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "support/refusal_of.h"
+
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -140,6 +143,16 @@ TEST(Linking_matrix, is_right_for_squares_on_a_lattice)
   EXPECT_NEAR(gauss_linking_number(closed(squares), 0, 1), number, 1e-9);
   const Polygons apart{squares[0], {{5, 1, -1}, {7, 1, -1}, {7, 1, 1}, {5, 1, 1}}};
   EXPECT_EQ(vfc::linking_matrix(closed(apart)), (Matrix{{0, 0}, {0, 0}}));
+}
+
+TEST(Linking_matrix, is_undefined_for_components_that_meet)
+{
+  const Curve meeting = closed({{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
+                                {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}},
+                                {{1, 0, -1}, {1, 0, 1}, {1, -1, 0}}});
+  EXPECT_EQ(refusal_of([&] { (void)vfc::linking_matrix(meeting); }),
+            "components 1 and 2 meet, and their linking number is undefined");
+  EXPECT_THROW((void)vfc::measure(meeting), std::invalid_argument);
 }
 
 TEST(Linking_matrix, is_the_rounded_gauss_integral)

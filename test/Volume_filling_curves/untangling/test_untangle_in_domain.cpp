@@ -104,6 +104,18 @@ TEST(Untangle_in_domain, ends_tight_around_an_obstacle)
   EXPECT_EQ(contents(first), contents(third));
 }
 
+// There are no closing rays, and strands slip off the ends.
+TEST(Untangle_in_domain, is_not_known_to_keep_the_knot_of_an_arc)
+{
+  Network ring = tangled(braid("1 1 1", 60), 3, 300), arc = ring;
+  EXPECT_TRUE(untangle(ring, box).is_closure_kept);
+  Polygon points;
+  for(const auto& p : arc.points()) points.push_back(internal::to_vector(p));
+  arc = path(points);
+  arc.pin_ends();
+  EXPECT_FALSE(untangle(arc, box).is_closure_kept);
+}
+
 TEST(Untangle_in_domain, refuses_curves_outside_and_the_search)
 {
   Network curve = loop_around_ring();

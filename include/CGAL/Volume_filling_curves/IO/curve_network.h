@@ -52,7 +52,7 @@ namespace Volume_filling_curves {
  * \param np an optional sequence of the named parameters `point_map`, `closure` and `junctions` of
  * that constructor
  *
- * \return whether there is no error
+ * \returns whether there is no error
  */
 template <typename PolylineRange,
           typename Traits,
@@ -111,7 +111,7 @@ namespace IO {
  * file, between the last and the first point of a polyline; `Closure::IF_REPEATED` follows the
  * file. Components with junctions do not change.
  *
- * \return whether there is no error
+ * \returns whether there is no error
  */
 template <typename Traits>
 bool read_curve_network(
@@ -132,7 +132,7 @@ bool read_curve_network(
  *
  * \brief reads a curve network from a file, like the overload above, without a list of defects.
  *
- * \return whether there is no error
+ * \returns whether there is no error
  */
 template <typename Traits>
 bool read_curve_network(
@@ -143,6 +143,31 @@ bool read_curve_network(
 {
   std::vector<Volume_filling_curves::Curve_defect> defects;
   return read_curve_network(filename, network, defects, junctions, closure);
+}
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesIO
+ *
+ * \brief reads a curve network from a file, and lists its defects, including edges that meet.
+ *
+ * This function does the same as `read_curve_network()`, with the same parameters, but constructs
+ * the network only if it is embedded (see `is_embedded()`). The time is \cgalBigO{n \log^2 n} for
+ * `n` vertices unless many edges have intersecting bounding boxes.
+ *
+ * \returns whether there is no error
+ */
+template <typename Traits>
+bool read_embedded_curve_network(
+    const std::string& filename,
+    Volume_filling_curves::Curve_network_3<Traits>& network,
+    std::vector<Volume_filling_curves::Curve_defect>& defects,
+    Volume_filling_curves::Junctions junctions = Volume_filling_curves::Junctions::FORBIDDEN,
+    std::optional<Volume_filling_curves::Closure> closure = std::nullopt)
+{
+  namespace internal = Volume_filling_curves::internal;
+  internal::Curve_draft draft =
+      internal::read_curve_draft(internal::curve_formats, filename, junctions, closure);
+  return internal::draft_to_embedded_network(draft, network, defects, junctions);
 }
 
 /*!
@@ -166,7 +191,7 @@ bool read_curve_network(
  * \param error receives the error of the system, if any, and `std::errc::invalid_argument` if the
  * extension belongs to no format
  *
- * \return whether the file was written
+ * \returns whether the file was written
  *
  * \pre the network has no garbage
  */
@@ -188,7 +213,7 @@ bool write_curve_network(const std::string& filename,
  *
  * \brief writes a curve network to a file, like the overload above, without an error code.
  *
- * \return whether the file was written
+ * \returns whether the file was written
  */
 template <typename Traits>
 bool write_curve_network(const std::string& filename,
@@ -196,31 +221,6 @@ bool write_curve_network(const std::string& filename,
 {
   std::error_code error;
   return write_curve_network(filename, network, error);
-}
-
-/*!
- * \ingroup PkgVolumeFillingCurvesIO
- *
- * \brief reads a curve network from a file, and lists its defects, including edges that meet.
- *
- * This function does the same as `read_curve_network()`, with the same parameters, but constructs
- * the network only if it is embedded (see `is_embedded()`). The time is \cgalBigO{n \log^2 n} for
- * `n` vertices unless many edges have intersecting bounding boxes.
- *
- * \return whether there is no error
- */
-template <typename Traits>
-bool read_embedded_curve_network(
-    const std::string& filename,
-    Volume_filling_curves::Curve_network_3<Traits>& network,
-    std::vector<Volume_filling_curves::Curve_defect>& defects,
-    Volume_filling_curves::Junctions junctions = Volume_filling_curves::Junctions::FORBIDDEN,
-    std::optional<Volume_filling_curves::Closure> closure = std::nullopt)
-{
-  namespace internal = Volume_filling_curves::internal;
-  internal::Curve_draft draft =
-      internal::read_curve_draft(internal::curve_formats, filename, junctions, closure);
-  return internal::draft_to_embedded_network(draft, network, defects, junctions);
 }
 
 } // namespace IO

@@ -41,10 +41,12 @@ namespace Volume_filling_curves {
  * A filling of the inset ends at about the thickness from the boundary of the inset. To fill the
  * domain itself and still keep a distance, use `fill()` with `wall_distance`.
  *
+ * If `Domain` is a model of `ScalableVolumeFillingDomain_3` or `PlanarVolumeFillingDomain_3`, so is
+ * the inset.
+ *
  * \tparam Domain a model of `VolumeFillingDomain_3`, bounded, whose distances are lower bounds
  *
- * \cgalModels{VolumeFillingDomain_3, and ScalableVolumeFillingDomain_3 or
- * PlanarVolumeFillingDomain_3 if `Domain` is one}
+ * \cgalModels{VolumeFillingDomain_3}
  */
 template <typename Domain>
 class Inset_domain_3

@@ -42,6 +42,12 @@ constexpr auto parameter_table(const Tube_parameters*)
       parameter<internal_np::number_of_sides_t>(&Tube_parameters::number_of_sides));
 }
 
+// \cgalParamNBegin{vertex_point_map}
+//   \cgalParamDescription{a property map that sets the points of the mesh's vertices}
+//   \cgalParamType{a model of `WritablePropertyMap` whose key type is the mesh's vertex descriptor
+//     and whose value type is constructed from three `double` numbers}
+//   \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+// \cgalParamNEnd
 using Tube_tags = Tag_list<internal_np::vertex_point_map_t>;
 using Tube_signature = Signature<Tube_parameters, Tube_tags>;
 

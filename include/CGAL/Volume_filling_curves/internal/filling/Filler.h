@@ -53,8 +53,8 @@ bool grow_tree(Guard& guard, const Survey& survey)
 // opens in a few iterations. Otherwise it grows, coarse to fine: first with a multiple of the
 // thickness, which takes few nodes and long steps, then with halves of it; fingers reach the rest.
 // While the curve opens or grows, a large cap of the medial radii pulls it into empty space, and a
-// large lambda brings the preconditioner close to the Hessian; then it settles with the required
-// parameters.
+// large lambda brings the preconditioner close to the Hessian; then bends are rounded, or, without
+// `round_bends`, the curve settles with the required parameters.
 template <typename Flow, typename Survey, typename Visitor>
 class Filler
 {

@@ -48,6 +48,7 @@ constexpr double tolerated_crowded_fraction = 0.05;
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/fill.h
  *
  * \brief returns an estimate of the length of a curve that fills a volume, \f$0.33\, V / r^2\f$, or
  * \f$0.28\, V / r^2\f$ without round bends, to plan time and material before calling `fill()`.
@@ -72,6 +73,7 @@ constexpr double tolerated_crowded_fraction = 0.05;
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/fill.h
  *
  * \brief returns an estimate of the thickness of a curve that fills a volume and has a given
  * length, \f$\sqrt{0.33\, V / L}\f$, or \f$\sqrt{0.28\, V / L}\f$ without round bends, see

@@ -83,9 +83,8 @@ private:
   std::set<Site> m_is_taken;
 };
 
-/* returns a random polygon on the cubic lattice, an unknot, see `Lattice_polygon`.
- * \throws std::invalid_argument if the number of nodes is odd or less than 4
- */
+// Returns a random polygon on the cubic lattice, an unknot, see `Lattice_polygon`.
+// \throws std::invalid_argument if the number of nodes is odd or less than 4
 inline Polygons lattice_polygon(std::size_t number_of_nodes, std::uint64_t seed)
 {
   if(number_of_nodes < 4 || number_of_nodes % 2 == 1)

@@ -18,6 +18,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -67,6 +68,9 @@ public:
     return std::nullopt;
   }
 
+  // Two components that meet, if there is no result.
+  const std::array<std::size_t, 2>& meeting_components() const { return m_degenerate; }
+
 private:
   static constexpr int max_viewpoints = 8;    // more than one is needed for invalid curves only
   static constexpr double view_distance = 3;  // box diagonals from the box's center
@@ -85,7 +89,7 @@ private:
   }
 
   // returns false if the viewpoint is degenerate; the counts are then worthless
-  bool count_crossings(Matrix& matrix) const
+  bool count_crossings(Matrix& matrix)
   {
     bool is_generic = true;
     unsigned pairs = 0;
@@ -94,9 +98,14 @@ private:
       const std::size_t a = m_curve.component(m_curve.source(e));
       const std::size_t b = m_curve.component(m_curve.source(f));
       if(a == b || !m_curve.is_closed(a) || !m_curve.is_closed(b)) return;
-      const int sign = crossing(e, f, is_generic);
-      matrix[a][b] += sign;
-      matrix[b][a] += sign;
+      const auto sign = crossing(e, f);
+      if(!sign) {
+        is_generic = false;
+        m_degenerate = {(std::min)(a, b), (std::max)(a, b)};
+        return;
+      }
+      matrix[a][b] += *sign;
+      matrix[b][a] += *sign;
     };
     for_each_overlapping_pair(Box_tree(projected_edges()), count);
     return is_generic;
@@ -119,8 +128,9 @@ private:
     return boxes;
   }
 
-  // returns the sign of the crossing of edges e and f, or 0 if they do not cross
-  int crossing(std::size_t e, std::size_t f, bool& is_generic) const
+  // returns the sign of the crossing of edges e and f, 0 if they do not cross, or nothing if the
+  // viewpoint is degenerate or the edges meet
+  std::optional<int> crossing(std::size_t e, std::size_t f) const
   {
     const Point_3 &p = m_curve.point(m_curve.source(e)), &q = m_curve.point(m_curve.target(e));
     const Point_3 &r = m_curve.point(m_curve.source(f)), &s = m_curve.point(m_curve.target(f));
@@ -128,9 +138,10 @@ private:
         m_orientation(m_viewpoint, p, q, r), m_orientation(m_viewpoint, p, q, s),
         m_orientation(m_viewpoint, r, s, p), m_orientation(m_viewpoint, r, s, q)};
     for(Orientation side : sides)
-      if(side == COPLANAR) is_generic = false;
-    if(sides[0] * sides[1] >= 0 || sides[2] * sides[3] >= 0) return 0;
-    return m_orientation(p, q, r, s);
+      if(side == COPLANAR) return std::nullopt;
+    if(sides[0] == sides[1] || sides[2] == sides[3]) return 0;
+    const Orientation sign = m_orientation(p, q, r, s);
+    return sign == COPLANAR ? std::nullopt : std::optional<int>(sign); // coplanar: they meet
   }
 
   const Network& m_curve;
@@ -139,6 +150,7 @@ private:
   Frame m_frame; // whose third row points from the curve to the eye
   Vector m_eye;
   Point_3 m_viewpoint;
+  std::array<std::size_t, 2> m_degenerate = {}; // components
 };
 
 } // namespace internal

@@ -55,12 +55,14 @@ struct Strand_distance_3
 /*!
  * returns the radius of the thickest tube around the curve that neither kinks nor meets itself: the
  * minimum of `min_bend_radius()` and half the length of the shortest doubly critical chord
- * (Rawdon's polygonal injectivity radius). NaN if the curve has a junction.
+ * (Rawdon's polygonal injectivity radius \cgalCite{vfc:r-atk-98}). NaN if the curve has a junction.
  *
  * A chord is doubly critical if, at both of its ends, the distance to the other end turns from
  * growing to shrinking or back; it may join two components. An end of an open curve also counts if
  * the distance to the other end shrinks towards it. Takes near-linear time for curves whose nodes
  * are spaced evenly.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
@@ -80,6 +82,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * returns the length divided by `polygonal_thickness()`, which is a radius: \f$2\pi\f$ for the
  * circle, about 32.7 for the tight trefoil. NaN if the curve has a junction.
  *
+ * \tparam Traits a model of `CurveFlowTraits_3`
+ *
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
@@ -98,6 +102,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * Segments are neighbors if they share a node or if less than \f$\pi r\f$ of their component lies
  * between them. Segments of different components are never neighbors. Takes near-linear time for
  * curves whose nodes are spaced evenly.
+ *
+ * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
  * \param r the radius that the curve should keep, in the input's unit; with 0 only segments that
@@ -125,13 +131,14 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * values in the middles of both edges. Near-linear time in the number of nodes for curves with
  * evenly spaced nodes.
  *
+ * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
  *
  * \param curve the curve
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
           typename Thickness,
@@ -156,13 +163,14 @@ template <typename Traits,
  * the number of nodes and of pairs of edges nearer than r.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
  *
  * \param curve the curve
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws Run_interrupted if that returns `false`
+ * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename Traits,

@@ -161,7 +161,9 @@ private:
     const Untangling_context<Guard, Visitor> context{guard,   rays,      parameters,
                                                      m_watch, m_visitor, state};
     Untangling_result result = m_surroundings.untangle(context);
-    result.is_closure_kept = rays.can_turn_outwards();
+    // in a domain, where there are no rays, strands can slip off pinned ends
+    const bool can_slip_off = Guard::Boundary::is_bounded && rays.are_needed();
+    result.is_closure_kept = !can_slip_off && rays.can_turn_outwards();
     return result;
   }
 

@@ -98,9 +98,9 @@ inline std::ostream& operator<<(std::ostream& out, Wall wall)
  */
 struct Curve_flow_parameters
 {
-  /// The distance r that strands keep from the medial surface between them, in the input's unit. 0
-  /// (default) stands for the `default_thickness()` of the input and, in `fill()`, for a thickness
-  /// that suits the domain, see `Filling_parameters`.
+  /// The thickness r, in the input's unit. Strands of a tight curve end about r apart; in a
+  /// filling, most points end within r of the curve. 0 (default) stands for a thickness that suits
+  /// the input: `default_thickness()` in `untangle()`, and see `Filling_parameters` for `fill()`.
   double thickness = 0;
 
   /// The number N of medial spheres per node.
@@ -141,6 +141,7 @@ struct Curve_flow_parameters
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/Curve_flow_3.h
 ///
 /// The work of a `Curve_flow_3` so far.
 struct Curve_flow_statistics

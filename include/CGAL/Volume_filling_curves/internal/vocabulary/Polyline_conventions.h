@@ -16,6 +16,7 @@ namespace Volume_filling_curves {
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/Curve_network_3.h
  *
  * \brief determines which polylines are closed curves.
  *
@@ -32,6 +33,7 @@ enum class Closure
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/Curve_network_3.h
  *
  * \brief determines whether a curve network may have junctions, that is, nodes with more than two
  * edges.

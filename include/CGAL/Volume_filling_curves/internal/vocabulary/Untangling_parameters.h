@@ -58,7 +58,7 @@ struct Untangling_parameters : Curve_run_parameters
 
   /// Whether to tighten the curves to a lower `ropelength()` once the flow has converged or
   /// stalled. In the median of 14 prime knots of 3 to 7 crossings, the flow alone ends 16 % above
-  /// the least known ropelength, and this option 0.3 % above, in 1.7 times the time. Strands stay
+  /// the least known ropelength, and this option 0.3 % above, in 1.9 times the time. Strands stay
   /// one thickness apart, the mean edge is at most 0.15 thicknesses long, and every certified
   /// motion counts as an iteration. The ropelength never ends higher, not even at a limit; the
   /// gradient of the flow, which weighs spheres, grows again. The option has no effect on proved

@@ -153,8 +153,9 @@ struct Untangling_result
   bool is_ropelength_lowered = false;
   bool is_input = false; ///< whether the result is the input, because the input is tighter
   /// Whether the closure of every open component with pinned ends, as defined by `untangle()`, is
-  /// known to have kept its knot type. This holds after a run that has converged; at a limit,
-  /// strands may still block the closing rays.
+  /// known to have kept its knot type. `true` after a run without a domain that has converged; at a
+  /// limit, strands may still block the closing rays. In a domain, which has no closing rays,
+  /// `false` if there is such a component.
   bool is_closure_kept = true;
   double thickness = 0; ///< r, in the input's unit
   /// A thickness that suits the curve, in the input's unit, if the flow has stalled because the

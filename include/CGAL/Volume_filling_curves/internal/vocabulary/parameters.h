@@ -147,6 +147,7 @@ CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/untangle.h
  *
  * \brief combines two sequences of named parameters into one, which can be continued.
  *

@@ -13,7 +13,7 @@
 /// \ingroup PkgVolumeFillingCurvesRef
 /// The version of the package; a test compares it with the one in the build system.
 
-/// the version as a string, for example "0.2.0"
+/// the version as a string, for example "0.2.0"; `untangle.h` and `fill.h` define it
 #define CGAL_VOLUME_FILLING_CURVES_VERSION "0.2.0"
 
 #endif // CGAL_VOLUME_FILLING_CURVES_INTERNAL_VOCABULARY_VERSION_H
