@@ -106,8 +106,7 @@ int fill_sector(Session& session,
 {
   const Domain whole(walls, examined);
   const Symmetry symmetry(options.symmetry, whole.bbox());
-  const double r = options.parameters.thickness;
-  const Sector sector = sector_of(walls, whole, symmetry, r, options.mesh);
+  const Sector sector = sector_of(walls, whole, symmetry, options.parameters, options.mesh);
   Fill_options of_sector = options;
   of_sector.parameters.ports = sector.ports;
   Curve arc;
@@ -203,9 +202,9 @@ void add_fill_command(Command_line& command_line)
                      }},
                     command_line);
   command.footer(
-      "The curve grows until about 80 % of the inside is within r of it and 99 % within 2 r; it\n"
-      "never leaves MESH and never passes through itself. SIGINT and SIGTERM stop the run\n"
-      "and write the current curve; a second one ends at once.\n"
+      "About 90 % of the inside ends within r of the curve, with --preview 80 %, and 99 %\n"
+      "within 1.5 r. The curve never leaves MESH and never passes through itself. SIGINT and\n"
+      "SIGTERM stop the run and write the current curve; a second one ends at once.\n"
       "If MESH is a .wkt file, with POLYGON or MULTIPOLYGON, the curve lies in the plane z = 0,\n"
       "exactly; then -o OUT.svg writes it at true scale, with a millimeter as unit.\n"
       "Each connected part of the inside that is wide enough gets its own curve, unless\n"

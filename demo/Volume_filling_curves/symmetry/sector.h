@@ -29,15 +29,15 @@ struct Sector
   Ports ports; // where an arc enters and leaves
 };
 
-// Cuts the inside of a mesh into sectors and returns one. The cuts keep 0.2 r from the planes, so
-// that strands at both sides are about 1.6 r apart, as everywhere. The ports are the deepest places
-// of the cuts.
+// Cuts the inside of a mesh into sectors and returns one. The cuts keep 0.2 r from the planes, or
+// 0.5 r for a distance of strands of 1.6 r, so that those at both sides are mostly as far apart as
+// elsewhere. The ports are the deepest places of the cuts.
 // \throws Input_error with the name of the file if the mesh is not symmetric up to r / 100, or no
 // cut is wide enough for a port
 Sector sector_of(const Mesh& mesh,
                  const Domain& domain,
                  const Symmetry& symmetry,
-                 double thickness,
+                 const Filling_parameters& parameters,
                  const std::string& file);
 
 // Joins an arc that fills the sector with its images.
