@@ -188,6 +188,32 @@ TEST(Polygon_domain, measures_distances_to_its_edges)
   }
 }
 
+// The nearest points of segments that pass a corner are inside them.
+TEST(Polygon_domain, measures_distances_of_segments_to_its_edges)
+{
+  const Polygon polygon = comb();
+  const Domain domain(polygon);
+  Random random(5);
+  int number_inside = 0;
+  for(int k = 0; k < 2000; ++k) {
+    const Point p = half_lattice_point(random), q = half_lattice_point(random);
+    if(!domain.is_inside(p) || !domain.is_triangle_inside(p, q, q)) continue;
+    const auto [distance, position] = domain.distance_of_segment(p, q);
+    double least = infinity;
+    const auto compare = [&](const Ring& ring) {
+      for(auto e = ring.edges_begin(); e != ring.edges_end(); ++e)
+        least = (std::min)(least, std::sqrt(CGAL::squared_distance(
+                                      *e, polygons::Kernel::Segment_2(in_plane(p), in_plane(q)))));
+    };
+    compare(polygon.outer_boundary());
+    for(const Ring& hole : polygon.holes()) compare(hole);
+    EXPECT_NEAR(distance, least, 1e-12) << p << ", " << q;
+    EXPECT_NEAR(domain.distance(p + position * (q - p)), distance, 1e-12) << p << ", " << q;
+    number_inside += 0 < position && position < 1;
+  }
+  EXPECT_GT(number_inside, 20);
+}
+
 TEST(Polygon_domain, ends_rays_at_the_boundary)
 {
   const Domain domain(polygons::plate());

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -168,6 +169,14 @@ public:
     for(std::size_t l = 0; l < rays.size(); ++l)
       if(rays.lengths[l] > 0)
         rays.lengths[l] = distance_along(rays.source, rays.direction(l), rays.lengths[l]);
+  }
+
+  // see `Triangle_mesh_domain_3`
+  std::pair<double, double> distance_of_segment(const Point_3& p, const Point_3& q) const
+  {
+    const auto [d2, position] =
+        m_region->tree.nearest_to_segment(internal::to_vector(p), internal::to_vector(q));
+    return {std::sqrt(d2), position};
   }
   /// \endcond
 

@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/Ray_entry.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/planar_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
@@ -124,11 +125,20 @@ public:
   }
 
   // returns the distance to the nearest edge, or `limit` if that is less
-  double distance(const Vector& p, double limit = std::numeric_limits<double>::infinity()) const
+  double distance(const Vector& p, double limit = infinity) const
   {
     Distance_query query{*this, p, limit * limit};
     Nearest_first_descent<Distance_query>(m_tree, query).run();
     return query.nearest < limit * limit ? std::sqrt(query.nearest) : limit;
+  }
+
+  // Returns the squared distance of the segment pq to the nearest edge, and the position of the
+  // nearest point on pq, from 0 to 1. \pre the segment meets no edge
+  std::pair<double, double> nearest_to_segment(const Vector& p, const Vector& q) const
+  {
+    Segment_query query{*this, p, q, to_bbox(Box(p).extend(q)), {infinity, 0}};
+    Nearest_first_descent<Segment_query>(m_tree, query).run();
+    return query.nearest;
   }
 
   // returns the least t <= limit for which p + t u lies on an edge, or `limit`. \pre p and u lie in
@@ -142,6 +152,7 @@ public:
 
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // Visits edges in the boxes for which a predicate holds.
   template <typename Holds, typename Visit>
@@ -200,6 +211,32 @@ private:
       const Edge& edge = rings.m_edges[i];
       nearest = (std::min)(
           nearest, squared_distance_to_segment(p, position(edge.source), position(edge.target)));
+    }
+  };
+
+  // Of two disjoint segments, an end of one is nearest to the other.
+  struct Segment_query
+  {
+    const Ring_tree& rings;
+    Vector p, q;
+    Bbox_3 box;
+    std::pair<double, double> nearest; // squared distance, position
+
+    double bound() const { return nearest.first; }
+    double entry(const Bbox_3& other) const { return squared_distance_of_boxes(box, other); }
+
+    void visit(std::size_t i)
+    {
+      const Vector a = position(rings.m_edges[i].source), b = position(rings.m_edges[i].target);
+      add(squared_distance_to_segment(p, a, b), 0);
+      add(squared_distance_to_segment(q, a, b), 1);
+      for(const Vector& corner : {a, b})
+        add(squared_distance_to_segment(corner, p, q), position_on_segment(corner, p, q));
+    }
+
+    void add(double squared_distance, double position)
+    {
+      if(squared_distance < nearest.first) nearest = {squared_distance, position};
     }
   };
 

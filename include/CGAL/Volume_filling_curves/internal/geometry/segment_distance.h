@@ -20,12 +20,17 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-inline double squared_distance_to_segment(const Vector& p, const Vector& a, const Vector& b)
+// Returns the position on the segment ab, from 0 to 1, of the point nearest to p.
+inline double position_on_segment(const Vector& p, const Vector& a, const Vector& b)
 {
   const Vector ab = b - a;
   const double length2 = ab.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0., 1.) : 0.;
-  return (p - a - t * ab).squaredNorm();
+  return length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0., 1.) : 0.;
+}
+
+inline double squared_distance_to_segment(const Vector& p, const Vector& a, const Vector& b)
+{
+  return (p - a - position_on_segment(p, a, b) * (b - a)).squaredNorm();
 }
 
 // Squared length of the common perpendicular of the segments a + [0, 1] u and c + [0, 1] v, where w
