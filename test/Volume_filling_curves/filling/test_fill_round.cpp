@@ -106,6 +106,22 @@ TEST(Fill_round, reports_its_thickness_if_it_ends_while_it_bends)
   EXPECT_LT(result.thickness, 2);
 }
 
+// With r / 2 the flow and the projection of strands would not come to rest.
+TEST(Fill_round, thickness_grows_with_the_strand_distance)
+{
+  const Box slab({0, 0, 0}, {2, 1, 1});
+  Curve curve, field_curve;
+  const Result result = VFC::fill(curve, slab, np::thickness(.15).strand_distance(.36));
+  EXPECT_EQ(result.status, Filling_status::CONVERGED);
+  EXPECT_DOUBLE_EQ(result.thickness, .2);
+  EXPECT_GE(result.min_strand_distance, .36);
+  const auto field = [](const Point& p) { return p.x() < 1 ? .1 : .25; };
+  const Result varied = VFC::fill(field_curve, slab, np::thickness(field).strand_distance(.36));
+  EXPECT_GE(varied.min_strand_distance, .36);
+  EXPECT_GT(varied.thickness, .2);
+  EXPECT_LT(varied.thickness, .25);
+}
+
 TEST(Fill_round, keeps_a_strand_distance_in_a_ball)
 {
   const VFC::Ball_domain_3<Kernel> ball({0, 0, 0}, 4);

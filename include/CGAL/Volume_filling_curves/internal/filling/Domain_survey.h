@@ -72,8 +72,7 @@ public:
   {
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
-    if(!m_thickness.varies())
-      m_thickness.set_number((std::max)(m_thickness.number(), min_thickness_for(parameters)));
+    m_thickness = m_thickness.raised_to(min_thickness_for(parameters));
     if(!watch.must_stop())
       m_size.check(thickness_with_as_many_nodes(),
                    is_asked_for ? Filling_size::max_nodes

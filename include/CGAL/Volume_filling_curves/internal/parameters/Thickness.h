@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <locale>
@@ -55,7 +56,7 @@ public:
   double operator()(const Point_3& p) const
   {
     const double thickness = m_field ? m_factor * checked(m_field(p), p) : m_number;
-    return m_thinning ? thickness * m_thinning(p) : thickness;
+    return m_thinning ? (std::max)(thickness, m_min) * m_thinning(p) : (std::max)(thickness, m_min);
   }
 
   template <typename Points>
@@ -83,9 +84,19 @@ public:
     return result;
   }
 
+  // Returns the thickness, raised to a minimum where it is less.
+  Thickness raised_to(double min) const
+  {
+    Thickness result = *this;
+    result.m_min = min;
+    result.m_number = (std::max)(m_number, min);
+    return result;
+  }
+
   friend Thickness operator*(double factor, Thickness thickness)
   {
     thickness.m_number *= factor;
+    thickness.m_min *= factor;
     thickness.m_factor *= factor;
     return thickness;
   }
@@ -115,7 +126,7 @@ private:
     throw std::invalid_argument(text.str());
   }
 
-  double m_number, m_factor = 1, m_size;
+  double m_number, m_factor = 1, m_min = 0, m_size;
   Field m_field, m_thinning; // none if it is the same everywhere
 };
 
