@@ -8,7 +8,7 @@
 
 #include "arc_files/arc_writers.h"
 #include "files/Output_files.h"
-#include "files/mesh_files.h"
+#include "files/polygon_files.h"
 #include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
@@ -65,11 +65,12 @@ Arcs make_arcs(Session& session,
                const std::string& file)
 {
   if(options.domain.empty()) return curves::arc_spline(curve);
-  const Domain domain(read_mesh(session, options.domain).mesh, examined);
-  const Containment found = containment(curve, domain);
-  if(!found.is_inside())
-    throw Input_error(to_defects(found, curve, file), "inside " + options.domain);
-  return curves::arc_spline(curve, domain);
+  return with_domain(session, options.domain, [&](const auto& domain) {
+    const Containment found = containment(curve, domain);
+    if(!found.is_inside())
+      throw Input_error(to_defects(found, curve, file), "inside " + options.domain);
+    return curves::arc_spline(curve, domain);
+  });
 }
 
 void check_certified(Session& session,
@@ -112,7 +113,8 @@ CLI::Option& add_arc_options(CLI::App& command, Arc_options& options)
       "--arcs", options.is_wanted,
       "write the smooth curve of arcs and segments through CURVE, certified to be isotopic: .csv, "
       ".step, or .svg if it is planar");
-  add_file(command, "--domain", options.domain, "certify that the arcs are inside this mesh")
+  add_file(command, "--domain", options.domain,
+           "certify that the arcs are inside this mesh, or polygons (.wkt)")
       .type_name("MESH")
       ->needs(&arcs);
   command

@@ -208,9 +208,9 @@ void add_fill_command(Command_line& command_line)
       "If MESH is a .wkt file, with POLYGON or MULTIPOLYGON, the curve lies in the plane z = 0,\n"
       "exactly; then -o OUT.svg writes it at true scale, with a millimeter as unit.\n"
       "Each connected part of the inside that is wide enough gets its own curve, unless\n"
-      "--curve is given. If more than 1 % of the inside ends farther than 2 r from the curve, or\n"
-      "another strand is nearer than r along more than 5 % of its length, the status is partial,\n"
-      "and the last line gives the reason.\n"
+      "--curve, --port or --symmetry is given. If more than 1 % of the inside ends farther than\n"
+      "2 r from the curve, or another strand is nearer than r along more than 5 % of its length,\n"
+      "the status is partial, and the last line gives the reason.\n"
       "Exit status: 0 converged, 2 partial, limit reached, or length or constraint not reached,\n"
       "3 stalled, 5 interrupted.");
 }

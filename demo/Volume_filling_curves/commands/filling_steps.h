@@ -22,6 +22,7 @@
 #include "reports/fill_report.h"
 #include "reports/untangle_report.h"
 #include "session/Flow_observer.h"
+#include "session/No_result.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/fill.h>
@@ -58,6 +59,7 @@ Curve start(Session& session, const Fill_options& options, const Domain& domain)
   return curve;
 }
 
+// \throws No_result if the run ends before there is a curve
 template <typename Domain>
 Filling_result fill(Session& session,
                     Curve& curve,
@@ -86,6 +88,9 @@ Filling_result fill(Session& session,
     return curves::fill<CGAL::Parallel_if_available_tag>(curve, domain, parameters,
                                                          std::ref(observer));
   });
+  if(curve.number_of_nodes() == 0)
+    throw No_result(exit_status(result.status),
+                    options.mesh + ": the run ended before there was a curve");
   observer.finish(result.statistics.iterations, curve);
   return result;
 }
@@ -102,7 +107,7 @@ inline void note_thickness(const Session& session,
     session.console().note("thickness " + to_text(result.thickness) + ", " + reason);
   };
   if(asked_for.thickness < least && result.thickness <= least)
-    note("the least that allows such bends");
+    note("the least that allows such bends and distances");
   else if(asked_for.thickness == 0 && !(result.default_thickness > 0))
     note("a quarter of the radius of the widest ball inside");
 }

@@ -8,6 +8,7 @@
 
 #include "options/numbers.h"
 #include "repair/combined_shells.h"
+#include "repair/repair_steps.h"
 #include "reports/containment.h"
 
 #include <CGAL/Volume_filling_curves/coverage.h>
@@ -48,7 +49,8 @@ double distance_of_cuts(const Filling_parameters& parameters, double thickness)
 {
   constexpr double least = 0.2, between_wall_and_strand = 0.3; // in units of the thickness
   const double distance = curves::internal::shape_goal(parameters).strand_distance.at(thickness);
-  return (std::max)(least * thickness, distance / 2 - between_wall_and_strand * thickness);
+  const double between = (std::max)(between_wall_and_strand * thickness, parameters.wall_distance);
+  return (std::max)(least * thickness, distance / 2 - between);
 }
 
 Input_error fault(const std::string& file, const std::string& text, const std::string& expected)
@@ -109,6 +111,9 @@ void cut(Mesh& mesh, const Symmetry& symmetry, double distance, const std::strin
                   "a mesh that the planes of --symmetry cross");
     mesh = std::move(*rest);
   }
+  // of a plane through a vertex or along an edge, after rounding
+  merge_near_vertices(mesh, watch);
+  remove_flat_faces(mesh, watch);
 }
 
 double half_distance(const Point& p, const Point& q)
@@ -219,11 +224,11 @@ Sector sector_of(const Mesh& mesh,
       (std::max)(parameters.thickness, curves::internal::min_thickness_for(parameters));
   const double distance = distance_of_cuts(parameters, thickness);
   require_symmetric(mesh, symmetry, thickness, file);
-  const auto places = Port_search(domain, symmetry)(min_depth * thickness);
+  const double depth = min_depth * thickness + parameters.wall_distance;
+  const auto places = Port_search(domain, symmetry)(depth);
   if(places.empty())
     throw fault(file, "strands have no room where --symmetry cuts the mesh",
-                "a cut whose points lie up to " + to_text(min_depth * thickness) +
-                    " below the surface");
+                "a cut whose points lie up to " + to_text(depth) + " below the surface");
   Sector sector{mesh, ports_of(symmetry, places, distance)};
   cut(sector.mesh, symmetry, distance, file);
   return sector;

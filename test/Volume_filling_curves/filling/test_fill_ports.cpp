@@ -8,6 +8,7 @@
 
 #include "support/fill_test_support.h"
 #include "support/polygon_test_support.h"
+#include "support/refusal_of.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
@@ -150,6 +151,16 @@ TEST(Fill_ports, refuses_shares_that_do_not_match_the_arcs)
   EXPECT_EQ(message({1, 2}, tree), "");
 }
 
+TEST(Fill_ports, refuses_shares_of_nothing)
+{
+  Curve curve;
+  const Ball ball(Point(0, 0, 0), 1);
+  EXPECT_EQ(refusal_of([&] {
+              VFC::fill(curve, ball, preview(0.3).volume_shares(std::vector<double>{1}));
+            }).substr(0, 50),
+            "volume_shares: there are neither curves nor ports,");
+}
+
 TEST(Fill_ports, shortens_necks_where_the_domain_is_narrow)
 {
   const Box plate(Point(0, 0, 0), Point(2, 2, 0.2));
@@ -219,6 +230,19 @@ TEST(Fill_ports, refuses_ports_that_make_no_sense)
   Curve curve = polyline({Point(0.3, 0.3, 0.3), Point(0.6, 0.6, 0.6)});
   EXPECT_THROW(VFC::fill(curve, box, preview(0.1).ports(std::vector<Port>{good, good})),
                std::invalid_argument);
+}
+
+TEST(Fill_ports, refuses_an_arc_between_different_parts)
+{
+  const VFC::Polygon_domain_3<Traits> plates(
+      std::vector<polygons::Polygon>{polygons::polygon(polygons::rectangle(0, 0, 1, 1)),
+                                     polygons::polygon(polygons::rectangle(2, 0, 1, 1))});
+  Curve curve;
+  EXPECT_EQ(
+      refusal_of([&] {
+        VFC::fill(curve, plates, preview(0.1).ports(std::vector<Port>{{{0, .5, 0}}, {{3, .5, 0}}}));
+      }),
+      "ports 1 and 2: they lie in different parts of the inside");
 }
 
 TEST(Fill_ports, search_for_a_way_within_the_time_limit)

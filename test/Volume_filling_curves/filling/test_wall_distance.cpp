@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // Fillings that keep a distance from the boundary.
 namespace test_wall_distance {
@@ -74,6 +75,22 @@ TEST(Wall_distance, scales_with_the_domain)
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
     const Point& p = curve.point(v);
     EXPECT_EQ(Point(scale * p.x(), scale * p.y(), scale * p.z()), large.point(v));
+  }
+}
+
+TEST(Wall_distance, is_kept_between_the_necks_of_ports)
+{
+  const std::vector<VFC::Port<Point>> ports = {{Point(0, 0.5, 0.5)}, {Point(2, 0.5, 0.5)}};
+  for(const double c : {0.05, 0.25}) {
+    Curve curve;
+    const auto result = VFC::fill(curve, box, np::thickness(0.12).wall_distance(c).ports(ports));
+    EXPECT_EQ(result.status, Filling_status::CONVERGED) << c;
+    for(const auto& neck : result.necks) EXPECT_GE(neck.length, c + 0.05);
+    for(std::size_t v = 1; v < curve.number_of_nodes(); ++v) {
+      if(curve.is_pinned(v) && curve.is_pinned(v - 1)) continue;
+      const Curve edge({curve.point(v - 1), curve.point(v)}, {{0, 1}});
+      EXPECT_GE(VFC::min_wall_distance(edge, box).distance, c);
+    }
   }
 }
 

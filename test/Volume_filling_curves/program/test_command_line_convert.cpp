@@ -215,6 +215,9 @@ TEST_F(Command_line_convert, certifies_arcs_inside_a_mesh)
   const Finished refused = run("convert out.obj --arcs --domain cube.off -o out.svg");
   EXPECT_EQ(refused.status, 4);
   EXPECT_NE(refused.err.find("inside cube.off"), std::string::npos) << refused.err;
+  write("flat.obj", "v .2 .2 0\nv .8 .2 0\nv .8 .8 0\nl 1 2 3 1\n");
+  write("plate.wkt", "POLYGON((0 0,1 0,1 1,0 1,0 0))\n");
+  EXPECT_EQ(run("convert flat.obj --arcs --domain plate.wkt -o flat.svg").status, 0);
 }
 
 TEST_F(Command_line_convert, refuses_arcs_and_units_that_a_file_cannot_hold)

@@ -123,10 +123,31 @@ TEST_F(Command_line_symmetry, arc_is_certified_in_its_sector)
       4);
 }
 
+// The planes pass through vertices and along edges.
+TEST_F(Command_line_symmetry, sectors_of_a_cube_about_its_diagonal_can_be_filled)
+{
+  write("cube.off", "OFF\n8 12 0\n-1 -1 -1\n1 -1 -1\n-1 1 -1\n1 1 -1\n-1 -1 1\n1 -1 1\n-1 1 1\n1 1 "
+                    "1\n3 0 2 1\n3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n3 2 6 3\n3 3 6 7\n3 "
+                    "0 4 2\n3 2 4 6\n3 1 3 5\n3 3 7 5\n");
+  const Finished fill = run("fill cube.off --thickness .13 -o c.obj --symmetry "
+                            "rotation:3:0,0,0,1,1,1");
+  EXPECT_EQ(fill.status, 0) << fill.err;
+}
+
+TEST_F(Command_line_symmetry, nothing_is_written_if_the_run_ends_before_there_is_an_arc)
+{
+  write("c.obj", "kept");
+  const Finished fill =
+      run("fill box.off --thickness .1 --symmetry mirror --time-limit 1e-3 -o c.obj --force");
+  EXPECT_EQ(fill.status, 2);
+  EXPECT_NE(fill.err.find("before there was a curve"), std::string::npos) << fill.err;
+  EXPECT_EQ(read("c.obj"), "kept");
+}
+
 // Strands near a cut do not see those of the other images.
 TEST_F(Command_line_symmetry, tells_where_images_are_too_near_to_one_another)
 {
-  const Finished fill = run("fill box.off --thickness .25 --symmetry mirror --seed 3 -o c.obj "
+  const Finished fill = run("fill box.off --thickness .25 --symmetry mirror --seed 0 -o c.obj "
                             "--report r.json");
   const Json report = json("r.json");
   EXPECT_GE(report["min_bend_radius"], .85 * .25);

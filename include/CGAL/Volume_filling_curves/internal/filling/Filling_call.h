@@ -103,7 +103,7 @@ private:
   void check(double size) const
   {
     check_parameters(m_parameters);
-    check_volume_shares(m_parameters);
+    check_volume_shares(m_parameters, m_curves.number_of_nodes() > 0);
     check_thickness(m_parameters.thickness, size, "the domain");
     if(m_parameters.bend_radius > size)
       refuse_value(internal_np::bend_radius_t(), m_parameters.bend_radius,

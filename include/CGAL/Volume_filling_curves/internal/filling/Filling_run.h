@@ -150,9 +150,10 @@ private:
     const Watched_scope scope(&m_watch);
     if(m_curves.number_of_nodes() > 0)
       throw std::invalid_argument("ports: there are curves, too, and their ends are the ports");
-    const Port_arcs<Domain, Traits> arcs(m_domain, m_survey.thickness(), m_parameters.ports,
-                                         share_of_spacing * m_parameters.spacing,
-                                         m_curves.traits());
+    const Port_arcs<Domain, Traits> arcs(
+        m_domain, m_survey.thickness(), m_parameters.ports, m_parameters.wall_distance,
+        share_of_spacing * m_parameters.spacing, m_curves.traits());
+    check_wall_distance(arcs.paths());
     m_curves = arcs.network();
     m_necks = arcs.necks();
     m_arcs = arcs.polylines();
@@ -166,7 +167,8 @@ private:
     refuse_value(internal_np::wall_distance_t(), m_unit * m_parameters.wall_distance, text.str());
   }
 
-  // A circle is not checked against the wall distance: it lies in a ball that keeps it.
+  // A circle is not checked against the wall distance: it lies in a ball that keeps it. Necks do
+  // not keep it, and the paths between them have been checked.
   void check_start() const
   {
     check_number_of_shares(m_parameters.volume_shares, m_curves.number_of_components());
@@ -179,7 +181,7 @@ private:
       throw std::invalid_argument("the domain contradicts itself: in the widest ball inside, " +
                                   std::string(error.what()));
     }
-    if(m_circles.empty()) check_wall_distance();
+    if(m_circles.empty() && m_arcs.empty()) check_wall_distance(m_curves);
   }
 
   void check_sliding() const
@@ -193,10 +195,10 @@ private:
             "Filling_start::CIRCLE grows without fingers");
   }
 
-  void check_wall_distance() const
+  void check_wall_distance(const Network& curves) const
   {
     if(m_parameters.wall_distance == 0) return;
-    const Least_depth<ConcurrencyTag, Network, Domain> depths(m_curves, m_domain);
+    const Least_depth<ConcurrencyTag, Network, Domain> depths(curves, m_domain);
     const double distance = depths().distance;
     if(!(distance > m_parameters.wall_distance))
       refuse_wall_distance("the curve to start from comes as near to the boundary as ", distance);

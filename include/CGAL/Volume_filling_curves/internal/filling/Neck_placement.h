@@ -31,9 +31,9 @@ class Neck_placement
   using Neck = Port_neck<Point_3>;
 
 public:
-  // Takes the thickness at the port.
-  Neck_placement(const Domain& domain, double thickness, const Traits& traits)
-      : m_domain(domain), m_thickness(thickness), m_traits(traits)
+  // Takes the thickness at the port, and the distance from the boundary that necks lead through.
+  Neck_placement(const Domain& domain, double thickness, double wall_distance, const Traits& traits)
+      : m_domain(domain), m_thickness(thickness), m_wall_distance(wall_distance), m_traits(traits)
   {}
 
   // Throws std::invalid_argument with the name of the port if there is no neck.
@@ -50,7 +50,8 @@ public:
 
 private:
   // In units of the thickness.
-  static constexpr double length = 1;        // of a neck, where the domain is wide enough
+  static constexpr double length = 1; // of a neck, where the domain is wide enough
+  static constexpr double length_beyond_wall_distance = 0.5; // likewise
   static constexpr double end_gap = 1. / 64; // from the boundary to the end of the curve
   static constexpr double first_step = 1. / 16, last_step = 1; // from a port, to find the inside
   // A neck takes at most this share of the line across the domain.
@@ -119,12 +120,16 @@ private:
       throw std::invalid_argument(name + " is not at the boundary, but farther than the thickness "
                                          "inside");
     const Vector wall = start.position - back * u, end = wall + end_gap * m_thickness * u;
-    const double free = depth_at(end) > 0
-                            ? distance_to_boundary(end, u, length * m_thickness / max_share_of_line)
-                            : 0;
-    const double neck_length = (std::min)(length * m_thickness, max_share_of_line * free);
+    const double max_length = (std::max)(
+        length * m_thickness, m_wall_distance + length_beyond_wall_distance * m_thickness);
+    const double free =
+        depth_at(end) > 0 ? distance_to_boundary(end, u, max_length / max_share_of_line) : 0;
+    const double neck_length = (std::min)(max_length, max_share_of_line * free);
     if(!(neck_length > 2 * end_gap * m_thickness))
       throw std::invalid_argument(name + " has no room for a neck: the domain is too thin there");
+    if(!(depth_at(wall + neck_length * u) > m_wall_distance))
+      throw std::invalid_argument(name + " has no room for a neck that is longer than the wall "
+                                         "distance");
     Neck neck;
     neck.wall = to_point(wall, m_traits);
     neck.end = to_point(end, m_traits);
@@ -134,7 +139,7 @@ private:
   }
 
   const Domain& m_domain;
-  const double m_thickness;
+  const double m_thickness, m_wall_distance;
   const Traits m_traits;
 };
 

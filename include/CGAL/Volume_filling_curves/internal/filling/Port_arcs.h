@@ -10,24 +10,21 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Domain_without_segments.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_placement.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -37,51 +34,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Domain from which segments are removed, for the search for paths around them.
-template <typename Domain>
-class Domain_without_segments
-{
-public:
-  using Point_3 = typename Domain::Point_3;
-  using Segment = std::array<Vector, 2>;
-
-  static constexpr int dimension = dimension_of<Domain>;
-
-  explicit Domain_without_segments(const Domain& domain) : m_domain(domain) {}
-
-  void remove(const Vector& p, const Vector& q) { m_segments.push_back({p, q}); }
-  void remove(const std::vector<Vector>& path)
-  {
-    for(std::size_t k = 1; k < path.size(); ++k) remove(path[k - 1], path[k]);
-  }
-
-  CGAL::Bbox_3 bbox() const { return m_domain.bbox(); }
-  bool is_inside(const Point_3& p) const
-  {
-    return m_domain.is_inside(p) && distance_to_segments(p) > 0;
-  }
-
-  double distance(const Point_3& p) const
-  {
-    return (std::min)(static_cast<double>(m_domain.distance(p)), distance_to_segments(p));
-  }
-
-private:
-  double distance_to_segments(const Point_3& p) const
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for(const Segment& s : m_segments)
-      least = (std::min)(least, squared_distance_to_segment(to_vector(p), s[0], s[1]));
-    return std::sqrt(least);
-  }
-
-  const Domain& m_domain;
-  std::vector<Segment> m_segments;
-};
-
 // Arcs from which a filling between ports starts: one from each odd port to the next port. An arc
-// begins and ends with a straight neck, whose nodes are pinned; a path through the domain joins the
-// two.
+// begins and ends with a straight neck, whose nodes are pinned; a path through the domain, which
+// keeps a distance from the boundary, joins the two.
 template <typename Domain, typename Traits>
 class Port_arcs
 {
@@ -96,22 +51,40 @@ public:
   Port_arcs(const Domain& domain,
             const Thickness<Point_3>& thickness,
             const std::vector<Port<Point_3>>& ports,
+            double wall_distance,
             double spacing,
             const Traits& traits)
-      : m_domain(domain), m_thickness(thickness), m_spacing(spacing), m_traits(traits)
+      : m_domain(domain),
+        m_thickness(thickness),
+        m_wall_distance(wall_distance),
+        m_spacing(spacing),
+        m_traits(traits)
   {
     if(ports.size() % 2 == 1)
       throw std::invalid_argument("ports: there are " + std::to_string(ports.size()) +
                                   ", but every arc needs two");
     for(std::size_t k = 0; k < ports.size(); ++k)
-      m_necks.push_back(Neck_placement<Domain, Traits>(domain, m_thickness(ports[k].point), traits)(
-          ports[k], "port " + std::to_string(k + 1)));
+      m_necks.push_back(
+          Neck_placement<Domain, Traits>(domain, m_thickness(ports[k].point), wall_distance,
+                                         traits)(ports[k], "port " + std::to_string(k + 1)));
     require_disjoint_necks();
+    require_connected_ports();
     for(std::size_t k = 0; k < ports.size(); k += 2) add_arc(k);
   }
 
   const std::vector<Polyline>& polylines() const { return m_polylines; }
   const std::vector<Port_neck<Point_3>>& necks() const { return m_necks; }
+
+  // Returns the network of the paths, which is that of the arcs without the necks.
+  Curve_network_3<Traits> paths() const
+  {
+    std::vector<Polyline> polylines;
+    for(const std::vector<Vector>& path : m_paths) {
+      polylines.emplace_back();
+      for(const Vector& x : path) polylines.back().push_back(to_point(x, m_traits));
+    }
+    return Curve_network_3<Traits>(polylines, CGAL::parameters::default_values(), m_traits);
+  }
 
   // Returns the network of the arcs, with the nodes of the necks pinned.
   Curve_network_3<Traits> network() const
@@ -157,11 +130,28 @@ private:
                                       std::to_string(k + 1) + ": their necks meet");
   }
 
+  // A domain with a surface knows its parts; in others no path will be found.
+  void require_connected_ports() const
+  {
+    if constexpr(Has_surface<Domain>::value) {
+      if(!has_surface(m_domain)) return;
+      for(std::size_t k = 0; k < m_necks.size(); k += 2)
+        if(m_domain.part(m_necks[k].end) != m_domain.part(m_necks[k + 1].end))
+          throw std::invalid_argument(ports_from(k) + "they lie in different parts of the inside");
+    }
+  }
+
+  // "ports K and K + 1: ", from 1
+  static std::string ports_from(std::size_t k)
+  {
+    return "ports " + std::to_string(k + 1) + " and " + std::to_string(k + 2) + ": ";
+  }
+
   // The domain for the path of an arc, without earlier paths and without necks; of its own two
   // necks the inner halves remain.
   Domain_without_segments<Domain> free_domain(std::size_t first) const
   {
-    Domain_without_segments<Domain> domain(m_domain);
+    Domain_without_segments<Domain> domain(m_domain, m_wall_distance);
     for(const std::vector<Vector>& path : m_paths) domain.remove(path);
     for(std::size_t k = 0; k < m_necks.size(); ++k) {
       const std::vector<Vector> nodes = nodes_of_neck(k);
@@ -196,13 +186,12 @@ private:
     for(const double cell : cell_sizes)
       if(paths.search(to, cell * thickness_at(k + 1), is_end))
         return paths.path_from(from, max_step * thickness_at(k));
-    throw std::invalid_argument("ports " + std::to_string(k + 1) + " and " + std::to_string(k + 2) +
-                                ": no path was found between them");
+    throw std::invalid_argument(ports_from(k) + "no path was found between them");
   }
 
   const Domain& m_domain;
   const Thickness<Point_3> m_thickness;
-  const double m_spacing;
+  const double m_wall_distance, m_spacing;
   const Traits m_traits;
   std::vector<Port_neck<Point_3>> m_necks;
   std::vector<std::vector<Vector>> m_paths; // with the inner ends of the necks

@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Throws std::invalid_argument unless all shares are positive, and given to a tree of fingers that
-// heeds them.
+// Throws std::invalid_argument unless all shares are positive, and given for curves or arcs to a
+// tree of fingers that heeds them.
 template <typename Point_3>
-void check_volume_shares(const Filling_parameters<Point_3>& parameters)
+void check_volume_shares(const Filling_parameters<Point_3>& parameters, bool has_curves)
 {
   const auto& shares = parameters.volume_shares;
   for(std::size_t c = 0; c < shares.size(); ++c)
@@ -35,6 +35,9 @@ void check_volume_shares(const Filling_parameters<Point_3>& parameters)
   if(!shares.empty() && parameters.start != Filling_start::TREE)
     throw std::invalid_argument("volume_shares: only fingers divide the volume, see "
                                 "Filling_start::TREE");
+  if(!shares.empty() && !has_curves && parameters.ports.empty())
+    throw std::invalid_argument("volume_shares: there are neither curves nor ports, and a single "
+                                "curve fills each connected part of the domain");
 }
 
 // Throws std::invalid_argument unless there is a share for each component, or none at all.

@@ -75,10 +75,10 @@ struct Filling_parameters : Curve_run_parameters
   /// call concurrently. None by default.
   std::function<double(const Point_3&)> thickness_field;
 
-  /// The distance from the boundary that the whole curve keeps, in the input's unit: certified like
-  /// containment. The curve still covers the domain as well as it can from there; points nearer to
-  /// the boundary than that do not count in `Filling_result::unfilled_fraction`. 0 (default) stands
-  /// for none.
+  /// The distance from the boundary that the whole curve keeps, apart from the necks of ports, in the
+  /// input's unit: certified like containment. The curve still covers the domain as well as it can
+  /// from there; points nearer to the boundary than that do not count in
+  /// `Filling_result::unfilled_fraction`. 0 (default) stands for none.
   double wall_distance = 0;
 
   /// A direction field for the curve to follow: a function of the point that returns a vector, a
@@ -114,13 +114,13 @@ struct Filling_parameters : Curve_run_parameters
 
   /// The least radius with which the curve may bend, in the input's unit: that of the arcs that
   /// round the corners, see `min_bend_radius()`. 0 (default) stands for 0.85 r, where r may vary in
-  /// space. For one larger than r a thickness that does not vary grows to `bend_radius`: no denser
-  /// curve has room for its bends.
+  /// space. Where r is less than `bend_radius`, it grows to it: no denser curve has room for its
+  /// bends.
   double bend_radius = 0;
 
   /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
   /// curve between them, pi times `bend_radius`, or pi/2 times the distance if that is more. 0
-  /// (default) stands for 1.6 r.
+  /// (default) stands for 1.6 r. Where r is less than this distance / 1.8, it grows to that.
   double strand_distance = 0;
 
   /// Whether the curve keeps a bend radius and a distance of strands, with edges of at least 0.3 r;
