@@ -75,9 +75,9 @@ struct Filling_parameters : Curve_run_parameters
   /// call concurrently. None by default.
   std::function<double(const Point_3&)> thickness_field;
 
-  /// The distance from the boundary that the whole curve keeps, apart from the necks of ports, in the
-  /// input's unit: certified like containment. The curve still covers the domain as well as it can
-  /// from there; points nearer to the boundary than that do not count in
+  /// The distance from the boundary that the whole curve keeps, apart from the necks of ports, in
+  /// the input's unit: certified like containment. The curve still covers the domain as well as it
+  /// can from there; points nearer to the boundary than that do not count in
   /// `Filling_result::unfilled_fraction`. 0 (default) stands for none.
   double wall_distance = 0;
 
