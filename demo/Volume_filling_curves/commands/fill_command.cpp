@@ -20,6 +20,7 @@
 #include "options/vertex_fields.h"
 #include "repair/obstacles.h"
 #include "repair/read_mended_mesh.h"
+#include "symmetry/images.h"
 #include "symmetry/sector.h"
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>

@@ -6,16 +6,11 @@
 
 #include "symmetry/sector.h"
 
+#include "meshes/mesh_size.h"
 #include "options/numbers.h"
 #include "repair/combined_shells.h"
 #include "repair/repair_steps.h"
-#include "reports/containment.h"
 
-#include <CGAL/Volume_filling_curves/coverage.h>
-#include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
-#include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
-#include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -25,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -40,6 +34,9 @@ using Point = Symmetry::Point;
 // In units of the thickness.
 constexpr double min_depth = 1.5; // of a port, below the surface
 constexpr double max_asymmetry = 0.01;
+
+// Beyond these sizes CGAL's corefinement divides by products that are 0 or infinite.
+constexpr double min_size = 1e-50, max_size = 1e50;
 
 // The distance of the cuts from the planes of the symmetry. Strands settle about 0.6 r from a wall,
 // and few come nearer than 0.3 r. For a distance of strands of 1.6 r, the cuts of a box and a torus
@@ -56,6 +53,14 @@ double distance_of_cuts(const Filling_parameters& parameters, double thickness)
 Input_error fault(const std::string& file, const std::string& text, const std::string& expected)
 {
   return Input_error({Defect("symmetry", true, file, {}, text)}, expected);
+}
+
+void require_moderate_size(const Mesh& mesh, const std::string& file)
+{
+  const double size = diagonal(mesh);
+  if(!(size > min_size && size < max_size))
+    throw fault(file, "the mesh has the size " + to_text(size),
+                "a mesh of a size from 1e-50 to 1e50, as --symmetry needs");
 }
 
 void require_symmetric(const Mesh& mesh,
@@ -192,26 +197,6 @@ Ports ports_of(const Symmetry& symmetry, const std::vector<Point>& places, doubl
   return ports;
 }
 
-// Strands of different images may be nearer to one another than the limits of a sector allow.
-void check_shape_again(Filling_result& result,
-                       const Curve& curve,
-                       const Filling_parameters& parameters)
-{
-  using curves::Filling_status;
-  const auto goal = curves::internal::shape_goal(parameters);
-  const bool has_settled =
-      result.status == Filling_status::CONVERGED || result.status == Filling_status::PARTIAL;
-  if(!goal.is_given() || !has_settled) return;
-  const std::vector<double> thickness(curve.number_of_nodes(), result.thickness);
-  const curves::internal::Shape_check check(CGAL::Parallel_if_available_tag(), curve,
-                                            curves::internal::Shape_limits(curve, goal, thickness));
-  result.shape_excesses = curves::internal::shape_excesses<Point>(check, curve.traits());
-  if(result.shape_excesses.empty()) return;
-  result.status = Filling_status::CONSTRAINT_NOT_REACHED;
-  result.reason = curves::internal::shape_reason(result.shape_excesses) +
-                  (result.reason.empty() ? "" : "; ") + result.reason;
-}
-
 } // namespace
 
 Sector sector_of(const Mesh& mesh,
@@ -223,6 +208,7 @@ Sector sector_of(const Mesh& mesh,
   const double thickness =
       (std::max)(parameters.thickness, curves::internal::min_thickness_for(parameters));
   const double distance = distance_of_cuts(parameters, thickness);
+  require_moderate_size(mesh, file);
   require_symmetric(mesh, symmetry, thickness, file);
   const double depth = min_depth * thickness + parameters.wall_distance;
   const auto places = Port_search(domain, symmetry)(depth);
@@ -232,55 +218,6 @@ Sector sector_of(const Mesh& mesh,
   Sector sector{mesh, ports_of(symmetry, places, distance)};
   cut(sector.mesh, symmetry, distance, file);
   return sector;
-}
-
-Curve closed_up(const Curve& arc,
-                const Ports& ports,
-                const Symmetry& symmetry,
-                const Domain& domain,
-                const std::string& file)
-{
-  std::vector<Point> nodes(arc.points().begin(), arc.points().end()), loop;
-  if(CGAL::squared_distance(nodes.front(), ports.front().point) >
-     CGAL::squared_distance(nodes.back(), ports.front().point))
-    std::reverse(nodes.begin(), nodes.end());
-  for(std::size_t k = 0; k < symmetry.order(); ++k) {
-    for(const Point& p : nodes) loop.push_back(symmetry.image(p, k));
-    if(symmetry.is_mirror() && k == 1)
-      std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(nodes.size()), loop.end());
-  }
-  loop.push_back(loop.front());
-  Curve curve(std::vector<std::vector<Point>>{std::move(loop)});
-  Defects outside = to_defects(containment(curve, domain), curve, file);
-  if(!outside.empty()) throw Input_error(std::move(outside), "a symmetric mesh around all images");
-  if(!is_embedded(curve)) throw std::runtime_error("the images of the arc meet");
-  return curve;
-}
-
-void measure_again(Filling_result& result,
-                   const Curve& curve,
-                   const Domain& domain,
-                   const Filling_parameters& parameters)
-{
-  using Concurrency = CGAL::Parallel_if_available_tag;
-  const curves::Domain_samples_3<Curve::Traits, Domain> samples(domain);
-  const auto distances = curves::sample_distances<Concurrency>(curve, samples);
-  result.coverage = curves::coverage(samples, distances, result.thickness);
-  result.uncovered_fraction = curves::unfilled_fraction(samples, distances, result.thickness);
-  result.are_empty_regions_known = false;
-  result.empty_regions.clear();
-  result.necks.clear();
-  const auto bend = curves::tightest_bend(curve);
-  result.min_bend_radius = bend.radius;
-  result.tightest_node = bend.node;
-  const auto strands = curves::min_strand_distance(curve, result.thickness);
-  result.min_strand_distance = strands.distance;
-  result.closest_points = strands.points;
-  const auto wall = curves::min_wall_distance<Concurrency>(curve, domain);
-  result.min_wall_distance = wall.distance;
-  result.point_nearest_to_wall = wall.point;
-  result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness);
-  check_shape_again(result, curve, parameters);
 }
 
 } // namespace vfc

@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// A sector of a symmetric mesh, which an arc fills, and the curve of that arc and its images.
+// A sector of a symmetric mesh, which an arc fills.
 
 #ifndef VFC_SECTOR_H
 #define VFC_SECTOR_H
@@ -12,7 +12,6 @@
 #include "files/curve_files.h"
 #include "files/mesh_files.h"
 #include "options/ports.h"
-#include "reports/fill_report.h"
 #include "symmetry/Symmetry.h"
 
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -39,21 +38,6 @@ Sector sector_of(const Mesh& mesh,
                  const Symmetry& symmetry,
                  const Filling_parameters& parameters,
                  const std::string& file);
-
-// Joins an arc that fills the sector with its images.
-// \throws Input_error if that curve leaves the domain, in which the file's mesh is
-Curve closed_up(const Curve& arc,
-                const Ports& ports,
-                const Symmetry& symmetry,
-                const Domain& domain,
-                const std::string& file);
-
-// Measures the curve of all images, for a result of the arc in its sector, and compares it with the
-// limits of its shape. Empty regions are not searched again.
-void measure_again(Filling_result& result,
-                   const Curve& curve,
-                   const Domain& domain,
-                   const Filling_parameters& parameters);
 
 } // namespace vfc
 

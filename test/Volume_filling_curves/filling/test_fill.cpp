@@ -129,10 +129,14 @@ TEST(Fill, reports_where_the_curve_did_not_get_to)
 TEST(Fill, ends_without_convergence_where_a_length_is_out_of_reach)
 {
   const Ball ball(Point(0, 0, 0), 1);
-  Curve curve;
-  const auto result = VFC::fill(curve, ball, np::length(1));
-  EXPECT_EQ(result.status, Filling_status::LENGTH_NOT_REACHED);
-  expect_inside(curve, ball);
+  for(const double length : {1., 1e-3}) {
+    Curve curve;
+    const auto result = VFC::fill(curve, ball, np::length(length));
+    EXPECT_EQ(result.status, Filling_status::LENGTH_NOT_REACHED);
+    EXPECT_LE(result.thickness, 2.1);
+    EXPECT_EQ(result.reason.substr(0, 14), "the length is ");
+    expect_inside(curve, ball);
+  }
 }
 
 TEST(Fill, takes_a_struct_of_parameters_and_a_visitor)

@@ -22,7 +22,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>

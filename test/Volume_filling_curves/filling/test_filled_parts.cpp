@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace test_filled_parts {

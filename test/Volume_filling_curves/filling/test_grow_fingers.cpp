@@ -19,7 +19,6 @@
 
 #include <array>
 #include <stdexcept>
-#include <vector>
 
 namespace test_grow_fingers {
 

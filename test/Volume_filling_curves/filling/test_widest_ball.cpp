@@ -19,8 +19,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <string>
-#include <vector>
 
 // Where a curve starts to grow: where the domain is widest.
 namespace test_widest_ball {

@@ -72,6 +72,8 @@ public:
   {
     const bool is_asked_for = is_thickness_asked_for();
     m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
+    if(parameters.length > 0)
+      m_thickness.set_number((std::min)(m_thickness.number(), max_thickness_of_length()));
     m_thickness = m_thickness.raised_to(min_thickness_for(parameters));
     if(!watch.must_stop())
       m_size.check(thickness_with_as_many_nodes(),
@@ -83,6 +85,10 @@ public:
   }
 
   const Parameters& parameters() const { return m_parameters; }
+
+  // The largest thickness for the sake of a length: with more, a curve shrinks to a triangle.
+  double max_thickness_of_length() const { return 2 * m_widest_radius; }
+
   Run_watch& watch() const { return m_watch; }
   const Samples& samples() const { return m_samples; }
 

@@ -156,13 +156,14 @@ private:
   }
 
   // Adapts the thickness to the length: the cross sections of the strands fill the volume. Returns
-  // whether it changes; it stays above the minimum for the required shape.
+  // whether it changes; it stays above the minimum for the required shape, and below the maximum.
   bool correct_thickness(double excess)
   {
     const double former = m_thickness.number();
     const double min = min_thickness_for(m_parameters);
+    const double max = (std::max)(min, m_survey.max_thickness_of_length());
     m_thickness = std::sqrt(excess) * m_thickness;
-    if(m_thickness.number() < min) m_thickness.set_number(min);
+    m_thickness.set_number(std::clamp(m_thickness.number(), min, max));
     return m_thickness.number() != former;
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
@@ -279,6 +280,8 @@ private:
     result.thickness_fit = m_fit;
     result.default_thickness = m_survey.refused_thickness();
     result.start = m_arcs.empty() ? m_circles : m_arcs;
+    if(result.status == Filling_status::LENGTH_NOT_REACHED)
+      result.reason = length_reason(m_unit * total_length(m_curves), m_unit * m_parameters.length);
     const bool has_ended_early = result.status != Filling_status::PARTIAL &&
                                  result.status != Filling_status::CONSTRAINT_NOT_REACHED &&
                                  result.status != Filling_status::STALLED;

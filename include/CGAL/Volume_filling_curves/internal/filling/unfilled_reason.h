@@ -97,6 +97,12 @@ std::string unfilled_reason(const Filling_result<Point_3>& result,
   return reason.empty() ? "gaps between strands or along the boundary are wide" : reason;
 }
 
+// Returns the reason of LENGTH_NOT_REACHED.
+inline std::string length_reason(double length, double required_length)
+{
+  return "the length is " + rounded(length) + ", not " + rounded(required_length);
+}
+
 // Measures where a curve comes closest to itself and to the boundary of its domain.
 template <typename ConcurrencyTag,
           typename Result,

@@ -140,8 +140,9 @@ struct Filling_result
   std::vector<Shape_excess_3<Point_3>> shape_excesses;
 
   /// the reason, in English, why more than 1 % of the volume is farther than 2 r from the curve,
-  /// another strand nearer than r along more than 5 % of the length, or a constraint not reached,
-  /// if the status is `PARTIAL`, `CONSTRAINT_NOT_REACHED` or `STALLED`; otherwise empty
+  /// another strand nearer than r along more than 5 % of the length, or a constraint or the length
+  /// not reached, if the status is `PARTIAL`, `CONSTRAINT_NOT_REACHED`, `LENGTH_NOT_REACHED` or
+  /// `STALLED`; otherwise empty
   std::string reason;
 
   /// the straight parts of the curve at the ports, in their order

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Volume_filling_curves authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s) : The Volume_filling_curves authors
+
+// The curve of an arc that fills a sector, and of its images.
+
+#ifndef VFC_IMAGES_H
+#define VFC_IMAGES_H
+
+#include "files/curve_files.h"
+#include "files/mesh_files.h"
+#include "options/ports.h"
+#include "reports/fill_report.h"
+#include "symmetry/Symmetry.h"
+#include "symmetry/sector.h"
+
+#include <string>
+
+namespace vfc {
+
+// Joins an arc that fills the sector with its images.
+// \throws Input_error if that curve leaves the domain, in which the file's mesh is
+Curve closed_up(const Curve& arc,
+                const Ports& ports,
+                const Symmetry& symmetry,
+                const Domain& domain,
+                const std::string& file);
+
+// Measures the curve of all images, for a result of the arc in its sector, and compares it with the
+// limits of its shape. Empty regions are not searched again.
+void measure_again(Filling_result& result,
+                   const Curve& curve,
+                   const Domain& domain,
+                   const Filling_parameters& parameters);
+
+} // namespace vfc
+
+#endif // VFC_IMAGES_H
