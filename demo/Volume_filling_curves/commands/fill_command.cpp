@@ -107,7 +107,8 @@ int fill_sector(Session& session,
 {
   const Domain whole(walls, examined);
   const Symmetry symmetry(options.symmetry, whole.bbox());
-  const Sector sector = sector_of(walls, whole, symmetry, options.parameters, options.mesh);
+  const std::string name = options.mesh + (options.obstacles.empty() ? "" : " with its obstacles");
+  const Sector sector = sector_of(walls, whole, symmetry, options.parameters, name);
   Fill_options of_sector = options;
   of_sector.parameters.ports = sector.ports;
   Curve arc;

@@ -43,7 +43,8 @@ Direction_field make_direction_field(const std::string& text, const Mesh_and_def
   Mesh_findings findings(text);
   const auto vectors = read_vertex_vectors(text, {"direction_x", "direction_y", "direction_z"},
                                            mesh.number_of_vertices_in_file, findings);
-  if(findings.has_error()) throw Input_error(findings.list(), "a vector for every vertex");
+  if(findings.has_error())
+    throw Input_error(findings.list(), "a vector x,y,z, or a file with one for every vertex");
   using Field = curves::Mesh_direction_field_3<>;
   const auto field =
       std::make_shared<const Field>(mesh.mesh, values_at_vertices<Field>(mesh, vectors));

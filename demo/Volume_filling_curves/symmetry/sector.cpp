@@ -214,7 +214,8 @@ Sector sector_of(const Mesh& mesh,
   const auto places = Port_search(domain, symmetry)(depth);
   if(places.empty())
     throw fault(file, "strands have no room where --symmetry cuts the mesh",
-                "a cut whose points lie up to " + to_text(depth) + " below the surface");
+                "a mesh that --symmetry cuts where points lie " + to_text(depth) +
+                    " below the surface");
   Sector sector{mesh, ports_of(symmetry, places, distance)};
   cut(sector.mesh, symmetry, distance, file);
   return sector;

@@ -150,6 +150,13 @@ TEST(Fill_ports, refuses_shares_that_do_not_match_the_arcs)
   EXPECT_EQ(message({1, 2}, tree), "");
 }
 
+// A single edge joins the necks at the start.
+TEST(Fill_ports, keeps_necks_side_by_side)
+{
+  expect_filled(Box(Point(0, 0, 0), Point(2, 1, 1)), 0.12,
+                {{Point(0, 0.5, 0.5)}, {Point(0, 0.55, 0.5)}});
+}
+
 TEST(Fill_ports, refuses_shares_of_nothing)
 {
   Curve curve;

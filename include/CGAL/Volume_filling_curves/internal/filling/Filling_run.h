@@ -40,6 +40,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iomanip>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -164,7 +165,7 @@ private:
   {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << complaint << m_unit * farthest;
+    text << std::setprecision(9) << complaint << m_unit * farthest;
     refuse_value(internal_np::wall_distance_t(), m_unit * m_parameters.wall_distance, text.str());
   }
 

@@ -165,8 +165,10 @@ private:
   void add_arc(std::size_t k)
   {
     const std::vector<Vector> from = nodes_of_neck(k), to = nodes_of_neck(k + 1);
-    std::vector<Vector> nodes = from;
-    for(const Vector& x : path(k, from.back(), to.back())) nodes.push_back(x);
+    std::vector<Vector> nodes = from, inner = path(k, from.back(), to.back());
+    // fingers need an edge with a free node, and would otherwise grow from the necks
+    if(inner.size() == 1) nodes.push_back((from.back() + to.back()) / 2);
+    nodes.insert(nodes.end(), inner.begin(), inner.end());
     m_paths.push_back({nodes.begin() + static_cast<std::ptrdiff_t>(from.size()) - 1, nodes.end()});
     nodes.insert(nodes.end(), to.rbegin() + 1, to.rend());
     Polyline polyline;
