@@ -31,8 +31,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <utility>

@@ -40,7 +40,6 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>

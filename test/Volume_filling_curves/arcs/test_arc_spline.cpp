@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <vector>
 
 namespace test_arc_spline {
 

@@ -16,7 +16,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <string>

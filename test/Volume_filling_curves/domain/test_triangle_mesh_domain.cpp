@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace test_triangle_mesh_domain {

@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <vector>
 
 // Prints flows of a few generated knots bit by bit. It is compiled twice, with and without Eigen's
 // vectorization, for test_vectorization.py.

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 // The backbones of proteins in mmCIF.
 namespace test_mmcif_reader {

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>

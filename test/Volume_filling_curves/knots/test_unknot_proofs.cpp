@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 // Proofs that a curve is unknotted and a link trivial, and cases that are no proof.

@@ -151,8 +151,8 @@ TEST(Interrupted_functions, verification_knows_nothing_then)
     ++calls;
     return false;
   });
-  EXPECT_THROW(verify_certificate(certificate, start, curve, end), Run_interrupted);
-  EXPECT_THROW(verify_certificate(certificate, start, curve, ball, end), Run_interrupted);
+  EXPECT_THROW((void)verify_certificate(certificate, start, curve, end), Run_interrupted);
+  EXPECT_THROW((void)verify_certificate(certificate, start, curve, ball, end), Run_interrupted);
   EXPECT_EQ(calls, 2);
   Run_watch over(0);
   internal::replay::Certificate_verifier verifier(certificate.bytes(), nullptr, &over);

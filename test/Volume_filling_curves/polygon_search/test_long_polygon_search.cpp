@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 // Results of the random search, and of the search with the flow, on the shared curves.
 namespace test_long_polygon_search {

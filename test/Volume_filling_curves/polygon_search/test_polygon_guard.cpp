@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <vector>
 
 // The guard of the search decides like Isotopy_guard_3, on small lattices full of degenerate cases.
 namespace test_polygon_guard {

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -11,11 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace test_repair_mesh {
 

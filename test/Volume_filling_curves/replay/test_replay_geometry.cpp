@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
-#include <vector>
 
 namespace test_replay_geometry {
 

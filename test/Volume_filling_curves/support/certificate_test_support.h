@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -77,12 +76,6 @@ inline Isotopy_certificate with_fitting_hash(std::string bytes)
   bytes.resize(bytes.size() - 32);
   for(const std::uint8_t byte : internal::sha256(bytes)) bytes += static_cast<char>(byte);
   return Isotopy_certificate(bytes);
-}
-
-inline internal::replay::Certificate_replay replay_of(const Network& start)
-{
-  const internal::Canonical_curve curve(start);
-  return {curve.points(), curve.edges()};
 }
 
 // The guard's opinion: carries out the operations until one is refused, and returns how many were

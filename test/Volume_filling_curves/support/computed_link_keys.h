@@ -21,7 +21,6 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 // Test support: keys of links with all orientations of their components.

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 
-#include <cstdint>
 #include <random>
 #include <vector>
 

@@ -14,8 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
 // Kernels of all sorts, and a traits class that offers nothing but what the concept asks for, must

@@ -11,9 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-#include <vector>
-
 // Unknots are untied; knots and links are recognized as what they were, and simple.
 namespace test_untangle {
 

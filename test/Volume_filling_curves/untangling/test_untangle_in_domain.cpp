@@ -16,10 +16,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 // Curves that untangle inside of domains, and around obstacles.

@@ -12,12 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
 #include <functional>
 #include <string>
-#include <utility>
-#include <vector>
 
 // The named parameters of untangle(), what it returns and throws, and its visitor.
 namespace test_untangle_parameters {

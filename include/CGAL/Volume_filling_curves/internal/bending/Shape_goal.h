@@ -9,9 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
-
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

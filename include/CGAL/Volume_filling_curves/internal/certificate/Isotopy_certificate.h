@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/text_form.h>
 
-#include <stdexcept>
 #include <string>
 #include <utility>
 

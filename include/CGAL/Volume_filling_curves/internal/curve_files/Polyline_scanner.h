@@ -15,7 +15,6 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>

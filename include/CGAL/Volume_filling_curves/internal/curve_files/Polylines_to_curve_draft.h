@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <map>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

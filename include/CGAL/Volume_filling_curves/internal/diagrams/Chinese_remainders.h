@@ -15,7 +15,6 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {

@@ -11,11 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -19,7 +19,6 @@
 #include <CGAL/Exact_integer.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Coefficient.h>
 
 #include <array>
-#include <cstddef>
 #include <ostream>
 #include <utility>
 #include <vector>

@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace CGAL {

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>

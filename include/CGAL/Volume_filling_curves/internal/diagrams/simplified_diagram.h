@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/domain/Planar_rays.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/triangle_distance.h>
-#include <CGAL/Volume_filling_curves/internal/search/Nearest_first_descent.h>
 
 #include <CGAL/Bbox_3.h>
 

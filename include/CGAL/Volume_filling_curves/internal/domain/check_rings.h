@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/planar_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <locale>

@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 

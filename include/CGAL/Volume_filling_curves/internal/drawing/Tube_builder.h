@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/drawing/Tube_sections.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 
 #include <CGAL/number_type_config.h>

@@ -26,7 +26,6 @@
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <numeric>

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
-#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {

@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 
 namespace CGAL {
 namespace Volume_filling_curves {

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_rule.h>
 #include <CGAL/Volume_filling_curves/internal/search/Dynamic_box_tree.h>
 

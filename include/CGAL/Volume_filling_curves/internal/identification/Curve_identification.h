@@ -23,7 +23,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {

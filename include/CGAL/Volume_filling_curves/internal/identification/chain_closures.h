@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Polygon_projection.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/diagram_of_curve.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
@@ -22,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -16,7 +16,6 @@
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>

@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Crowding.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>

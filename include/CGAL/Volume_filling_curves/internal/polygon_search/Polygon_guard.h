@@ -16,7 +16,6 @@
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_polygon.h>
 
 #include <algorithm>
-#include <cstddef>
 
 namespace CGAL {
 namespace Volume_filling_curves {

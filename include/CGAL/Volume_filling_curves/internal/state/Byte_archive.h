@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <string>

@@ -16,7 +16,6 @@
 #include <CGAL/enum.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Volume_filling_curves {

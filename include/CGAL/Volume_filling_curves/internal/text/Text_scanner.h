@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
