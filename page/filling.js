@@ -8,9 +8,11 @@ let isFilling = false;
 
 const exponential = (name) => Math.pow(2, element(name).valueAsNumber);
 
+// The bend radius is in units of the least thickness: a larger one would raise the thickness there.
 function settings() {
-  const thickness = exponential("filling-thickness");
-  return {thickness, bendRadius: element("bend").valueAsNumber * thickness, ratio: exponential("ratio")};
+  const thickness = exponential("filling-thickness"), ratio = exponential("ratio");
+  const least = (2 * thickness * Math.min(1, ratio)) / (1 + ratio);
+  return {thickness, bendRadius: element("bend").valueAsNumber * least, ratio};
 }
 
 function showSettings() {
