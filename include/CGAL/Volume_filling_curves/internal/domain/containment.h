@@ -136,9 +136,9 @@ template <typename Traits,
 
 /*!
  * returns the least distance of a curve to the boundary of a domain, and where it is. The minimum
- * is taken over whole edges. For a triangle mesh it is exact up to rounding; for other domains it
- * may be too large by 0.1 % of the distance, or of half of the edge. The time of one distance query
- * per edge, which ends at the least distance known, and few others.
+ * is taken over whole edges. For a triangle mesh and for polygons it is exact up to rounding; for
+ * other domains it may be too large by 0.1 % of the distance, or of half of the edge. The time of
+ * one distance query per edge, which ends at the least distance known, and few others.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`

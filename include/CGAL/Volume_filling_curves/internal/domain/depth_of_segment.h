@@ -68,7 +68,7 @@ private:
 };
 
 // The least distance of a segment inside a domain to its boundary, and the position on the segment.
-// A mesh measures it up to rounding.
+// Meshes and polygons measure it up to rounding.
 template <typename Domain>
 std::pair<double, double> depth_of_segment(const Domain& domain,
                                            const typename Domain::Point_3& p,
