@@ -236,7 +236,7 @@ constexpr std::size_t iterations_to_jam = 42; // to open, to bend, and to polish
 
 TEST(Long_fill_round, loosens_arcs_that_jam)
 {
-  for(const std::size_t seed : {11u, 25u}) {
+  for(const std::size_t seed : {3u, 11u, 17u}) { // twice, once, twice
     Curve curve;
     const Result result =
         VFC::fill(curve, box_of_arcs, np::thickness(1).random_seed(seed).ports(two_ports));

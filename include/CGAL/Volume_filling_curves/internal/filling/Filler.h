@@ -97,6 +97,7 @@ private:
   // iterations, and 176 if the curve opens each time (2026-11-23).
   static constexpr double excess_to_open_for = 0.05;
   static constexpr int max_corrections_of_thickness = 8;
+  static constexpr int max_loosenings = 2;
   static constexpr double kept_thinness = 0.5;
   // In units of the thickness with which the curve is pushed into regions. With 0.9 a spike of the
   // anapsidea (seed 2) stays 4.1 r from the curve, with 0.8 it is 2.8 r; with 0.7, near the size of
@@ -173,9 +174,10 @@ private:
     if(m_shape.is_given()) {
       run(Filling_stage::bending());
       run(Filling_stage::polishing());
-      if(!is_jammed()) return;
-      run(Filling_stage::loosening());
-      run(Filling_stage::polishing());
+      for(int k = 0; k < max_loosenings && is_jammed(); ++k) {
+        run(Filling_stage::loosening());
+        run(Filling_stage::polishing());
+      }
       return;
     }
     run(Filling_stage::settling());
