@@ -122,8 +122,8 @@ struct Filling_stage
   // diagonals; projections couple the strands.
   static Filling_stage bending() { return bending_with(0.3, 2); }
 
-  // Bends a jammed curve again, less dense. Of 32 arcs between two ports of a cube of side 8 r, four
-  // jam, two do after this stage, and none after another one, as dense (2026-11-27).
+  // Bends a jammed curve again, less dense. Of 32 arcs between two ports of a cube of side 8 r,
+  // four jam, two do after this stage, and none after another one, as dense (2026-11-27).
   static Filling_stage loosening() { return bending_with(0.6, few_directions); }
 
   // Projections alone, until the limits are kept: one to three steps of at most five motions on
