@@ -160,6 +160,18 @@ TEST(Fill_round, does_not_call_a_domain_thin_that_has_room_for_the_larger_thickn
   EXPECT_LT(result.thickness_fit.thin_fraction, 0.05);
 }
 
+// The length of so short a curve varies by more than is promised from one thickness to the next.
+TEST(Fill_round, reaches_lengths_with_few_nodes)
+{
+  for(const std::size_t seed : {1u, 5u, 6u}) {
+    Curve curve;
+    const Result result =
+        VFC::fill(curve, Box({0, 0, 0}, {4, 2, 2}), np::length(25).random_seed(seed));
+    EXPECT_EQ(result.status, Filling_status::CONVERGED) << seed;
+    EXPECT_NEAR(VFC::length(curve), 25, 0.5) << seed;
+  }
+}
+
 TEST(Fill_round, gets_no_thinner_than_its_bends_allow_for_the_sake_of_a_length)
 {
   Curve curve;
