@@ -19,10 +19,13 @@
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +89,13 @@ public:
 
   const Parameters& parameters() const { return m_parameters; }
 
-  // The largest thickness for the sake of a length: with more, a curve shrinks to a triangle.
-  double max_thickness_of_length() const { return 2 * m_widest_radius; }
+  // The largest thickness for the sake of a length: with more, a curve shrinks to a triangle. In a
+  // plate strands may be farther apart than the widest ball is wide.
+  double max_thickness_of_length() const
+  {
+    const Bbox_3 box = m_samples.domain().bbox();
+    return stable_norm(Vector(box.x_span(), box.y_span(), box.z_span())) / 2;
+  }
 
   Run_watch& watch() const { return m_watch; }
   const Samples& samples() const { return m_samples; }

@@ -167,8 +167,7 @@ private:
     const double former = m_thickness.number();
     const double min = min_thickness_for(m_parameters);
     const double max = (std::max)(min, m_survey.max_thickness_of_length());
-    m_thickness = std::sqrt(excess) * m_thickness;
-    m_thickness.set_number(std::clamp(m_thickness.number(), min, max));
+    m_thickness.set_number(std::clamp(std::sqrt(excess) * m_thickness.number(), min, max));
     return m_thickness.number() != former;
   }
 
