@@ -57,7 +57,7 @@ std::string remark(const Curve& curve, const Untangling_result& result)
   if(result.fitting_thickness > 0)
     return ", the thickness is too small for this curve: try " + to_text(result.fitting_thickness);
   if(result.is_input) return ", the input, which is tighter than what was found";
-  if(!result.is_closure_kept) return ", the knot of an arc may have slipped off its ends";
+  if(!result.is_closure_kept) return ", the closure of an arc is not known to have kept its type";
   const bool has_flowed = result.statistics.iterations > 0;
   if(result.status != Untangling_status::UNKNOTTED || result.is_round || !has_flowed) return {};
   if(curve.number_of_components() > 1) return ", not round: several components";

@@ -74,10 +74,11 @@ public:
                shape_goal(parameters).is_given())
   {
     const bool is_asked_for = is_thickness_asked_for();
-    m_thickness = is_asked_for ? m_thickness.averaged_at(m_samples.points()) : default_thickness();
+    if(!is_asked_for) m_thickness = default_thickness();
     if(parameters.length > 0)
       m_thickness.set_number((std::min)(m_thickness.number(), max_thickness_of_length()));
-    m_thickness = m_thickness.raised_to(min_thickness_for(parameters));
+    m_thickness =
+        m_thickness.raised_to(min_thickness_for(parameters)).averaged_at(m_samples.points());
     if(!watch.must_stop())
       m_size.check(thickness_with_as_many_nodes(),
                    is_asked_for ? Filling_size::max_nodes
