@@ -130,7 +130,8 @@ double half_distance(const Point& p, const Point& q)
 class Port_search
 {
 public:
-  Port_search(const Domain& domain, const Symmetry& symmetry) : m_symmetry(symmetry)
+  Port_search(const Domain& domain, const Symmetry& symmetry, double wall_distance)
+      : m_symmetry(symmetry)
   {
     const CGAL::Bbox_3 box = domain.bbox();
     const double size = std::sqrt(CGAL::squared_distance(
@@ -146,7 +147,7 @@ public:
         const double t = t0 + size * (static_cast<double>(j) / cells - 0.5);
         const Point p = symmetry.point_of_cut(s, t);
         if((!symmetry.is_mirror() && s <= 0) || !domain.is_inside(p)) continue;
-        double depth = domain.distance(p);
+        double depth = domain.distance(p) - wall_distance;
         if(!symmetry.is_mirror()) depth = (std::min)(depth, half_distance(p, symmetry.image(p, 1)));
         m_places.push_back({p, depth});
       }
@@ -210,12 +211,12 @@ Sector sector_of(const Mesh& mesh,
   const double distance = distance_of_cuts(parameters, thickness);
   require_moderate_size(mesh, file);
   require_symmetric(mesh, symmetry, thickness, file);
-  const double depth = min_depth * thickness + parameters.wall_distance;
-  const auto places = Port_search(domain, symmetry)(depth);
+  const double depth = min_depth * thickness;
+  const auto places = Port_search(domain, symmetry, parameters.wall_distance)(depth);
   if(places.empty())
     throw fault(file, "strands have no room where --symmetry cuts the mesh",
-                "a mesh that --symmetry cuts where points lie " + to_text(depth) +
-                    " below the surface");
+                "a mesh that --symmetry cuts where points lie " +
+                    to_text(depth + parameters.wall_distance) + " below the surface");
   Sector sector{mesh, ports_of(symmetry, places, distance)};
   cut(sector.mesh, symmetry, distance, file);
   return sector;

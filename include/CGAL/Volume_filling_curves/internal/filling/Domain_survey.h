@@ -37,6 +37,11 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+inline double diagonal(const Bbox_3& box)
+{
+  return stable_norm(Vector(box.x_span(), box.y_span(), box.z_span()));
+}
+
 // Survey of a domain before a curve grows in it: its connected parts, the start in each, and
 // whether the domain is wide enough for the thickness.
 template <typename Traits, typename Domain, typename ConcurrencyTag>
@@ -92,11 +97,7 @@ public:
 
   // The largest thickness for the sake of a length: with more, a curve shrinks to a triangle. In a
   // plate strands may be farther apart than the widest ball is wide.
-  double max_thickness_of_length() const
-  {
-    const Bbox_3 box = m_samples.domain().bbox();
-    return stable_norm(Vector(box.x_span(), box.y_span(), box.z_span())) / 2;
-  }
+  double max_thickness_of_length() const { return diagonal(m_samples.domain().bbox()) / 2; }
 
   Run_watch& watch() const { return m_watch; }
   const Samples& samples() const { return m_samples; }

@@ -19,7 +19,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/check_volume_shares.h>
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -36,11 +35,6 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
-
-inline double diagonal(const CGAL::Bbox_3& box)
-{
-  return stable_norm(Vector(box.x_span(), box.y_span(), box.z_span()));
-}
 
 // Call of fill(): makes the domain, checks the parameters, and runs in a unit of length that suits
 // the domain.
