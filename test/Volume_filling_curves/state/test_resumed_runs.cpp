@@ -184,7 +184,7 @@ TEST(Resumed_runs, a_box_is_filled_to_a_length)
   Filling parameters;
   parameters.length = 20;
   parameters.number_of_iterations = 150;
-  expect_resumed(filling(box), Network(), parameters, {3, 40, 60, 100});
+  expect_resumed(filling(box), Network(), parameters, {3, 20, 40, 60});
 }
 
 // Fingers are led through the neck when the curve has grown in its chamber.
