@@ -8,7 +8,7 @@ let isFilling = false;
 
 const exponential = (name) => Math.pow(2, element(name).valueAsNumber);
 
-// The bend radius is in units of the least thickness: a larger one would raise the thickness there.
+// The slider of the bend radius is in units of the least thickness.
 function settings() {
   const thickness = exponential("filling-thickness"), ratio = exponential("ratio");
   const least = (2 * thickness * Math.min(1, ratio)) / (1 + ratio);
@@ -17,16 +17,17 @@ function settings() {
 
 function showSettings() {
   const {thickness, bendRadius, ratio} = settings(), round = (x) => (x * domain.unit).toPrecision(3);
-  element("filling-thickness-value").textContent = round(thickness);
+  element("filling-thickness-value").textContent = round(Math.max(thickness, bendRadius));
   element("bend-value").textContent = bendRadius > 0 ? round(bendRadius) : "none";
   element("ratio-value").textContent = ratio === 1 ? "none" : `1 : ${Number(ratio.toPrecision(2))}`;
 }
 
-// As the core has it: from end to end of the longest side of the domain's box.
+// As the core has it: from end to end of the longest side of the domain's box, and nowhere less than
+// the bend radius.
 function thicknessAt(p) {
-  const {thickness, ratio} = grown.settings, {low, side, axis} = domain;
+  const {thickness, bendRadius, ratio} = grown.settings, {low, side, axis} = domain;
   const t = Math.min(Math.max((p[axis] - low[axis]) / side, 0), 1);
-  return (2 * thickness * (1 - t + t * ratio)) / (1 + ratio);
+  return Math.max((2 * thickness * (1 - t + t * ratio)) / (1 + ratio), bendRadius);
 }
 
 function showDomain(data) {

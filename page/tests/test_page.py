@@ -239,6 +239,8 @@ class The_page(In_folder):
         self.assertEqual(self.browser.value("element('status').textContent"), "stopped")
         self.assertTrue(self.browser.value("element('save-curve').disabled"))
         self.slide("filling-thickness", -4)
+        self.slide("bend", 1.5)  # more than the thickness, which it raises
+        self.assertEqual(self.number("filling-thickness-value"), self.number("bend-value"))
         self.slide("bend", 0.8)
         self.browser.click("fill")
         self.browser.wait("!isFilling && element('status').textContent !== 'stopped'")
