@@ -157,11 +157,12 @@ int run(Session& session, const Untangle_options& options)
   if(!options.domain.empty()) {
     session.add_input(options.domain);
     if(is_search)
-      throw Usage_error("--domain: needs --strategy flow, since tighten ignores domains");
+      throw Usage_error(
+          "--domain: needs --strategy flow or auto, since the search ignores domains");
   }
   if(is_search && curves::internal::shape_goal(options.parameters).is_given())
     throw Usage_error("--bend-radius, --strand-distance: need --strategy flow or auto, since the "
-                      "polygons of tighten are not round");
+                      "polygons of the search are not round");
   plan_outputs(session.outputs(), options);
   plan_checkpoints(session, options.saving);
   session.require_output();

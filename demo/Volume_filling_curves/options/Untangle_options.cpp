@@ -39,7 +39,7 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       "tight; lower the ropelength of tight closed curves");
   add_stop_options(command, parameters);
   command.get_option("--max-iterations")
-      ->description("the largest number of iterations of the flow; with tighten, of sweeps");
+      ->description("the largest number of iterations of the flow; with search, of sweeps");
   add_number(command, "--tolerance", parameters.tolerance,
              "converged if gradient_norm is less; dimensionless", not_negative)
       .capture_default_str();
