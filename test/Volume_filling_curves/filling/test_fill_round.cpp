@@ -26,6 +26,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -169,6 +170,35 @@ TEST(Fill_round, reaches_lengths_with_few_nodes)
         VFC::fill(curve, Box({0, 0, 0}, {4, 2, 2}), np::length(25).random_seed(seed));
     EXPECT_EQ(result.status, Filling_status::CONVERGED) << seed;
     EXPECT_NEAR(VFC::length(curve), 25, 0.5) << seed;
+  }
+}
+
+// The strands are farther apart than the plate is thick: r is about 3.1.
+TEST(Fill_round, reaches_a_length_in_a_plate_that_is_thinner_than_r)
+{
+  const Box plate({0, 0, 0}, {20, 20, 1});
+  for(const std::size_t seed : {1u, 5u, 7u}) {
+    Curve curve;
+    const Result result = VFC::fill(curve, plate, np::length(61).random_seed(seed));
+    EXPECT_EQ(result.status, Filling_status::CONVERGED) << seed << ": " << result.reason;
+    EXPECT_NEAR(VFC::length(curve), 61, 0.02 * 61);
+    EXPECT_NEAR(result.thickness, 3.1, 0.2);
+    expect_inside(curve, plate);
+  }
+}
+
+// For the sake of a length, r grows to half of the diagonal; bends may ask for more.
+TEST(Fill_round, gets_no_thicker_than_its_domain_or_its_bends_for_the_sake_of_a_length)
+{
+  const Box cube({0, 0, 0}, {2, 2, 2});
+  for(const double bend_radius : {0.5, 1.9}) {
+    Curve curve;
+    const Result result = VFC::fill(curve, cube, np::length(0.5).bend_radius(bend_radius));
+    EXPECT_EQ(result.status, Filling_status::LENGTH_NOT_REACHED);
+    EXPECT_NEAR(result.thickness, (std::max)(std::sqrt(3.), bend_radius), 1e-9);
+    EXPECT_EQ(result.reason.substr(0, 14), "the length is ");
+    EXPECT_GT(VFC::length(curve), 2) << "the curve has vanished";
+    expect_inside(curve, cube);
   }
 }
 
