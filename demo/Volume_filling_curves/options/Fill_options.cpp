@@ -132,7 +132,8 @@ void add_fill_options(CLI::App& command, Fill_options& options)
              "cover: the curve covers the boundary; keep-clear: it keeps as far from the boundary "
              "as from itself");
   add_number(command, "--wall-distance", options.parameters.wall_distance,
-             "the distance from MESH and obstacles that the curve keeps, in the input's unit")
+             "the distance from MESH and obstacles that the curve keeps, apart from the necks of "
+             "ports, in the input's unit")
       .type_name("C");
   add_stop_options(command, options.parameters);
   add_seed_option(command, options.parameters.random_seed,

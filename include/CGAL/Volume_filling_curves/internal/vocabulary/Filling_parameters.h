@@ -97,7 +97,8 @@ struct Filling_parameters : Curve_run_parameters
 
   /// The points where the curves enter the domain, if no curves are given: an even number of them.
   /// An arc leads from each odd port to the next one. At a port the curve is straight for a length
-  /// of r, less where the domain is narrow, see `Filling_result::necks`. None by default.
+  /// of r, or of `wall_distance` + r/2 if that is more, but at most for half of the width of the
+  /// domain there, see `Filling_result::necks`. None by default.
   std::vector<Port<Point_3>> ports;
 
   /// The shares of the volume for the components of the curve, such as the arcs between ports: a
