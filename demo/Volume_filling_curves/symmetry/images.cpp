@@ -12,6 +12,9 @@
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 
 #include <CGAL/tags.h>
@@ -28,6 +31,29 @@ namespace {
 namespace curves = CGAL::Volume_filling_curves;
 
 using Point = Symmetry::Point;
+using Concurrency = CGAL::Parallel_if_available_tag;
+using Samples = curves::Domain_samples_3<Curve::Traits, Domain>;
+
+// An arc keeps clear of the cuts of its sector as of the boundary, which may leave gaps between
+// the images.
+void check_gaps_again(Filling_result& result,
+                      const Samples& samples,
+                      const std::vector<double>& distances,
+                      const Filling_parameters& parameters)
+{
+  using Distances = curves::internal::Boundary_distances<Domain>;
+  const Distances depths(samples.domain(), samples.points(), Distances::no_limit, nullptr,
+                         Concurrency());
+  const curves::internal::Unfilled_space<Curve, Samples, Concurrency> unfilled(
+      samples, depths, parameters.wall, parameters.wall_distance);
+  const auto thickness = [r = result.thickness](const Point&) { return r; };
+  result.unfilled_fraction = unfilled.fraction(distances, thickness);
+  if(result.status != curves::Filling_status::CONVERGED ||
+     result.unfilled_fraction <= curves::internal::tolerated_unfilled_fraction)
+    return;
+  result.status = curves::Filling_status::PARTIAL;
+  result.reason = "the images of the arc leave gaps at the planes of --symmetry";
+}
 
 // Strands of different images may be nearer to one another than the limits of a sector allow.
 void check_shape_again(Filling_result& result,
@@ -40,7 +66,7 @@ void check_shape_again(Filling_result& result,
       result.status == Filling_status::CONVERGED || result.status == Filling_status::PARTIAL;
   if(!goal.is_given() || !has_settled) return;
   const std::vector<double> thickness(curve.number_of_nodes(), result.thickness);
-  const curves::internal::Shape_check check(CGAL::Parallel_if_available_tag(), curve,
+  const curves::internal::Shape_check check(Concurrency(), curve,
                                             curves::internal::Shape_limits(curve, goal, thickness));
   result.shape_excesses = curves::internal::shape_excesses<Point>(check, curve.traits());
   if(result.shape_excesses.empty()) return;
@@ -79,8 +105,7 @@ void measure_again(Filling_result& result,
                    const Domain& domain,
                    const Filling_parameters& parameters)
 {
-  using Concurrency = CGAL::Parallel_if_available_tag;
-  const curves::Domain_samples_3<Curve::Traits, Domain> samples(domain);
+  const Samples samples(domain);
   const auto distances = curves::sample_distances<Concurrency>(curve, samples);
   result.coverage = curves::coverage(samples, distances, result.thickness);
   result.uncovered_fraction = curves::unfilled_fraction(samples, distances, result.thickness);
@@ -97,6 +122,7 @@ void measure_again(Filling_result& result,
   result.min_wall_distance = wall.distance;
   result.point_nearest_to_wall = wall.point;
   result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness);
+  check_gaps_again(result, samples, distances, parameters);
   check_shape_again(result, curve, parameters);
 }
 

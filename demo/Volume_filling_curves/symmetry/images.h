@@ -29,7 +29,7 @@ Curve closed_up(const Curve& arc,
                 const std::string& file);
 
 // Measures the curve of all images, for a result of the arc in its sector, and compares it with the
-// limits of its shape. Empty regions are not searched again.
+// limits of its shape and of the unfilled volume. Empty regions are not searched again.
 void measure_again(Filling_result& result,
                    const Curve& curve,
                    const Domain& domain,

@@ -144,6 +144,28 @@ TEST_F(Command_line_symmetry, nothing_is_written_if_the_run_ends_before_there_is
   EXPECT_EQ(read("c.obj"), "kept");
 }
 
+TEST_F(Command_line_symmetry, distance_from_the_wall_is_kept_by_all_images)
+{
+  const Finished fill = run("fill box.off --preview --thickness .25 --symmetry rotation:2 "
+                            "--wall-distance .2 -o c.obj --report r.json");
+  ASSERT_EQ(fill.status, 0) << fill.err;
+  EXPECT_GE(json("r.json")["min_wall_distance"], .2);
+  EXPECT_EQ(run("check c.obj box.off --wall-distance .2").status, 0);
+}
+
+// The arc keeps the distance from the cut, too, and thought nothing of the gap there.
+TEST_F(Command_line_symmetry, tells_of_gaps_between_images_far_from_the_wall)
+{
+  const Finished fill = run("fill box.off --preview --thickness .15 --symmetry mirror "
+                            "--wall-distance .3 -o c.obj --report r.json");
+  EXPECT_EQ(fill.status, 2) << fill.err;
+  const Json report = json("r.json");
+  EXPECT_EQ(report["status"], "partial");
+  EXPECT_GT(report["unfilled_fraction"], .01);
+  EXPECT_GE(report["min_wall_distance"], .3);
+  EXPECT_NE(fill.out.find("leave gaps at the planes of --symmetry"), std::string::npos) << fill.out;
+}
+
 // Strands near a cut do not see those of the other images.
 TEST_F(Command_line_symmetry, tells_where_images_are_too_near_to_one_another)
 {
