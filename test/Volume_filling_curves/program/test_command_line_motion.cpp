@@ -107,6 +107,17 @@ TEST_F(Command_line_motion, an_arc_at_a_limit_says_whether_its_closure_is_kept)
   EXPECT_TRUE(json("round.json")["is_closure_kept"].is_null());
 }
 
+TEST_F(Command_line_motion, search_is_a_strategy_with_two_names)
+{
+  make_unknot();
+  const std::string untangle = "untangle unknot.obj --seed 3 --report r.json --force --strategy ";
+  ASSERT_EQ(run(untangle + "search -o a.obj").status, 0);
+  EXPECT_EQ(json("r.json")["status"], "unknotted");
+  EXPECT_LE(points("a.obj").size(), 5u) << "the flow does not remove so many nodes";
+  ASSERT_EQ(run(untangle + "tighten -o b.obj").status, 0);
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
 TEST_F(Command_line_motion, junctions_need_the_network_option)
 {
   write("y.polylines.txt", "2 0 0 0 1 0 0\n2 0 0 0 0 1 0\n2 0 0 0 0 0 1\n");
