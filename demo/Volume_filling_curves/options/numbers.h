@@ -7,7 +7,7 @@
 #ifndef VFC_NUMBERS_H
 #define VFC_NUMBERS_H
 
-#include <CGAL/Volume_filling_curves/internal/text/counted.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <string>
 

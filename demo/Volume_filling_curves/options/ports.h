@@ -9,7 +9,7 @@
 
 #include "files/curve_files.h"
 
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 
 #include <string>
 #include <vector>

@@ -10,8 +10,8 @@
 #include "files/curve_files.h"
 #include "session/Exit_status.h"
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <string>
 

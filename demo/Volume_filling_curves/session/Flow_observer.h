@@ -15,8 +15,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <algorithm>
 #include <cmath>

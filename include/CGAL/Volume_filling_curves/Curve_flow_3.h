@@ -23,7 +23,6 @@
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Medial_sphere.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <CGAL/assertions.h>

@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_origin.h>
 
 #include <CGAL/assertions.h>
 

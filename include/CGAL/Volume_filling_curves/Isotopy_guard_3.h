@@ -14,8 +14,8 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Certified_motion.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Local_change_certifier.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_limits.h>

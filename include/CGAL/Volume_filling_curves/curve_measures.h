@@ -12,8 +12,8 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/unit_direction.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Linking_numbers.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
 #include <CGAL/Volume_filling_curves/internal/measures/strand_measures.h>

@@ -28,7 +28,6 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Finger_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Bbox_3.h>

@@ -32,7 +32,6 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_identity.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Exact_integer.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/replay/Certificate_verifier.h>
 #include <CGAL/Volume_filling_curves/internal/replay/Enclosure.h>
 #include <CGAL/Volume_filling_curves/internal/replay/Mesh_enclosure.h>
-#include <CGAL/Volume_filling_curves/internal/text/counted.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -6,7 +6,7 @@
 
 #include "support/flow_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/geometry/segment_passage.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #ifndef VFC_TEST_ARCHETYPE_VISITOR_H
 #define VFC_TEST_ARCHETYPE_VISITOR_H
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <string>
 

@@ -13,7 +13,6 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/segment_passage.h>
 
 #include <array>
 #include <cstddef>

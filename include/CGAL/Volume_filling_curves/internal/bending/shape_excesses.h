@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Shape_excess_3.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Bend_limits.h>
 
 #include <iomanip>
 #include <sstream>

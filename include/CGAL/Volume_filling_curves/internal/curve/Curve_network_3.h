@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Editor_claim.h>
 #include <CGAL/Volume_filling_curves/internal/curve/network_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Polyline_graph.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/matrix_conversions.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>

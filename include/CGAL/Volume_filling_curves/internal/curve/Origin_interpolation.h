@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_topology.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_origin.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +19,30 @@
 
 namespace CGAL {
 namespace Volume_filling_curves {
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/Curve_network_3.h
+ *
+ * \brief The class `Curve_origin` is the point of the input that a node of a result corresponds to:
+ * an edge of the input, and a position on it.
+ *
+ * The point is `(1 - parameter) * p + parameter * q`, where `p` and `q` are the points of the input
+ * with the indices `source` and `target`. Colors, times and other data along the input can be
+ * interpolated at the result in the same way.
+ */
+struct Curve_origin
+{
+  /// the index in the input of the edge's first node, see `Curve_network_3::origin()`
+  std::size_t source;
+
+  /// the index in the input of the edge's second node
+  std::size_t target;
+
+  /// the position on the edge, from 0 at `source` to 1 at `target`
+  double parameter;
+};
+
 namespace internal {
 
 // Origins of the nodes of a curve in its input, as numbers along a chain of the input: 2.5 is the

@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/polylines/Curve_paths.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_origin.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -10,8 +10,8 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 
 #include <array>
 #include <cstddef>

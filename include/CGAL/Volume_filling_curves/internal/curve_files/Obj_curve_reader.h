@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/text/Text_scanner.h>
-#include <CGAL/Volume_filling_curves/internal/text/counted.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <algorithm>
 #include <cstddef>

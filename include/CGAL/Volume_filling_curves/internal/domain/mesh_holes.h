@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
-#include <CGAL/Volume_filling_curves/internal/text/counted.h>
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
 #include <CGAL/Bbox_3.h>

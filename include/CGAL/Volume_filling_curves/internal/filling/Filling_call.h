@@ -16,7 +16,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Visitor_in_unit.h>
-#include <CGAL/Volume_filling_curves/internal/filling/check_volume_shares.h>
 #include <CGAL/Volume_filling_curves/internal/filling/length_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>

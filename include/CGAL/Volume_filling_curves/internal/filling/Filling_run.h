@@ -24,7 +24,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
-#include <CGAL/Volume_filling_curves/internal/filling/check_volume_shares.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>

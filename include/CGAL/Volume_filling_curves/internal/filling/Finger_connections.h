@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/flow/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/unit_direction.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
 
 #include <array>

@@ -10,8 +10,8 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Medial_sphere.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <cstddef>

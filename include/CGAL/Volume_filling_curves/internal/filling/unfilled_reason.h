@@ -16,7 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Crowding.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
-#include <CGAL/Volume_filling_curves/internal/text/counted.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 

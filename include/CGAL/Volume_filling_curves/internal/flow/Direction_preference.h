@@ -11,13 +11,28 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/unit_direction.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
 
 #include <cstddef>
+#include <stdexcept>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Direction of a field at a point, as a unit vector, or zero if there is no preference. Throws
+// std::invalid_argument, with the point in the message, if the field is not finite.
+template <typename Field, typename Point_3>
+Vector unit_direction(const Field& field, const Point_3& p)
+{
+  const Field_vector given = field(p);
+  const Vector v(given[0], given[1], given[2]);
+  if(!v.allFinite())
+    throw std::invalid_argument("direction_field is not finite at " + point_text(p));
+  const double size = v.cwiseAbs().maxCoeff(); // squares must neither overflow nor underflow
+  return size > 0 ? (v / size).normalized() : Vector();
+}
 
 // Energy of edges in a direction field: an edge of length L at the angle phi to the field costs an
 // additional w L sin^2(phi). For an edge e and a unit vector d this is w (|e| - (e . d)^2 / |e|);
@@ -59,7 +74,6 @@ Vector_field edge_directions(const Network& curve, const Field& field)
 }
 
 } // namespace internal
-
 } // namespace Volume_filling_curves
 } // namespace CGAL
 

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -138,6 +140,49 @@ template <typename Traits>
 typename Traits::Point_3 to_point(const Vector& v, const Traits& traits)
 {
   return traits.construct_point_3_object()(v.x(), v.y(), v.z());
+}
+
+// Range of the coordinates that networks, readers, domains and guards accept, and least size of the
+// bounding box of a curve that moves: squares of lengths neither overflow nor underflow.
+constexpr double max_coordinate = 1e150, min_extent = 1e-150;
+
+// returns whether all coordinates are accepted; NaN is not
+inline bool is_in_range(const Vector& x)
+{
+  for(int k = 0; k < 3; ++k)
+    if(!(std::abs(x[k]) <= max_coordinate)) return false;
+  return true;
+}
+
+// Throws std::invalid_argument, with `name` in the message, unless the coordinates are accepted.
+inline void check_range(const Vector& x, const std::string& name)
+{
+  if(!x.allFinite()) throw std::invalid_argument(name + " is not finite");
+  if(!is_in_range(x)) throw std::invalid_argument(name + " has a coordinate beyond 1e150");
+}
+
+// Orthonormal frame: the three rows of a rotation of space.
+struct Frame
+{
+  Vector first, second, third;
+
+  Vector operator()(const Vector& v) const { return {first.dot(v), second.dot(v), third.dot(v)}; }
+};
+
+// The quaternion need not have length 1.
+inline Frame frame_of_quaternion(double w, double x, double y, double z)
+{
+  const double norm = std::sqrt(w * w + x * x + y * y + z * z);
+  w /= norm, x /= norm, y /= norm, z /= norm;
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+          {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+          {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+}
+
+// A direction without symmetries, for looking at curves that often lie on a lattice.
+inline Frame generic_frame()
+{
+  return frame_of_quaternion(0.771, 0.371, -0.291, 0.427);
 }
 
 } // namespace internal

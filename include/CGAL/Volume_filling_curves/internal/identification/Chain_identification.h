@@ -18,7 +18,6 @@
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_identity.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 
 #include <algorithm>

@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/Frame.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>

@@ -9,11 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_identity.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Finger_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Simplification_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>

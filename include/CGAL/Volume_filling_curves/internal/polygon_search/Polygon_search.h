@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Elementary_operation.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_chain.h>
 #include <CGAL/Volume_filling_curves/internal/support/for_each_block.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 
 #include <algorithm>
 #include <atomic>

@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/node_circles.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Medial_sphere.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +21,19 @@
 
 namespace CGAL {
 namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/Curve_flow_3.h
+///
+/// A sphere that touches a curve at a node and contains no other node.
+template <typename Point_3>
+struct Medial_sphere
+{
+  Point_3 center;           ///< the center, in the plane orthogonal to the curve at the node
+  double radius;            ///< the radius, in the input's unit
+  std::size_t touched_node; ///< the node that limits the radius, or `null_node()` if the cap does
+};
+
 namespace internal {
 
 // Directions: N evenly spaced unit vectors of a plane.

@@ -12,7 +12,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/geometry/coordinate_range.h>
 #include <CGAL/Volume_filling_curves/internal/state/Byte_archive.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>

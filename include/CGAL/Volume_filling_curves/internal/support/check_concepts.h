@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>

@@ -176,6 +176,20 @@ std::string point_text(const Point_3& p)
   return text.str();
 }
 
+// Returns a number with its noun, such as "1 vertex" or "2 vertices".
+inline std::string counted(std::size_t number,
+                           const std::string& singular,
+                           const std::string& plural)
+{
+  return std::to_string(number) + ' ' + (number == 1 ? singular : plural);
+}
+
+// the same for a noun whose plural is formed by an s
+inline std::string counted(std::size_t number, const std::string& singular)
+{
+  return counted(number, singular, singular + 's');
+}
+
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL

@@ -17,7 +17,8 @@
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/rescale_to_length.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 
 #include <cstddef>
 #include <limits>

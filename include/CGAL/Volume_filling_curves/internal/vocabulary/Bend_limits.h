@@ -9,6 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
+
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
@@ -55,6 +57,21 @@ struct Bend_limits
     return CGAL_PI * (std::max)(bend_radius, strand_distance / 2);
   }
   /// \endcond
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/fill.h
+///
+/// The point where a curve exceeds a limit of its shape most.
+///
+/// \tparam Point_3 the type of points
+template <typename Point_3 = Curve_flow_traits_3<>::Point_3>
+struct Shape_excess_3
+{
+  Point_3 point;       ///< on the curve
+  double value = 0;    ///< the bend radius or the distance of strands there, in the input's unit
+  double limit = 0;    ///< the one that is required there
+  bool is_bend = true; ///< whether it is a bend, or else a distance of strands
 };
 
 namespace internal {

@@ -9,10 +9,9 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Bend_limits.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Coverage.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Port.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Shape_excess_3.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
 #include <array>
@@ -74,6 +73,25 @@ inline std::ostream& operator<<(std::ostream& out, Filling_status status)
 {
   return out << to_string(status);
 }
+
+/*!
+ * \ingroup PkgVolumeFillingCurvesRef
+ * \headerfile CGAL/Volume_filling_curves/fill.h
+ *
+ * \brief The struct `Port_neck` is the straight part of a curve behind a port.
+ *
+ * \tparam Point_3 the type of points
+ */
+template <typename Point_3>
+struct Port_neck
+{
+  Point_3 wall;                                ///< the intersection of its line with the boundary
+  Point_3 end;                                 ///< the end of the curve, r/64 from there
+  std::array<double, 3> direction = {0, 0, 0}; ///< of the neck, a unit vector that leads inside
+  double length = 0; ///< from the boundary to where the curve may bend, in the input's unit
+  /// whether no strand meets the segment from the boundary to the end of the curve, which is exact
+  bool is_free = false;
+};
 
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/fill.h

@@ -103,6 +103,17 @@ struct Run_progress
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
+/// The progress of a random search.
+struct Search_progress
+{
+  std::size_t sweeps = 0; ///< the number of sweeps, which are a hundred attempted moves per edge
+  std::size_t moves = 0;  ///< the number of attempted moves
+  std::size_t edges = 0;  ///< the fewest edges found so far
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+/// \headerfile CGAL/Volume_filling_curves/untangle.h
+///
 /// The exception of functions that return no status, such as measures, if the function passed as
 /// the named parameter `progress` returns `false`.
 class Run_interrupted : public std::runtime_error

@@ -10,12 +10,46 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_strategy.h>
 
 #include <cstddef>
+#include <ostream>
 
 namespace CGAL {
 namespace Volume_filling_curves {
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// The method of untangling.
+enum class Untangling_strategy
+{
+  FLOW,   ///< the flow alone, a continuous motion of all nodes
+  SEARCH, ///< a random search for a polygon with as few edges as possible
+  AUTO    ///< the search first, and then the flow to an even, smooth shape
+};
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// returns the name in plain English, for example "flow".
+inline const char* to_string(Untangling_strategy strategy)
+{
+  switch(strategy) {
+  case Untangling_strategy::FLOW:
+    return "flow";
+  case Untangling_strategy::SEARCH:
+    return "search";
+  case Untangling_strategy::AUTO:
+    return "auto";
+  }
+  return "";
+}
+
+/// \ingroup PkgVolumeFillingCurvesRef
+///
+/// writes the name in plain English.
+inline std::ostream& operator<<(std::ostream& out, Untangling_strategy strategy)
+{
+  return out << to_string(strategy);
+}
 
 /*!
  * \ingroup PkgVolumeFillingCurvesRef

@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Bend_limits.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/vocabulary/Shape_excess_3.h>
 
 #include <cstddef>
 #include <ostream>
