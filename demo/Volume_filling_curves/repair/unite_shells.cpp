@@ -12,7 +12,7 @@
 #include "repair/combined_shells.h"
 #include "repair/shells_apart.h"
 
-#include <CGAL/Volume_filling_curves/internal/domain/shell_nesting.h>
+#include <CGAL/Volume_filling_curves/internal/domain/nested_shells.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/arcs/Arc_spline.h>
 #include <CGAL/Volume_filling_curves/internal/arcs/Arc_spline_builder.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>

@@ -12,9 +12,8 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/generators/braid_closure.h>
 #include <CGAL/Volume_filling_curves/internal/generators/hard_unknot.h>
-#include <CGAL/Volume_filling_curves/internal/generators/lattice_polygon.h>
 #include <CGAL/Volume_filling_curves/internal/generators/polygons.h>
-#include <CGAL/Volume_filling_curves/internal/generators/random_polygon.h>
+#include <CGAL/Volume_filling_curves/internal/generators/random_polygons.h>
 #include <CGAL/Volume_filling_curves/internal/generators/torus_knot.h>
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/curve/network_of_polylines.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Gauss_code_reader.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Goeritz_form.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
-#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "support/exact_surface.h"
 #include "support/mesh_file_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/domain/shell_nesting.h>
+#include <CGAL/Volume_filling_curves/internal/domain/nested_shells.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 
 #include <gtest/gtest.h>

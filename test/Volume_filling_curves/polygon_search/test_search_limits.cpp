@@ -8,7 +8,7 @@
 #include "support/knot_invariants.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_search.h>
 
 #include <CGAL/tags.h>

@@ -12,7 +12,7 @@
 #include "support/knot_invariants.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <gtest/gtest.h>

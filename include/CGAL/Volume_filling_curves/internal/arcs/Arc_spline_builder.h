@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/arcs/Arc_spline.h>
-#include <CGAL/Volume_filling_curves/internal/curve/curve_strands.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>

@@ -15,7 +15,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/network_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/Polyline_graph.h>
-#include <CGAL/Volume_filling_curves/internal/polylines/matrix_conversions.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>

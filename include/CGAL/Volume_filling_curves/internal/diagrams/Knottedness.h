@@ -9,11 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/diagrams/Alexander_matrix.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Goeritz_form.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/may_be_unknot.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>

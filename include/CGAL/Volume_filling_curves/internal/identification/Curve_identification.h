@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
-#include <CGAL/Volume_filling_curves/internal/curve/check_embedded.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identification.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identity.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/diagram_of_curve.h>

@@ -9,9 +9,11 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
-#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +22,22 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// largest number of edges with which every closed polygon is an unknot (Randell 1994)
+inline constexpr std::size_t edges_of_unknots = 5;
+
+// Proof that component c is an unknot, if it is too simple for a knot, which has at least 6 edges
+// (Randell 1994) and a total curvature above 4 pi (Fary 1949, Milnor 1950). Linear.
+template <typename Network>
+Unknot_proof unknot_proof(const Network& curve, std::size_t c)
+{
+  // 4 pi is the infimum for the trefoil; the margin is far above the rounding of a sum of angles
+  constexpr double unknotted_curvature = 4 * CGAL_PI - 1e-6;
+  if(!curve.is_closed(c)) return Unknot_proof::NONE;
+  if(curve.first_node(c + 1) - curve.first_node(c) <= edges_of_unknots) return Unknot_proof::EDGES;
+  return total_curvature(curve, c) < unknotted_curvature ? Unknot_proof::TOTAL_CURVATURE
+                                                         : Unknot_proof::NONE;
+}
 
 // Proofs that the components of a moving curve are unknots, and that their link is trivial or not.
 // Curves only change by isotopies, hence a proof, once found, remains valid.

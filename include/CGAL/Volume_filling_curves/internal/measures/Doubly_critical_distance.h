@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
-#include <CGAL/Volume_filling_curves/internal/measures/Least_pair_distance.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/average_crossing_number.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
-#include <CGAL/Volume_filling_curves/internal/knots/unknot_proof.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_walk.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Search_polygon.h>

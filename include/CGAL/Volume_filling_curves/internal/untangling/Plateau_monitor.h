@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/may_be_unknot.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Alexander_matrix.h>
 
 #include <cstddef>
 #include <limits>
