@@ -11,7 +11,7 @@
 #include "Flow_sample.h"
 
 #include <CGAL/Volume_filling_curves/internal/flow/Contact_stiffness.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Tridiagonal_conjugate_gradients.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Direction_solver.h>
 
 #include <Eigen/SparseCholesky>
 

@@ -25,7 +25,7 @@
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/untangled_shape.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/Shape_finish.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 

@@ -12,7 +12,7 @@
 #include "session/Session.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/internal/bending/shape_excesses.h>
+#include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 
 #include <algorithm>
 #include <cmath>

@@ -14,9 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_projection.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
-#include <CGAL/Volume_filling_curves/internal/bending/Strand_paths.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
-#include <CGAL/Volume_filling_curves/internal/bending/nodes_near.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>

@@ -9,7 +9,7 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Deepest_point.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Widest_ball.h>
 
 #include "support/exact_surface.h"
 

@@ -7,7 +7,7 @@
 #include "support/flow_test_support.h"
 
 #include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/flow_monitors.h>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,6 @@
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Ropelength_descent.h>
-#include <CGAL/Volume_filling_curves/internal/ropelength/rope_motion.h>
 
 #include <gtest/gtest.h>
 

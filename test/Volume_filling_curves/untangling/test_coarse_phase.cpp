@@ -6,7 +6,7 @@
 
 #include "support/untangle_test_support.h"
 
-#include <CGAL/Volume_filling_curves/internal/untangling/Coarse_phase.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/flow_monitors.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Default_curve_flow_visitor.h>
 
 #include <gtest/gtest.h>

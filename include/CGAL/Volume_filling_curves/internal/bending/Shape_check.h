@@ -11,14 +11,20 @@
 
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/bending.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
+#include <CGAL/Volume_filling_curves/internal/text/number_text.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Bend_limits.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <limits>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -85,6 +91,30 @@ struct Shape_check
   Shape_extreme bend, strands;
   std::vector<std::size_t> exceeding_nodes; // at bends and edges that exceed a limit
 };
+
+template <typename Point_3, typename Traits>
+std::vector<Shape_excess_3<Point_3>> shape_excesses(const Shape_check& check, const Traits& traits)
+{
+  std::vector<Shape_excess_3<Point_3>> excesses;
+  for(const bool is_bend : {true, false}) {
+    const Shape_extreme& extreme = is_bend ? check.bend : check.strands;
+    if(!extreme.is_kept())
+      excesses.push_back({to_point(extreme.point, traits), extreme.value, extreme.limit, is_bend});
+  }
+  return excesses;
+}
+
+template <typename Point_3>
+std::string shape_reason(const std::vector<Shape_excess_3<Point_3>>& excesses)
+{
+  std::ostringstream text;
+  text << std::setprecision(3);
+  for(const Shape_excess_3<Point_3>& excess : excesses)
+    text << (text.tellp() > 0 ? "; " : "")
+         << (excess.is_bend ? "the curve bends with a radius of " : "strands have a distance of ")
+         << excess.value << ", not " << excess.limit << ", at " << point_text(excess.point);
+  return text.str();
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

@@ -9,14 +9,13 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/filling/Length_window.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Polishing_record.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Idle_steps.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -25,6 +24,52 @@
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Lengths of a growing curve in its last iterations.
+struct Length_window
+{
+  std::vector<double> values;
+
+  void add(double length) { values.push_back(length); }
+
+  // returns whether the length changed by less than this fraction over the last iterations
+  bool has_settled(std::size_t iterations, double fraction) const
+  {
+    if(values.size() <= iterations) return false;
+    const auto begin = values.end() - static_cast<std::ptrdiff_t>(iterations) - 1;
+    const auto [min, max] = std::minmax_element(begin, values.end());
+    return *max - *min < fraction * *max;
+  }
+};
+
+// Progress of polishing: the fractions of the nodes at which a limit is exceeded, before the first
+// step and after each that moves the curve.
+struct Polishing_record
+{
+  std::vector<double> fractions;
+
+  void add(std::size_t exceeding_nodes, std::size_t nodes)
+  {
+    fractions.push_back(
+        nodes > 0 ? static_cast<double>(exceeding_nodes) / static_cast<double>(nodes) : 0);
+  }
+
+  double last() const { return fractions.empty() ? 0 : fractions.back(); }
+  bool is_done() const { return last() == 0; }
+
+  // Whether the domain has no room for the limits: after the last step more than a twentieth of the
+  // nodes still exceed them, and more than half as many as before it. In 108 fillings between ports
+  // the first step leaves at most 4 %; in six meshes with walls too thin for the thickness 34 to
+  // 70 %, in a plate 1.8 r thick 17 of 22 %. Without this rule the plate took 25 s instead of 2 s,
+  // and five of the meshes, polished further and loosened, were filled to 31 instead of 77 %
+  // (2026-11-27).
+  bool are_limits_out_of_reach() const
+  {
+    constexpr double many = 0.05, remainder = 0.5;
+    const std::size_t n = fractions.size();
+    return n > 1 && last() > many && last() > remainder * fractions[n - 2];
+  }
+};
 
 // All that a filling depends on between two steps, besides the curve and its guard. A run that was
 // interrupted makes the same decisions, and continues in the middle of a stage.

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
-#include <CGAL/Volume_filling_curves/internal/filling/Domain_without_segments.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_placement.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Path_search.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>

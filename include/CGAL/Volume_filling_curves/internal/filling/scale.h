@@ -9,19 +9,70 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/certificate/Canonical_curve.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Certificate_reader.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Certificate_writer.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
+#include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Unit of length of a filling. Terms of degree 6 overflow in a domain of size 2^170 and underflow
+// in one of size 2^-170. Such a run therefore uses the size of the domain's box as unit, rounded to
+// a power of two, which rounds no coordinate.
+
+inline double max_coordinate_of(const CGAL::Bbox_3& box)
+{
+  double largest = 0;
+  for(int i = 0; i < 3; ++i)
+    largest = (std::max)({largest, std::abs((box.min)(i)), std::abs((box.max)(i))});
+  return largest;
+}
+
+[[noreturn]] inline void refuse_size(double size, const std::string& demand)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "the domain's box has a largest coordinate of " << size << ", but " << demand;
+  throw std::invalid_argument(text.str());
+}
+
+// Returns the unit for a domain with that box; 1 unless the domain is very large or very small.
+// \throws std::invalid_argument if it is larger or smaller than any domain may be
+template <typename Domain>
+double length_unit(const CGAL::Bbox_3& box)
+{
+  constexpr int max_exponent = 128; // leaves 2^40 between the domain's size and that of edges
+  const double size = max_coordinate_of(box);
+  if(!(size > 0) || !std::isfinite(size)) return 1; // the survey says what is wrong
+  const int exponent = std::ilogb(size);
+  if(std::abs(exponent) <= max_exponent) return 1;
+  if(size > max_coordinate || size < min_extent)
+    refuse_size(size, "must be between 1e-150 and 1e150");
+  if(!Is_scalable<Domain>::value)
+    refuse_size(size, "must be between 1e-38 and 1e38 if the domain has no member function "
+                      "scaled(); scale it by a power of two, which changes no bits of the result");
+  return std::ldexp(1., exponent);
+}
 
 // Scaling of the lengths of a filling by a power of two, from the caller's unit to that of the run
 // and back. Exact.
@@ -137,6 +188,30 @@ private:
   Network& m_curve;
   const double m_factor;
 };
+
+// Record of a motion with all coordinates multiplied by a power of two, which keeps the order of
+// the nodes. The caller scales the start and end curves likewise.
+template <typename Curve>
+std::string scaled_record(std::string_view bytes,
+                          double factor,
+                          const Curve& start,
+                          const Curve& end)
+{
+  Certificate_reader reader(bytes);
+  Certificate_writer writer;
+  Certificate_header header = reader.header();
+  header.curve = Canonical_curve(start).digest();
+  writer.write(header);
+  for(auto operation = reader.operation(); operation.kind != Certificate_operation::Kind::END;
+      operation = reader.operation()) {
+    for(double& x : operation.position) x *= factor;
+    writer.write(operation);
+  }
+  const Certificate_trailer trailer = reader.trailer();
+  writer.write_end(trailer.nodes, trailer.edges, Canonical_curve(end).digest());
+  writer.write_record_hash(sha256(writer.bytes()));
+  return writer.bytes();
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

@@ -9,20 +9,130 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/flow/Replaced_chains.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
+
+// Chains of former nodes that the edges of a curve replace while nodes are removed, and tests
+// whether an edge is within a given Frechet distance of a chain: whether points of the edge, in
+// order, can be assigned to the nodes of the chain, none farther than this. (Between nodes, the
+// linear assignment is no farther, since distance is convex; Alt and Godau 1995.) Linear in the
+// number of nodes of the chain.
+template <typename Network>
+class Replaced_chains
+{
+  using Index = std::uint32_t;
+
+public:
+  explicit Replaced_chains(const Network& curve)
+      : m_curve(curve), m_points(curve.number_of_nodes()), m_neighbors(curve.number_of_nodes())
+  {
+    for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
+      m_points[v] = to_vector(curve.point(v));
+      for(std::size_t k = 0; k < 2 && curve.degree(v) == 2; ++k)
+        m_neighbors[v][k] = static_cast<Index>(curve.neighbor(v, k));
+    }
+    m_first.resize(curve.number_of_edges());
+    for(std::size_t e = 0; e < curve.number_of_edges(); ++e)
+      m_first[e] = {static_cast<Index>(curve.target(e)), static_cast<Index>(curve.source(e))};
+  }
+
+  // returns whether the edge that would join the neighbors of node v is within the distance of the
+  // chain between them
+  bool is_shortcut_near(std::size_t v, double distance) const
+  {
+    const std::size_t a = m_curve.neighbor(v, 0), c = m_curve.neighbor(v, 1);
+    const Vector &start = m_points[a], to_end = m_points[c] - start;
+    double reached = 0;
+    const auto advance = [&](std::size_t w) {
+      return move_on(m_points[w] - start, to_end, distance, reached);
+    };
+    return holds_inside(m_curve.incident_edge(v, 0), a, v, advance) && advance(v) &&
+           holds_inside(m_curve.incident_edge(v, 1), v, c, advance);
+  }
+
+  // Two edges that become one: their far ends, and the nodes of the chain next to these.
+  struct Union
+  {
+    std::array<std::size_t, 2> edges, ends;
+    std::array<Index, 2> first;
+  };
+
+  // returns the union of the two edges at node v, to be passed to `join()` once v has been removed
+  Union edges_at(std::size_t v) const
+  {
+    Union both;
+    for(std::size_t k = 0; k < 2; ++k) {
+      both.edges[k] = m_curve.incident_edge(v, k);
+      both.ends[k] = m_curve.neighbor(v, k);
+      both.first[k] = first_node(both.edges[k], both.ends[k]);
+    }
+    return both;
+  }
+
+  // Records that the two edges have become one.
+  void join(const Union& both)
+  {
+    const std::size_t e = both.edges[m_curve.is_removed_edge(both.edges[0]) ? 1 : 0];
+    m_first[e] = both.first;
+    if(m_curve.source(e) != both.ends[0]) std::swap(m_first[e][0], m_first[e][1]);
+  }
+
+private:
+  Index first_node(std::size_t e, std::size_t end) const
+  {
+    return m_first[e][m_curve.source(e) == end ? 0 : 1];
+  }
+
+  // Calls f for the nodes inside the chain of edge e, from one end to the other, until it returns
+  // false. Returns whether it never did.
+  template <typename Function>
+  bool holds_inside(std::size_t e, std::size_t from, std::size_t to, const Function& f) const
+  {
+    std::size_t last = from, v = first_node(e, from);
+    while(v != to) {
+      if(!f(v)) return false;
+      const std::size_t next = m_neighbors[v][m_neighbors[v][0] == last ? 1 : 0];
+      last = v;
+      v = next;
+    }
+    return true;
+  }
+
+  // Moves on along the segment from 0 to `end` to the first point within the distance of p, and
+  // returns whether there is one that is not before the point reached so far.
+  static bool move_on(const Vector& p, const Vector& end, double distance, double& reached)
+  {
+    const double length = end.norm();
+    const Vector direction = end / length;
+    const double along = p.dot(direction);
+    const double rest = distance * distance - (p - along * direction).squaredNorm();
+    if(!(rest >= 0)) return false;
+    reached = (std::max)(reached, along - std::sqrt(rest));
+    return reached <= (std::min)(length, along + std::sqrt(rest));
+  }
+
+  const Network& m_curve;
+  std::vector<Vector> m_points;
+  std::vector<std::array<Index, 2>> m_neighbors; // of former nodes with two
+  std::vector<std::array<Index, 2>> m_first;     // per edge, next to its source and its target
+};
 
 // Simplifier, which removes nodes in order of their effect on the curve, least first, until the
 // guard or the distance to the former curve allows no further removal. Refused removals are tried

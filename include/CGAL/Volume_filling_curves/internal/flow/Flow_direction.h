@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/flow/Contact_stiffness.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_preference.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_solver.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Tangent_projection.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/flow/energy_gradient.h>
 #include <CGAL/Volume_filling_curves/internal/flow/preconditioner.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>

@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_projection.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Strand_pairs.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Wall_planes.h>
-#include <CGAL/Volume_filling_curves/internal/bending/nodes_near.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Strand_separator.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>

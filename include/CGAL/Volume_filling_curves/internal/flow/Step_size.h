@@ -93,6 +93,22 @@ private:
   }
 };
 
+// Counter of successive steps in which nothing moved. A few of them do no harm: each step frees
+// strands that block one another, and the next may move.
+class Idle_steps
+{
+public:
+  void note(bool did_move) { m_count = did_move ? 0 : m_count + 1; }
+
+  // returns whether the flow is stuck
+  bool are_too_many() const { return m_count >= most; }
+
+private:
+  static constexpr int most = 5;
+
+  int m_count = 0;
+};
+
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL

@@ -9,9 +9,13 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -90,6 +94,61 @@ struct Rope
   std::vector<Vector> x;
   std::vector<std::size_t> next, previous, component; // of each node
 };
+
+// Motion of a rope's nodes without contacts: by its tension, and by its stiffness where it bends
+// more tightly than its radius allows. Linear time.
+
+// Length, in radii, of the shortest ring that bends no more tightly than its radius, with 5 % for
+// polygons; a ring of 12 edges needs 2 %.
+constexpr double min_length_of_ring = 1.05 * 2 * CGAL_PI;
+
+// Moves each node by `strength` times the sum of its edges' directions, times the mean edge: by 1/2
+// to the middle between its neighbors if its edges are that long. Slides it towards the longer one
+// of its edges, since corners between uneven edges bend sharply (Rawdon's MinRad). A component that
+// is not linked with others shrinks until it is a ring, and is widened if it is too small for one,
+// where stiffness alone would shrink it further.
+inline void pull(Rope& rope, double strength, std::vector<Vector>& before)
+{
+  constexpr double evening = 0.25; // of the difference of the edges
+  constexpr double widening = 0.01;
+  const std::vector<Rope::Component> components = rope.components();
+  before = rope.x;
+  for(std::size_t v = 0; v < rope.size(); ++v) {
+    const Rope::Component& component = components[rope.component[v]];
+    if(component.length < min_length_of_ring) {
+      rope.x[v] += widening * (before[v] - component.center);
+      continue;
+    }
+    const double edge = component.mean_edge();
+    const Vector in = before[v] - before[rope.previous[v]], out = before[rope.next[v]] - before[v];
+    const double length_in = in.norm(), length_out = out.norm();
+    if(!(length_in > 0 && length_out > 0)) continue;
+    const Vector ahead = out / length_out, behind = in / length_in;
+    rope.x[v] += strength * edge * (ahead - behind);
+    rope.x[v] += evening * (length_out - length_in) * (ahead + behind).normalized();
+  }
+}
+
+// Opens corners until the arc that is tangent to both edges and touches the shorter one in its
+// middle has radius 1: then |ahead - behind| = 2 sin(angle / 2), where tan(angle / 2) is half of
+// the shorter edge. A node goes a third of the excess, its neighbors a sixth each.
+inline void straighten(Rope& rope)
+{
+  for(std::size_t v = 0; v < rope.size(); ++v) {
+    const std::size_t u = rope.previous[v], w = rope.next[v];
+    const Vector in = rope.x[v] - rope.x[u], out = rope.x[w] - rope.x[v];
+    const double length_in = in.norm(), length_out = out.norm();
+    if(!(length_in > 0 && length_out > 0)) continue;
+    const double edge = (std::min)(length_in, length_out), tangent = edge / 2;
+    const Vector bend = edge * (out / length_out - in / length_in);
+    const double max = 2 * edge * tangent / std::sqrt(1 + tangent * tangent), size = bend.norm();
+    if(!(size > max)) continue;
+    const Vector sixth = (size - max) / (6 * size) * bend;
+    rope.x[v] += 2 * sixth;
+    rope.x[u] -= sixth;
+    rope.x[w] -= sixth;
+  }
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

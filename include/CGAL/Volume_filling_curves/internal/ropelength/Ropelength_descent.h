@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rollback.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope.h>
 #include <CGAL/Volume_filling_curves/internal/ropelength/Rope_contacts.h>
-#include <CGAL/Volume_filling_curves/internal/ropelength/rope_motion.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <array>

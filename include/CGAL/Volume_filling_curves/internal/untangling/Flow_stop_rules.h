@@ -11,9 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Plateau_monitor.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/Stall_monitor.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
+#include <CGAL/Volume_filling_curves/internal/untangling/flow_monitors.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
 #include <algorithm>

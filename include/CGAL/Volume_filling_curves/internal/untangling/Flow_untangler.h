@@ -15,7 +15,6 @@
 #include <CGAL/Volume_filling_curves/internal/untangling/Flow_stop_rules.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Shape_finish.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
-#include <CGAL/Volume_filling_curves/internal/untangling/untangled_shape.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Untangling_result.h>
 
