@@ -47,12 +47,11 @@ public:
 
   Untangling_result operator()()
   {
-    if(std::exchange(m_run.state.is_flowing, true)) {
+    if(std::exchange(m_run.state.is_flowing, true))
       resume();
-    } else {
+    else
       m_state = Flow_run_state();
-      begin_coarsely();
-    }
+    if(m_flow.statistics().iterations == 0 && !m_state.coarse_phase.is_on()) begin_coarsely();
     m_run.visitor.on_start(m_flow);
     Untangling_status status = flow();
     try {
