@@ -236,43 +236,6 @@ TEST(Fill_polygon, is_certified_in_its_domain)
   EXPECT_TRUE(verdict.is_valid) << verdict.message;
 }
 
-struct Interruption : VFC::Default_curve_flow_visitor
-{
-  std::size_t steps;
-
-  explicit Interruption(std::size_t n) : steps(n) {}
-
-  template <typename Flow>
-  bool go_further(const Flow& flow) const
-  {
-    return flow.statistics().iterations < steps;
-  }
-};
-
-Coordinates filled_in_two_runs(std::size_t steps)
-{
-  VFC::Filling_parameters<Point> parameters;
-  parameters.thickness = thickness;
-  VFC::Run_state state;
-  parameters.checkpoint = [&](const VFC::Run_checkpoint& checkpoint) {
-    if(checkpoint.is_last) state = VFC::Run_state(checkpoint.state().bytes());
-  };
-  Curve curve;
-  const Domain domain(plate());
-  VFC::fill(curve, domain, parameters, Interruption(steps));
-  parameters.resume_from = &state;
-  curve = Curve();
-  VFC::fill(curve, domain, parameters);
-  return coordinates(curve);
-}
-
-TEST(Fill_polygon, resumes_with_the_same_bits)
-{
-  const Coordinates expected = filled<CGAL::Sequential_tag>(plate(), np::thickness(thickness));
-  EXPECT_EQ(filled_in_two_runs(3), expected);
-  EXPECT_EQ(filled_in_two_runs(18), expected);
-}
-
 TEST(Fill_polygon, ends_at_its_limits)
 {
   Curve curve;

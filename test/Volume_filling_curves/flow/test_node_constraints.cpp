@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -291,44 +290,6 @@ TEST(Node_constraint, passes_to_nodes_inserted_between_nodes_that_slide_together
     guard.set_constraint(2, none);
     EXPECT_EQ(guard.remove_node(2), c.between != plane);
   }
-}
-
-TEST(Node_constraint, is_kept_in_the_state_of_a_run)
-{
-  Network arc = path({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}});
-  arc.set_constraint(0, Node_constraint::on_plane(Point(0, 0, 0), Vector_3(1, 2, 3)));
-  arc.set_constraint(1, Node_constraint::on_boundary(0.1));
-  arc.set_pinned(3);
-  internal::Byte_archive written;
-  internal::copy_curve(written, arc);
-  Network copy = path({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}});
-  internal::Byte_archive read(written.bytes());
-  internal::copy_curve(read, copy);
-  for(const std::size_t v : arc.nodes()) EXPECT_EQ(copy.constraint(v), arc.constraint(v));
-}
-
-TEST(Node_constraint, leaves_the_bits_of_a_resumed_run_the_same)
-{
-  const auto asked_for = VFC::parameters::thickness(0.3).tolerance(1e-3);
-  const auto start = [] {
-    Network arc = wave({0, 0, 0}, {1, 0, 3});
-    for(const std::size_t v : {std::size_t(0), arc.number_of_nodes() - 1})
-      arc.set_constraint(v, Node_constraint::on_plane(arc.point(v), Vector_3(0, 0, 1)));
-    return arc;
-  };
-  Network whole = start(), begun = start(), resumed = start();
-  VFC::untangle(whole, asked_for);
-  VFC::Run_state state;
-  VFC::untangle(begun, asked_for.number_of_iterations(5).checkpoint(
-                           [&](const VFC::Run_checkpoint& checkpoint) {
-                             if(checkpoint.is_last) state = checkpoint.state();
-                           }));
-  ASSERT_FALSE(state.is_empty());
-  EXPECT_NE(begun.point(0), whole.point(0));
-  VFC::untangle(resumed, asked_for.resume_from(std::cref(state)));
-  ASSERT_EQ(resumed.number_of_nodes(), whole.number_of_nodes());
-  for(const std::size_t v : whole.nodes()) EXPECT_EQ(resumed.point(v), whole.point(v));
-  EXPECT_EQ(resumed.constraint(0), whole.constraint(0));
 }
 
 TEST(Node_constraint, is_scaled_with_a_curve)

@@ -5,6 +5,7 @@
 // Author(s) : The Volume_filling_curves authors
 
 #include "support/exact_surface.h"
+#include "support/polygon_test_support.h"
 #include "support/untangle_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
@@ -13,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 
 #include <gtest/gtest.h>
@@ -36,20 +38,21 @@ using Filling = Filling_parameters<Point>;
 
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
-// Ends a run after some steps, or a search after some looks.
+// Ends a run at a limit of iterations, or when the visitor has been asked some times whether a step
+// or a search is to go on.
 struct Interruption : Default_curve_flow_visitor
 {
-  Interruption(std::size_t n = never, std::size_t k = never) : steps(n), looks(k) {}
+  Interruption(std::size_t n = never, std::size_t k = never) : iterations(n), answers(k) {}
 
-  std::size_t steps, looks;
+  std::size_t iterations, answers;
 
   template <typename Flow>
-  bool go_further(const Flow& flow) const
+  bool go_further(const Flow&)
   {
-    return flow.statistics().iterations < steps;
+    return answers-- > 0;
   }
 
-  bool on_search(const Search_progress&) { return looks-- > 0; }
+  bool on_search(const Search_progress&) { return answers-- > 0; }
 };
 
 // All results of a run, except its time and its last state.
@@ -66,6 +69,7 @@ Outcome run_from(const Run& run, Network curve, P p, const Run_state& state, Int
   Isotopy_certificate certificate;
   p.certificate = &certificate;
   p.resume_from = &state;
+  if(visitor.iterations != never) p.number_of_iterations = visitor.iterations;
   p.checkpoint = [&](const Run_checkpoint& checkpoint) {
     if(checkpoint.is_last) outcome.state = Run_state(checkpoint.state().bytes());
   };
@@ -76,7 +80,8 @@ Outcome run_from(const Run& run, Network curve, P p, const Run_state& state, Int
   };
   for(const std::size_t v : curve.nodes()) {
     const Point& x = curve.point(v);
-    note(x.x(), x.y(), x.z(), curve.origin(v), curve.is_pinned(v), curve.component(v));
+    note(x.x(), x.y(), x.z(), curve.origin(v), curve.is_pinned(v), curve.is_free(v),
+         curve.component(v));
   }
   for(const Curve_origin& origin : curve_origins(curve)) note(origin.parameter);
   note(done.iterations, done.certified_changes, done.refused_changes);
@@ -85,7 +90,7 @@ Outcome run_from(const Run& run, Network curve, P p, const Run_state& state, Int
   return outcome;
 }
 
-// Interrupts a run at the request of each of the visitors, one after another.
+// Interrupts a run several times, and compares it with one that is left alone.
 template <typename Run, typename P>
 void expect_resumed(const Run& run,
                     const Network& curve,
@@ -117,16 +122,22 @@ TEST(Resumed_runs, links_are_untangled_to_their_length)
 {
   Parameters parameters = by(Untangling_strategy::FLOW);
   parameters.keep_length = true;
-  expect_resumed(untangling, tangled(braid("1 1 1 1", 120), 3), parameters, {0, 2, 11, 29});
+  expect_resumed(untangling, tangled(braid("1 1 1 1", 120), 3), parameters,
+                 {0, {never, 2}, 11, 29});
 }
 
-TEST(Resumed_runs, arcs_keep_their_rays)
+Network arc()
 {
   Network arc({{0, 0, 0}, {1, 2, 0}, {2, 0, 1}, {1, 1, 2}, {0, 1, 0.5}, {3, 0, 0}},
               {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
   arc.pin_ends();
+  return arc;
+}
+
+TEST(Resumed_runs, arcs_keep_their_rays)
+{
   for(const double thickness : {0., 0.3})
-    expect_resumed(untangling, arc, by(Untangling_strategy::AUTO, thickness), {1, 5});
+    expect_resumed(untangling, arc(), by(Untangling_strategy::AUTO, thickness), {1, 5});
 }
 
 TEST(Resumed_runs, networks_keep_their_input)
@@ -141,7 +152,7 @@ TEST(Resumed_runs, searches_begin_anew)
 {
   const Network curve = tangled(make_torus_knot(3, 5, 120), 5);
   expect_resumed(untangling, curve, by(Untangling_strategy::AUTO),
-                 {{never, 0}, {never, 1}, 0, 4, 10});
+                 {{never, 0}, {never, 1}, 0, 4, {never, 6}});
   expect_resumed(untangling, curve, by(Untangling_strategy::SEARCH), {{never, 1}});
 }
 
@@ -152,46 +163,93 @@ TEST(Resumed_runs, the_ropelength_is_lowered_anew)
   expect_resumed(untangling, make_torus_knot(2, 3, 60), parameters, {3, 30});
 }
 
-TEST(Resumed_runs, curves_stay_in_their_domain)
+// Interrupted while it flows, while its ropelength is lowered, and while it takes its shape.
+TEST(Resumed_runs, curves_take_their_shape)
+{
+  Parameters parameters = by(Untangling_strategy::AUTO, 0.15);
+  parameters.lower_ropelength = true;
+  parameters.bend_radius = 0.1;
+  expect_resumed(untangling, tangled(braid("1 1 1", 60), 1), parameters, {5, 103});
+}
+
+TEST(Resumed_runs, nodes_slide_in_a_domain)
 {
   const Box_domain_3<> box({-4, -4, -4}, {4, 4, 4});
   const auto run = [&](Network& curve, const Parameters& parameters, auto visitor) {
     return untangle(curve, box, parameters, visitor);
   };
-  expect_resumed(run, make_torus_knot(2, 3, 100), by(Untangling_strategy::FLOW), {1, 5});
+  Network arc({{-3.9, 1, 0}, {-2, 0, 1}, {0, 1, -1}, {2, -1, 0}, {3, 1, 1}},
+              {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
+  arc.set_constraint(0, Node_constraint::on_boundary(0.1));
+  arc.set_constraint(4,
+                     Node_constraint::on_plane(arc.point(4), Network::Traits::Vector_3(1, 0, 0)));
+  expect_resumed(run, arc, by(Untangling_strategy::FLOW, 0.3), {1, {never, 5}});
 }
 
 template <typename Domain>
 auto filling(const Domain& domain)
 {
-  return [&domain](Network& curve, Filling parameters, auto visitor) {
-    parameters.round_bends = false; // round ones are resumed by the tests of fill()
+  return [&domain](Network& curve, const Filling& parameters, auto visitor) {
     return fill(curve, domain, parameters, visitor);
   };
+}
+
+Filling with_sharp_bends()
+{
+  Filling parameters;
+  parameters.round_bends = false;
+  return parameters;
 }
 
 TEST(Resumed_runs, a_ball_is_filled_with_a_thickness_that_varies)
 {
   const Ball_domain_3<> ball(Point(1, 2, 3), 1);
-  Filling parameters;
+  Filling parameters = with_sharp_bends();
   parameters.thickness_field = [](const Point& p) { return 0.2 + 0.05 * p.x(); };
-  expect_resumed(filling(ball), Network(), parameters, {0, 2, 9, 19});
+  expect_resumed(filling(ball), Network(), parameters, {0, 2, {never, 7}, 19});
 }
 
 TEST(Resumed_runs, a_box_is_filled_to_a_length)
 {
   const Box_domain_3<> box(Point(0, 0, 0), Point(1, 1, 2));
-  Filling parameters;
+  Filling parameters = with_sharp_bends();
   parameters.length = 20;
-  parameters.number_of_iterations = 150;
   expect_resumed(filling(box), Network(), parameters, {3, 20, 40, 60});
+}
+
+// Interrupted while it bends, and while it is polished.
+TEST(Resumed_runs, a_box_is_filled_with_round_bends)
+{
+  const Box_domain_3<> box(Point(0, 0, 0), Point(4, 4, 4));
+  Filling parameters;
+  parameters.thickness = 1;
+  expect_resumed(filling(box), Network(), parameters, {12, 20, 21});
+}
+
+TEST(Resumed_runs, a_plate_is_filled_in_its_plane)
+{
+  const Polygon_domain_3<Traits> plate(polygons::plate());
+  Filling parameters;
+  parameters.thickness = 0.08;
+  expect_resumed(filling(plate), Network(), parameters, {3, 18});
+}
+
+// Arcs between ports, which jam with this seed.
+TEST(Long_resumed_runs, curves_are_loosened)
+{
+  const Box_domain_3<> box(Point(0, 0, 0), Point(8, 8, 8));
+  Filling parameters;
+  parameters.thickness = 1;
+  parameters.random_seed = 3;
+  parameters.ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
+  expect_resumed(filling(box), Network(), parameters, {20, 41, 50});
 }
 
 // Fingers are led through the neck when the curve has grown in its chamber.
 TEST(Resumed_runs, two_chambers_are_filled_from_a_circle)
 {
   const Triangle_mesh_domain_3<> domain(meshes::to_mesh(exact_surface::two_chambers()));
-  Filling parameters;
+  Filling parameters = with_sharp_bends();
   parameters.thickness = 0.2;
   parameters.start = Filling_start::CIRCLE;
   expect_resumed(filling(domain), Network(), parameters, {10, 40, 60});
@@ -246,7 +304,7 @@ TEST(Run_state, curves_and_numbers_that_are_forged_are_refused)
   const Run_state state = state_of_trefoil();
   const std::vector<double> numbers = run_from(untangling, trefoil(), flow(), {}, 3).numbers;
   const auto at = [&](std::size_t v) {
-    return bytes_of({numbers[6 * v], numbers[6 * v + 1], numbers[6 * v + 2]});
+    return bytes_of({numbers[7 * v], numbers[7 * v + 1], numbers[7 * v + 2]});
   };
   const std::string nan = bytes_of({std::numeric_limits<double>::quiet_NaN()});
   for(const Run_state& other :
@@ -288,20 +346,27 @@ TEST(Run_state, another_run_does_not_resume)
   EXPECT_EQ(complaint(pinned, flow()), other + "curve");
 }
 
-TEST(Run_state, a_filling_with_other_shares_does_not_resume)
+TEST(Run_state, a_filling_with_other_shares_or_ports_does_not_resume)
 {
   const Box_domain_3<> box(Point(0, 0, 0), Point(2, 1, 1));
-  Filling parameters;
+  Filling parameters = with_sharp_bends();
   parameters.thickness = 0.25;
   for(const double y : {0.2, 0.8}) {
     parameters.ports.push_back({Point(0, y, 0.5)});
     parameters.ports.push_back({Point(2, y, 0.5)});
   }
   parameters.volume_shares = {1, 2};
-  const Run_state state = run_from(filling(box), Network(), parameters, {}, 1).state;
-  run_from(filling(box), Network(), parameters, state, 2);
-  parameters.volume_shares = {1, 3};
-  EXPECT_THROW(run_from(filling(box), Network(), parameters, state, 2), Run_state_error);
+  const auto resume = [&](const Filling& p, const Run_state& state) {
+    return run_from(filling(box), Network(), p, state, state.is_empty() ? 1 : 2).state;
+  };
+  const Run_state state = resume(parameters, {});
+  EXPECT_FALSE(resume(parameters, state).is_empty());
+  Filling other = parameters;
+  other.volume_shares = {1, 3};
+  EXPECT_THROW(resume(other, state), Run_state_error);
+  other = parameters;
+  other.ports[1].direction = {1, 0, 0.5};
+  EXPECT_THROW(resume(other, state), Run_state_error);
 }
 
 TEST(Run_state, taking_states_changes_nothing_and_limits_may_be_others)

@@ -177,25 +177,4 @@ TEST(Untangle_shape, is_the_same_in_parallel)
   EXPECT_EQ(contents(once), contents(again));
 }
 
-// Interrupted while it flows, and while it takes its shape.
-TEST(Untangle_shape, goes_on_with_the_same_bits)
-{
-  const auto asked_for = parameters::thickness(0.15).lower_ropelength(true).bend_radius(0.1);
-  Network whole = trefoil();
-  const Untangling_result result = untangle(whole, asked_for);
-  for(const std::size_t limit : {std::size_t(5), result.statistics.iterations - 1}) {
-    VFC::Run_state state;
-    Network begun = trefoil();
-    untangle(begun, asked_for.number_of_iterations(limit).checkpoint(
-                        [&](const VFC::Run_checkpoint& checkpoint) {
-                          if(checkpoint.is_last) state = checkpoint.state();
-                        }));
-    ASSERT_FALSE(state.is_empty());
-    Network resumed = trefoil();
-    const Untangling_result end = untangle(resumed, asked_for.resume_from(std::cref(state)));
-    EXPECT_EQ(contents(resumed), contents(whole)) << "from iteration " << limit;
-    EXPECT_EQ(end.status, result.status);
-  }
-}
-
 } // namespace test_untangle_shape

@@ -44,7 +44,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -213,8 +212,10 @@ private:
       if(!m_parameters.direction_field) continue;
       for(const double x : m_parameters.direction_field(p)) fields.push_back(x);
     }
+    Byte_archive archive;
+    archive(fields);
     return run_fingerprint("fill", m_parameters) + domain_line(m_domain, m_curves.traits()) +
-           field_line(std::move(fields));
+           hash_line("field", archive);
   }
 
   // The layer along the boundary that counts as outside for the flow. Thereby strands settle as

@@ -9,6 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
+
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>
@@ -71,34 +73,31 @@ private:
     std::apply(*this, parts);
   }
 
-  // a string or a vector
-  template <typename Array>
-  auto copy(Array& items) -> decltype(items.push_back(*items.data()))
+  // a string, a vector or a field
+  template <typename Items>
+  auto copy(Items& items) -> std::enable_if_t<!std::is_trivially_copyable_v<Items>>
   {
-    copy_items(items, items.size(), [&](std::size_t size) { items.resize(size); });
-  }
-
-  // a matrix with three columns
-  template <typename Matrix>
-  auto copy(Matrix& matrix) -> decltype(matrix.rowwise(), void())
-  {
-    copy_items(matrix, static_cast<std::size_t>(matrix.size()), [&](std::size_t size) {
-      matrix.resize(static_cast<typename Matrix::Index>(size / 3), 3);
-      require(size % 3 == 0);
-    });
-  }
-
-  template <typename Items, typename Resize>
-  void copy_items(Items& items, std::size_t size, const Resize& resize)
-  {
-    constexpr std::size_t size_of_item = sizeof(*items.data());
-    static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(*items.data())>>);
+    using Item = std::decay_t<decltype(*items.data())>;
+    static_assert(std::is_trivially_copyable_v<Item>);
+    auto size = static_cast<std::size_t>(items.size());
     copy(size);
     if(m_is_reading) {
-      require(size <= m_rest.size() / size_of_item);
-      resize(size);
+      require(size <= m_rest.size() / sizeof(Item));
+      resize(items, size);
     }
-    copy_bytes(items.data(), size * size_of_item);
+    copy_bytes(items.data(), size * sizeof(Item));
+  }
+
+  template <typename Items>
+  static void resize(Items& items, std::size_t size)
+  {
+    items.resize(size);
+  }
+
+  static void resize(Vector_field& field, std::size_t size)
+  {
+    require(size % 3 == 0);
+    field.resize(static_cast<Eigen::Index>(size / 3), 3);
   }
 
   void copy_bytes(void* part, std::size_t size)

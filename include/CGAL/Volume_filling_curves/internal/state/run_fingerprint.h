@@ -10,10 +10,12 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Sha256.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/format.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/parameter_tables.h>
 #include <CGAL/Volume_filling_curves/internal/state/Byte_archive.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 #include <cstddef>
@@ -23,7 +25,6 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,30 +34,38 @@ namespace internal {
 // Fingerprint of a run: lines with the version, the kind of run, all parameters except those that
 // end a run, and hashes of curves and domain. A run resumes only if all lines match.
 
-template <typename Value, typename = void>
-constexpr bool is_printable = false;
-
 template <typename Value>
-constexpr bool
-    is_printable<Value,
-                 std::void_t<decltype(std::declval<std::ostream&>() << std::declval<Value>())>> =
-        !std::is_pointer_v<Value>;
-
-template <typename Ports>
-void print_ports(std::ostream& out, const Ports& ports)
+void print_value(std::ostream& out, const Value& value)
 {
-  out << ports.size();
-  for(const auto& port : ports) {
-    const Vector p = to_vector(port.point);
-    out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
-    for(const double x : port.direction) out << ' ' << x;
-  }
+  constexpr bool is_function = std::is_class_v<Value> && std::is_constructible_v<bool, Value>;
+  if constexpr(is_function || std::is_pointer_v<Value>)
+    out << (value ? "given" : "none");
+  else if constexpr(std::is_same_v<Value, Filling_start>)
+    out << static_cast<int>(value);
+  else
+    out << value;
 }
 
-inline void print_numbers(std::ostream& out, const std::vector<double>& numbers)
+template <typename Numbers>
+void print_each(std::ostream& out, const Numbers& numbers)
+{
+  for(const double number : numbers) out << ' ' << number;
+}
+
+inline void print_value(std::ostream& out, const std::vector<double>& numbers)
 {
   out << numbers.size();
-  for(const double number : numbers) out << ' ' << number;
+  print_each(out, numbers);
+}
+
+template <typename Point_3>
+void print_value(std::ostream& out, const std::vector<Port<Point_3>>& ports)
+{
+  out << ports.size();
+  for(const Port<Point_3>& port : ports) {
+    print_each(out, to_position(port.point));
+    print_each(out, port.direction);
+  }
 }
 
 template <typename Parameters, typename Row>
@@ -64,22 +73,12 @@ void print_row(std::ostream& out, const Parameters& p, const Row& row)
 {
   using namespace internal_np;
   using Tag = typename Row::Tag;
-  using Value = std::decay_t<decltype(p.*row.member)>;
   constexpr bool is_limit = std::is_same_v<Tag, number_of_iterations_t> ||
                             std::is_same_v<Tag, time_limit_t> || std::is_same_v<Tag, progress_t> ||
                             std::is_same_v<Tag, checkpoint_t> || std::is_same_v<Tag, resume_from_t>;
   if constexpr(!is_limit) {
     out << name_of(Tag()) << ' ';
-    if constexpr(is_printable<Value>)
-      out << p.*row.member;
-    else if constexpr(std::is_enum_v<Value>)
-      out << static_cast<int>(p.*row.member);
-    else if constexpr(std::is_same_v<Tag, ports_t>)
-      print_ports(out, p.*row.member);
-    else if constexpr(std::is_same_v<Tag, volume_shares_t>)
-      print_numbers(out, p.*row.member);
-    else // a pointer or a function
-      out << (p.*row.member ? "given" : "none");
+    print_value(out, p.*row.member);
     out << '\n';
   }
 }
@@ -99,14 +98,6 @@ std::string run_fingerprint(const std::string& job, const Parameters& p)
 inline std::string hash_line(const std::string& name, const Byte_archive& content)
 {
   return name + ' ' + to_hex(sha256(content.bytes())) + '\n';
-}
-
-// Returns the fingerprint of fields, by their values at samples.
-inline std::string field_line(std::vector<double> values)
-{
-  Byte_archive archive;
-  archive(values);
-  return hash_line("field", archive);
 }
 
 // Returns the fingerprint of an Any_domain_3: a hash of all corners of a mesh, and of the answers
