@@ -3,8 +3,8 @@
 # Author(s) : The Volume_filling_curves authors
 #
 # Tests that are scripts run the program, but for those in layout/, which read the sources. They
-# find the program and the data through the environment. Those of sources, scripts and pages, which no
-# other compiler or sanitizer changes, have the label "once".
+# find the program and the data through the environment. Those of sources, scripts and pages, and of
+# bits, which have the label "once", run in one variant.
 
 file(GLOB scripts CONFIGURE_DEPENDS
   ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.sh ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.py)
@@ -23,7 +23,7 @@ foreach(script IN LISTS scripts)
     ENVIRONMENT "${places}" SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS script)
   if(name MATCHES "^test_long_")
     set_tests_properties(${name} PROPERTIES LABELS "long;script" TIMEOUT 1500 COST 1000)
-  elseif(script MATCHES "/layout/|/test_(benchmark_script|commit|film_in_browser)[.]py$")
+  elseif(script MATCHES "/layout/|/test_(benchmark_script|commit|film_in_browser|vectorization)[.]py$")
     set_tests_properties(${name} PROPERTIES LABELS "once;script")
   elseif(name MATCHES "^test_example_")
     set_tests_properties(${name} PROPERTIES LABELS "example;script") # where examples are built
