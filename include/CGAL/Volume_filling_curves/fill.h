@@ -98,8 +98,8 @@ auto fill(Curve_network_3<Traits>& curves,
  * r = d / 1.4. If the status is `Filling_status::CONVERGED` or `Filling_status::PARTIAL`, strands
  * are at least 1.6 r apart; without `round_bends`, about 80 % are within r, and strands come
  * closer. The result has the least distances, the tightest bend, and the share of the length that
- * another strand comes nearer to than r; the distance from the boundary is that of the necks of
- * ports, too.
+ * another strand comes nearer to than r. With ports, the least distance from the boundary is that
+ * of their necks.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
  * areas replace volumes; 97 % of a plate ended within r of the curve, and 99 % within 1.1 r.

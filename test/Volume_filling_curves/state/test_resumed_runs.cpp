@@ -163,7 +163,7 @@ TEST(Resumed_runs, the_ropelength_is_lowered_anew)
   expect_resumed(untangling, make_torus_knot(2, 3, 60), parameters, {3, 30});
 }
 
-// Interrupted while it flows, while its ropelength is lowered, and while it takes its shape.
+// Interrupted while it flows and while it takes its shape.
 TEST(Resumed_runs, curves_take_their_shape)
 {
   Parameters parameters = by(Untangling_strategy::AUTO, 0.15);

@@ -32,9 +32,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Pairs of pieces of an arc spline that meet outside a common end. Each arc is
-// represented by the closed triangle of its ends and its corner. Exact in all degenerate cases.
-// Boxes are in the order of the curve, as `Box_tree` requires: near-linear time.
+// Pairs of pieces of an arc spline that meet outside a common end. Each arc is represented by the
+// closed triangle of its ends and its corner. Exact in all degenerate cases. Boxes are in the order
+// of the curve, as `Box_tree` requires: near-linear time.
 template <typename Traits>
 class Arc_contacts
 {

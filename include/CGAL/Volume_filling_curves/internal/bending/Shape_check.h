@@ -92,6 +92,7 @@ struct Shape_check
   std::vector<std::size_t> exceeding_nodes; // at bends and edges that exceed a limit
 };
 
+// Returns the extremes that exceed a limit.
 template <typename Point_3, typename Traits>
 std::vector<Shape_excess_3<Point_3>> shape_excesses(const Shape_check& check, const Traits& traits)
 {
@@ -104,6 +105,7 @@ std::vector<Shape_excess_3<Point_3>> shape_excesses(const Shape_check& check, co
   return excesses;
 }
 
+// Returns the reason of CONSTRAINT_NOT_REACHED.
 template <typename Point_3>
 std::string shape_reason(const std::vector<Shape_excess_3<Point_3>>& excesses)
 {

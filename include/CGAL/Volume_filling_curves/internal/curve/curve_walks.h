@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Walks along curves: edges in their order, edge vectors and the corners between them, and strands
-// from one end or junction to the next.
+// Kinds of nodes and components, and walks along curves: edges in their order, edge vectors and the
+// corners between them, and strands from one end or junction to the next.
 
 template <typename Network>
 bool has_junction(const Network& curve, std::size_t c)

@@ -24,8 +24,8 @@ namespace internal {
 // Depth of points, segments and triangles inside a domain: their distance from its boundary, found
 // by queries at points, which every domain answers, or by functions that only some domains have.
 
-// The distance of a point inside a domain from the boundary, or the limit if the domain finds out
-// that it is less.
+// The distance of a point inside a domain from the boundary. A domain with a surface searches only
+// up to the limit, and returns it if the distance is larger.
 template <typename Domain>
 double depth_up_to(const Domain& domain,
                    const typename Domain::Point_3& p,
@@ -67,8 +67,8 @@ private:
     return m_domain.distance(Point_3(x.x(), x.y(), x.z()));
   }
 
-  // No point of a segment is nearer than half of the sum of the distances of its ends minus its
-  // length.
+  // No point of a segment of length L is nearer than (d + e - L) / 2, where d and e are the
+  // distances of its ends.
   void halve(double a, double at_a, double b, double at_b)
   {
     const double length = (m_q - m_p).norm();

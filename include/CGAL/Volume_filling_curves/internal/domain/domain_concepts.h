@@ -21,6 +21,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+// Concepts of domains, detected by the members of a type, and the rays that a domain with a surface
+// shortens.
+
 // Rays from a point in directions of a plane, each with a length, in one array per coordinate.
 struct Planar_rays
 {
@@ -40,8 +43,6 @@ struct Planar_rays
     z[l] = direction.z();
   }
 };
-
-// Traits that detect the concepts of a domain by its members.
 
 // `VolumeFillingDomain_3`: a domain, and not a mesh
 template <typename Domain, typename = void>

@@ -95,7 +95,7 @@ public:
 
   const Parameters& parameters() const { return m_parameters; }
 
-  // The largest thickness for the sake of a length: with more, a curve shrinks to a triangle. In a
+  // The largest thickness tried to reach a length: with more, a curve shrinks to a triangle. In a
   // plate strands may be farther apart than the widest ball is wide.
   double max_thickness_of_length() const { return diagonal(m_samples.domain().bbox()) / 2; }
 

@@ -146,8 +146,7 @@ private:
   using Half_widths = std::vector<double>;
   inline static const Half_widths wide{0.7, 0.21, 0.1}, thin{0.1, 0.03};
   static constexpr double tip_clearance = 0.2; // from the boundary, likewise
-  static constexpr double max_thin_root =
-      0.2; // longest edge that a thin finger grows from, likewise
+  static constexpr double max_thin_root = 0.2; // the longest edge of a thin finger's root, likewise
   static constexpr std::size_t max_pieces = 64;
 
   bool is_long(std::size_t e, double thickness) const

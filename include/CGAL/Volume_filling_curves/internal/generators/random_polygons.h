@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Random closed polygons: with edges in any direction, mostly knotted, and on the cubic lattice,
+// Random closed polygons: with edges of length 1 in any direction, and on the cubic lattice, always
 // unknotted.
 
 // Turns two edge vectors around their sum by a random angle, which keeps their lengths and the sum.

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Errors about the values of parameters, all in one form: "screening is -1, but must be positive
-// and finite".
+// Checks of parameters. Errors about a single value have one form: "screening is -1, but must be
+// positive and finite".
 
 inline bool is_positive(double x)
 {

@@ -22,6 +22,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+// Observations of a flow after each step that change its course: whether it has stalled, lingers on
+// a plateau, or shrinks fast enough for coarse steps.
+
 // Monitor of stalled flows: within a window of iterations the length hardly changed and the
 // gradient hardly fell, or several steps in a row could not be certified, however short.
 class Stall_monitor

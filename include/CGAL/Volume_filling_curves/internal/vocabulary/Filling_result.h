@@ -137,8 +137,8 @@ struct Filling_result
   /// the point of each that is nearest to the other
   std::array<Point_3, 2> closest_points = {Point_3(0, 0, 0), Point_3(0, 0, 0)};
 
-  /// the least distance of the curve to the boundary, see `min_wall_distance()`; the necks of ports
-  /// count, whose ends are r/64 from there
+  /// the least distance of the curve to the boundary, see `min_wall_distance()`; with ports at most
+  /// r/64, the distance at which their necks end
   double min_wall_distance = std::numeric_limits<double>::quiet_NaN();
   Point_3 point_nearest_to_wall = Point_3(0, 0, 0); ///< the point of the curve that has it
 
