@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <iomanip>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -110,6 +111,7 @@ template <typename Point_3>
 std::string shape_reason(const std::vector<Shape_excess_3<Point_3>>& excesses)
 {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << std::setprecision(3);
   for(const Shape_excess_3<Point_3>& excess : excesses)
     text << (text.tellp() > 0 ? "; " : "")

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <locale>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -76,6 +77,7 @@ private:
     m_homfly = homfly_polynomial(diagram);
     const auto jones = colored_jones_polynomial(diagram, 1);
     std::ostringstream homfly_text, jones_text;
+    for(std::ostringstream* text : {&homfly_text, &jones_text}) text->imbue(std::locale::classic());
     if(m_homfly) m_homfly->write(homfly_text, {"v", "z"});
     if(jones) jones->write(jones_text, m_identity.number_of_components == 1 ? "t" : "s");
     m_identity.homfly_polynomial = homfly_text.str();

@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -83,6 +84,7 @@ std::vector<double> radii_of_nodes(const Network& curve, const Radius& radius)
     radii.push_back(radius_at(radius, v));
     if(radii.back() > 0 && std::isfinite(radii.back())) continue;
     std::ostringstream message;
+    message.imbue(std::locale::classic());
     message << "the radius at node " << v << " is " << radii.back()
             << ", it must be positive and finite";
     throw std::invalid_argument(message.str());

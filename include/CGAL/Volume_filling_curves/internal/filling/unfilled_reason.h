@@ -26,6 +26,7 @@
 #include <functional>
 #include <iomanip>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -89,6 +90,7 @@ bool is_partial(const Result& result)
 inline std::string rounded(double number)
 {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out << std::setprecision(3) << number;
   return out.str();
 }
