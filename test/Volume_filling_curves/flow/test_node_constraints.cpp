@@ -292,6 +292,20 @@ TEST(Node_constraint, passes_to_nodes_inserted_between_nodes_that_slide_together
   }
 }
 
+TEST(Node_constraint, is_kept_in_the_state_of_a_run)
+{
+  Network arc = path({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}});
+  arc.set_constraint(0, Node_constraint::on_plane(Point(0, 0, 0), Vector_3(1, 2, 3)));
+  arc.set_constraint(1, Node_constraint::on_boundary(0.1));
+  arc.set_pinned(3);
+  internal::Byte_archive written;
+  internal::copy_curve(written, arc);
+  Network copy = path({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}});
+  internal::Byte_archive read(written.bytes());
+  internal::copy_curve(read, copy);
+  for(const std::size_t v : arc.nodes()) EXPECT_EQ(copy.constraint(v), arc.constraint(v));
+}
+
 TEST(Node_constraint, is_scaled_with_a_curve)
 {
   Network arc = path({{0, 0, 0}, {1, 0, 0}});

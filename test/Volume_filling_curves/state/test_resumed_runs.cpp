@@ -49,10 +49,10 @@ struct Interruption : Default_curve_flow_visitor
   template <typename Flow>
   bool go_further(const Flow&)
   {
-    return answers-- > 0;
+    return answers > 0 && answers-- > 0;
   }
 
-  bool on_search(const Search_progress&) { return answers-- > 0; }
+  bool on_search(const Search_progress&) { return answers > 0 && answers-- > 0; }
 };
 
 // All results of a run, except its time and its last state.
