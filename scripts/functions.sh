@@ -32,8 +32,8 @@ build() {
   cmake --build "$directory" -j "$parallel_jobs" --target "${@:-all}" -- -k 0
 }
 
-# Options of builds with sanitizers. Without -g1, which takes a twelfth of the time to compile: reports
-# name functions, and lines if behaviour is undefined.
+# Options of builds with sanitizers. Without -g1, which takes a twelfth of the time to compile:
+# reports name functions, and lines if behaviour is undefined.
 with_assertions=(-DVFC_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug
   -DCMAKE_CXX_FLAGS_DEBUG="-O2 -D_GLIBCXX_ASSERTIONS")
 sanitized=("${with_assertions[@]}" -DVFC_SANITIZE=address,undefined -DCMAKE_CXX_COMPILER=clang++)

@@ -90,6 +90,13 @@ Outcome run_from(const Run& run, Network curve, P p, const Run_state& state, Int
   return outcome;
 }
 
+// The number of iterations of a run that is left alone.
+template <typename Run, typename P>
+std::size_t iterations_of(const Run& run, Network curve, const P& parameters)
+{
+  return run(curve, parameters, Default_curve_flow_visitor()).statistics.iterations;
+}
+
 // Interrupts a run several times, and compares it with one that is left alone.
 template <typename Run, typename P>
 void expect_resumed(const Run& run,
@@ -169,7 +176,9 @@ TEST(Resumed_runs, curves_take_their_shape)
   Parameters parameters = by(Untangling_strategy::AUTO, 0.15);
   parameters.lower_ropelength = true;
   parameters.bend_radius = 0.1;
-  expect_resumed(untangling, tangled(braid("1 1 1", 60), 1), parameters, {5, 103});
+  const Network curve = tangled(braid("1 1 1", 60), 1);
+  const std::size_t n = iterations_of(untangling, curve, parameters);
+  expect_resumed(untangling, curve, parameters, {5, n - 1});
 }
 
 TEST(Resumed_runs, nodes_slide_in_a_domain)
@@ -223,7 +232,8 @@ TEST(Resumed_runs, a_box_is_filled_with_round_bends)
   const Box_domain_3<> box(Point(0, 0, 0), Point(4, 4, 4));
   Filling parameters;
   parameters.thickness = 1;
-  expect_resumed(filling(box), Network(), parameters, {12, 20, 21});
+  const std::size_t n = iterations_of(filling(box), Network(), parameters);
+  expect_resumed(filling(box), Network(), parameters, {n - 10, n - 2, n - 1});
 }
 
 TEST(Resumed_runs, a_plate_is_filled_in_its_plane)
@@ -242,7 +252,8 @@ TEST(Long_resumed_runs, curves_are_loosened)
   parameters.thickness = 1;
   parameters.random_seed = 3;
   parameters.ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
-  expect_resumed(filling(box), Network(), parameters, {20, 41, 50});
+  const std::size_t n = iterations_of(filling(box), Network(), parameters);
+  expect_resumed(filling(box), Network(), parameters, {20, n - 10, n - 1});
 }
 
 // Fingers are led through the neck when the curve has grown in its chamber.
