@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
+#include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 
 #include <CGAL/tags.h>
 
@@ -33,31 +34,39 @@ using Point = Symmetry::Point;
 using Concurrency = CGAL::Parallel_if_available_tag;
 using Samples = curves::Domain_samples_3<Curve::Traits, Domain>;
 
-// An arc keeps clear of the cuts of its sector as of the boundary, which may leave gaps between
-// the images.
-void check_gaps_again(Filling_result& result,
-                      const Samples& samples,
-                      const std::vector<double>& distances,
-                      const Filling_parameters& parameters)
+// The part of the whole that no strand is near. It is more than that of the sectors, since an arc
+// keeps clear of their ends as of the boundary.
+double unfilled_fraction_of_whole(const Samples& samples,
+                                  const std::vector<double>& distances,
+                                  double thickness,
+                                  const Filling_parameters& parameters)
 {
   using Distances = curves::internal::Boundary_distances<Domain>;
-  const Distances depths(samples.domain(), samples.points(), Distances::no_limit, nullptr,
-                         Concurrency());
+  const bool are_depths_needed =
+      parameters.wall == curves::Wall::KEEP_CLEAR || parameters.wall_distance > 0;
+  const Distances depths(samples.domain(), samples.points(),
+                         are_depths_needed ? Distances::no_limit : 0, nullptr, Concurrency());
   const curves::internal::Unfilled_space<Curve, Samples, Concurrency> unfilled(
       samples, depths, parameters.wall, parameters.wall_distance);
-  const auto thickness = [r = result.thickness](const Point&) { return r; };
-  result.unfilled_fraction = unfilled.fraction(distances, thickness);
-  if(result.status != curves::Filling_status::CONVERGED ||
-     result.unfilled_fraction <= curves::internal::tolerated_unfilled_fraction)
-    return;
+  return unfilled.fraction(distances, [=](const Point&) { return thickness; });
+}
+
+// What is tolerable in a sector may not be so in the whole.
+void compare_with_tolerances(Filling_result& result)
+{
+  using namespace curves::internal;
+  if(result.status != curves::Filling_status::CONVERGED || !is_partial(result)) return;
   result.status = curves::Filling_status::PARTIAL;
-  result.reason = "the images of the arc leave gaps at the planes of --symmetry";
+  if(result.unfilled_fraction > tolerated_unfilled_fraction)
+    result.reason = "the images of the arc leave gaps at the planes of --symmetry";
+  if(result.crowded_fraction > tolerated_crowded_fraction)
+    result.reason += (result.reason.empty() ? "" : "; ") + crowded(result, result.thickness, true);
 }
 
 // Strands of different images may be nearer to one another than the limits of a sector allow.
-void check_shape_again(Filling_result& result,
-                       const Curve& curve,
-                       const Filling_parameters& parameters)
+void compare_with_limits(Filling_result& result,
+                         const Curve& curve,
+                         const Filling_parameters& parameters)
 {
   using curves::Filling_status;
   const auto goal = curves::internal::shape_goal(parameters);
@@ -121,8 +130,10 @@ void measure_again(Filling_result& result,
   result.min_wall_distance = wall.distance;
   result.point_nearest_to_wall = wall.point;
   result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness);
-  check_gaps_again(result, samples, distances, parameters);
-  check_shape_again(result, curve, parameters);
+  result.unfilled_fraction =
+      unfilled_fraction_of_whole(samples, distances, result.thickness, parameters);
+  compare_with_tolerances(result);
+  compare_with_limits(result, curve, parameters);
 }
 
 } // namespace vfc

@@ -27,13 +27,6 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Distance from a point inside a domain to the boundary, 0 outside.
-template <typename Domain>
-double depth(const Domain& domain, const typename Domain::Point_3& p)
-{
-  return domain.is_inside(p) ? domain.distance(p) : 0;
-}
-
 // Boundary of a domain for the flow: exact tests of triangles, and the largest radius of a sphere
 // inside that touches a node. Distance queries to a tree of faces are slow far from the surface;
 // hence distances at the centers of the cells of a grid are measured once and cached. The distance

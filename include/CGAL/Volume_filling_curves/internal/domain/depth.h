@@ -24,6 +24,13 @@ namespace internal {
 // Depth of points, segments and triangles inside a domain: their distance from its boundary, found
 // by queries at points, which every domain answers, or by functions that only some domains have.
 
+// Distance from a point inside a domain to the boundary, 0 outside.
+template <typename Domain>
+double depth(const Domain& domain, const typename Domain::Point_3& p)
+{
+  return domain.is_inside(p) ? domain.distance(p) : 0;
+}
+
 // The distance of a point inside a domain from the boundary. A domain with a surface searches only
 // up to the limit, and returns it if the distance is larger.
 template <typename Domain>

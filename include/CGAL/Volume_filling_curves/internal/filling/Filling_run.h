@@ -21,9 +21,11 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_measures.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>

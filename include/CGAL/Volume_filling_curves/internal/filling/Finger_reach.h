@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
+#include <CGAL/Volume_filling_curves/internal/domain/depth.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_stations.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>

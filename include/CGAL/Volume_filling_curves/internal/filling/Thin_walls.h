@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/domain/Boundary.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Domain_samples_3.h>
+#include <CGAL/Volume_filling_curves/internal/domain/depth.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
