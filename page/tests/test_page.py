@@ -213,6 +213,9 @@ class The_page(In_folder):
         self.assertEqual(self.number("strands"), 1)
         self.assertGreater(self.number("filling-length"), 10)
         self.assertGreater(self.number("bend-radius"), 0)
+        for end, factor in (("low", 2 / 3), ("high", 4 / 3)):  # of the thickness in the middle
+            corner = f"[...domain.low].map((x) => x + {int(end == 'high')} * domain.side)"
+            self.assertAlmostEqual(self.browser.value(f"thicknessAt({corner})"), factor * 2 ** -4.4)
         tubes = self.tubes()
         self.slide("tube", -1)
         self.browser.wait("!scene.isWaiting")
@@ -241,6 +244,8 @@ class The_page(In_folder):
         self.slide("filling-thickness", -4)
         self.slide("bend", 1.5)  # more than the thickness, which it raises
         self.assertEqual(self.number("filling-thickness-value"), self.number("bend-value"))
+        raised = self.browser.value("(grown = {settings: settings()}, thicknessAt(domain.low))")
+        self.assertAlmostEqual(raised, self.browser.value("settings().bendRadius"))
         self.slide("bend", 0.8)
         self.browser.click("fill")
         self.browser.wait("!isFilling && element('status').textContent !== 'stopped'")
