@@ -21,7 +21,8 @@ void add_density_options(CLI::App& command, Fill_options& options)
   CLI::Option& thickness =
       add_number(command, "--thickness", options.parameters.thickness,
                  "r, in the input's unit: most points end within r of the curve; default: a "
-                 "quarter of the widest inscribed ball's radius");
+                 "quarter of the widest inscribed ball's radius, more if the curve would have over "
+                 "200,000 nodes");
   thickness.type_name("R");
   CLI::Option& field =
       add_file(command, "--thickness-field", options.thickness_field,
@@ -58,9 +59,9 @@ void add_symmetry_option(CLI::App& command, Fill_options& options)
 {
   CLI::Option& symmetry = *command.add_option(
       "--symmetry", options.symmetry,
-      "fill one sector of MESH, and close the arc up with its images: mirror, in a plane with a "
-      "point and a normal, or rotation:K, by K-ths of a turn about an axis with a point and a "
-      "direction; default: through the middle of the box, with the normal x or the direction z");
+      "fill one sector of MESH with an arc, and add its images: mirror, half of MESH, at a plane; "
+      "rotation:K, a K-th of a turn about an axis; the numbers are a point and the normal of the "
+      "plane or the direction of the axis; default: the middle of the box, normal x, direction z");
   symmetry.type_name("mirror|rotation:K[:X,Y,Z,NX,NY,NZ]")->needs("--thickness");
   for(const char* other : {"--curve", "--port", "--volume-shares"})
     symmetry.excludes(command.get_option(other));
@@ -111,8 +112,8 @@ void add_fill_options(CLI::App& command, Fill_options& options)
       ->required();
   command.add_flag("--repair", options.may_repair,
                    "mend MESH and obstacles first, like vfc repair, and report each repair; "
-                   "obstacles that cross MESH are cut out of it; values per vertex of MESH are "
-                   "transferred to the nearest vertices");
+                   "obstacles that cross MESH are cut out of it; vertices of the mended mesh "
+                   "take the values at the nearest points of MESH");
   add_obstacle_option(command, options.obstacles);
   add_curve_output(command, options.output);
   add_file(

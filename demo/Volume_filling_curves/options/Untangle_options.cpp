@@ -39,7 +39,9 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       "tight; lower the ropelength of tight closed curves");
   add_stop_options(command, parameters);
   command.get_option("--max-iterations")
-      ->description("the largest number of iterations of the flow; with search, of sweeps");
+      ->description(
+          "the largest number of iterations of the flow; with search, of sweeps, 100 attempted "
+          "moves per edge");
   add_number(command, "--tolerance", parameters.tolerance,
              "converged if gradient_norm is less; dimensionless", not_negative)
       .capture_default_str();
@@ -52,8 +54,10 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       "flow: continuous motion, for a film; search, or tighten: a random search for a polygon "
       "with few edges; auto: the search first, then the flow to an even, smooth shape");
   command
-      .add_option("--chains", parameters.number_of_chains,
-                  "independent random searches; the fastest one wins; they share the threads")
+      .add_option(
+          "--chains", parameters.number_of_chains,
+          "independent random searches, which share the threads; the result is that of the one "
+          "with the fewest moves")
       ->check(CLI::Range(std::size_t(1), max_chains).description(""))
       ->capture_default_str()
       ->type_name("N");

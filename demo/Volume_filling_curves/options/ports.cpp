@@ -33,9 +33,9 @@ CLI::Option& add_port_option(CLI::App& command, std::vector<std::string>& texts)
 {
   return *command
               .add_option("--port", texts,
-                          "a point at the surface where the curve enters along the inward normal, "
-                          "or NX,NY,NZ, through a straight neck; an arc leads from each odd port "
-                          "to the next one")
+                          "a point at the surface where the curve enters, along the inward normal "
+                          "or NX,NY,NZ, and stays straight for about r; an arc leads from the "
+                          "first port to the second, from the third to the fourth, and so on")
               ->expected(1)
               ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
               ->type_name("X,Y,Z[,NX,NY,NZ]");

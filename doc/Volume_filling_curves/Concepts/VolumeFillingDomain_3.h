@@ -10,11 +10,12 @@
  *
  * The concept `VolumeFillingDomain_3` describes the set that a curve fills and never leaves.
  *
- * Two members decide: `is_inside()` accepts the start of a curve, and `is_triangle_inside()` each
- * elementary move. A curve that starts inside, and whose moves only sweep triangles inside, stays
- * inside. This is as certain as the two answers: a model documents for which data they are exact,
- * and answers `false` in case of doubt. The two distance functions only steer the curve and need
- * not be exact.
+ * Three members decide: `is_inside()` accepts the start of a curve, and `is_triangle_inside()` each
+ * elementary move, unless `distance()` shows that the triangle is far from the boundary. A curve
+ * that starts inside, and whose moves only sweep triangles inside, stays inside. This is as certain
+ * as the three answers: a model documents for which data they are exact, answers `false` in case of
+ * doubt, and never returns a distance that exceeds the true one. `distance_along()` only steers the
+ * curve.
  *
  * The members can be called concurrently.
  *

@@ -114,9 +114,9 @@ public:
    *
    * \pre the network has no garbage
    *
-   * \throws std::invalid_argument if a parameter is not positive and finite; `thickness`,
-   * `coupling` and `time_step` may be 0; and if a node slides along the boundary, but there is no
-   * domain
+   * \throws std::invalid_argument if a parameter is not positive and finite (`thickness`,
+   * `coupling` and `time_step` may also be 0), or if a node slides along the boundary and there is
+   * no domain
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
@@ -309,11 +309,10 @@ public:
   /// spacing.
   double gradient_norm() const { return thickness() * m_direction.gradient_per_length(); }
 
-  /// returns the share of the curve's tension that neither contacts nor bends at the scale of r
-  /// resist: the sum of the norms of the nodes' gradients, divided by the same sum for the length
-  /// alone, or by 2 pi if that is more; pinned nodes are left out. It is about 0.01 for a tight
-  /// curve. It is 1 for a loose curve, however smooth; then the thickness is too small for the
-  /// curve.
+  /// returns how loose the curve is: about 0.01 if it is tight, 1 if nothing resists its tension;
+  /// then the thickness is too small for the curve. This is the sum of the norms of the nodes'
+  /// gradients, divided by the same sum for the length alone, or by 2 pi if that is more; pinned
+  /// nodes are left out.
   double loose_share() const { return m_direction.loose_share(); }
 
   /// returns the mean of the medial radii along the curve, each capped at `largest`, in the input's

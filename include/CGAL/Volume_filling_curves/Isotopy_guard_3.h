@@ -55,10 +55,11 @@ namespace Volume_filling_curves {
  * certificate proves that no strand passes through another; a strand may slip off an end.
  *
  * On request the guard also keeps a clearance, since curves in contact can hardly move again. It
- * refuses changes that bring edges without a common node closer than a given distance and closer
- * than half their former distance; and changes that reduce the angle between edges with a common
- * node below 20 degrees and to less than about half its former value. The clearance is not part of
- * the certificate. `Bend_limits` are kept without any such loss.
+ * refuses a change that brings two edges without a common node closer than a given distance and also
+ * closer than half their former distance. It refuses a change that narrows the angle between edges
+ * with a common node below 20 degrees and also below about half its former value. Repeated changes
+ * can therefore wear a clearance down; `Bend_limits` hold. The clearance is not part of the
+ * certificate.
  *
  * Inserting and removing nodes leaves gaps in the numbering, which `collect_garbage()` closes.
  * Positions are rounded to `double` before they are certified; positions that are not finite, or
@@ -71,7 +72,7 @@ namespace Volume_filling_curves {
  * concurrently.
  *
  * With a domain, all that the curve sweeps must also lie strictly inside: a curve that starts
- * inside stays inside, as exactly as the domain answers.
+ * inside stays inside. This is as reliable as the answers of the domain.
  *
  * \pre the network is embedded: two of its edges meet at most in a common node
  *
@@ -124,13 +125,13 @@ public:
   double clearance() const { return m_clearance.distance(); }
 
   /// sets the distance from the boundary of the domain that the curve keeps, in the input's unit; 0
-  /// (default) stands for none. Certified like containment, as exactly as the domain's distances
-  /// are lower bounds. For guards with a domain.
+  /// (default) stands for none. Needs a domain. Certified like containment, if the domain's
+  /// distances are lower bounds.
   /// \pre the curve is farther than that from the boundary, see `min_wall_distance()`
   void set_wall_distance(double distance) { set_wall_distance(distance, 0); }
 
-  /// sets the bend radius and the distance of strands that all changes but rays keep, besides the
-  /// clearance; none by default.
+  /// sets the bend radius and the distance of strands that changes keep, in addition to the
+  /// clearance; none by default. Rays are exempt.
   void set_bend_limits(const Bend_limits<Point_3>& limits) { m_bends = limits; }
 
   /// returns the bend radius and the distance of strands that changes keep.

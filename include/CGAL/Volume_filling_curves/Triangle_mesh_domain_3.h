@@ -94,7 +94,7 @@ public:
    *     \cgalParamDescription{whether to refuse meshes with faces that meet elsewhere than in a
    *       common vertex or edge, and with nested shells of the same orientation. Without this
    *       check, the former leave the inside undefined, and the latter bound cavities. It takes 1.5
-   *       us per face, 4 % of the time of a coarse filling}
+   *       microseconds per face, 4 % of the time of a coarse filling}
    *     \cgalParamType{`bool`}
    *     \cgalParamDefault{`true`}
    *   \cgalParamNEnd

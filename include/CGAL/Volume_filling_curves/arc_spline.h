@@ -41,8 +41,8 @@ namespace Volume_filling_curves {
  *
  * The spline is certified if it is ambient isotopic to the curve and strictly inside the domain.
  * This holds if the closed triangles of the arcs' ends and corners lie inside, and meet one another
- * and the rest of the curve only in common ends. Exact predicates decide this, as exactly as the
- * domain answers, for the returned points `start`, `corner` and `end`, and curves in the triangles
+ * and the rest of the curve only in common ends. Exact predicates decide this, with the answers
+ * of the domain, for the returned points `start`, `corner` and `end`, and curves in the triangles
  * between them: the arcs are rational quadratic Bezier curves with the weights 1,
  * \f$\cos(\theta/2)\f$, 1 at a corner with the turning angle \f$\theta\f$. Points on the arcs, such
  * as `middle`, are rounded.

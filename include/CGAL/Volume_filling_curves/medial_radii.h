@@ -154,7 +154,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \ingroup PkgVolumeFillingCurvesMeasures
  *
  * \brief returns the mean of the medial radii of all nodes and directions, each capped at
- * `largest`: the mean distance to the next strand, in the input's unit.
+ * `largest`, in the input's unit: the mean radius of the empty spheres that touch the curve.
  *
  * A medial sphere touches the curve at a node and contains no other node. Many spheres touch
  * nothing else, hence the cap; twice the thickness is a good cap for a result of `untangle()`.
