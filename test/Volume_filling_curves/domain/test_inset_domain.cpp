@@ -84,6 +84,24 @@ TEST(Inset, holds_a_triangle_only_if_all_of_it_is_deep_enough)
   }
 }
 
+// Far from the origin, points halfway between others are rounded by 1e-8.
+TEST(Inset, holds_no_triangle_that_is_too_near_wherever_the_domain_lies)
+{
+  constexpr double far_away = 1e8, c = 0.25;
+  const auto at = [](double x, double y, double z) {
+    return Point(far_away + x, far_away + y, far_away + z);
+  };
+  const Box box(at(0, 0, 0), at(1, 1, 1));
+  const Inset_domain_3 inset(box, c);
+  const double unit = std::nextafter(far_away, 2 * far_away) - far_away;
+  EXPECT_TRUE(inset.is_triangle_inside(at(0.5, 0.5, 0.5), at(0.75 - 16 * unit, 0.5, 0.5),
+                                       at(0.5, 0.6, 0.5)));
+  for(int k = 0; k < 4; ++k) {
+    const Point q = at(0.75 + k * unit, 0.5 + k * unit, 0.5);
+    EXPECT_FALSE(inset.is_triangle_inside(at(0.5, 0.5, 0.5), q, q)) << k;
+  }
+}
+
 TEST(Inset, is_a_smaller_ball_or_box)
 {
   const Ball ball(Point(0, 0, 0), 1);

@@ -45,8 +45,9 @@ public:
   {
     const CGAL::Bbox_3 box = domain.bbox();
     m_low = {box.xmin(), box.ymin(), box.zmin()};
-    m_diagonal = (Vector(box.xmax(), box.ymax(), box.zmax()) - m_low).norm();
-    m_cell = m_diagonal / cells_along_diagonal;
+    const double diagonal = (Vector(box.xmax(), box.ymax(), box.zmax()) - m_low).norm();
+    m_rounding = rounding_in(box, slack * diagonal);
+    m_cell = diagonal / cells_along_diagonal;
     for(int i = 0; i < 3; ++i)
       m_size[i] = static_cast<std::size_t>((box.max(i) - box.min(i)) / m_cell) + 1;
     if(Space_of<Domain>::is_plane) m_middle[2] = 0;
@@ -76,7 +77,7 @@ public:
     return clearance(p, needed) > needed ||
            (m_domain->is_triangle_inside(p, q, r) &&
             (m_wall_distance == 0 ||
-             Depth_test<Domain>(*m_domain, m_wall_distance + slack * m_diagonal)(x, y, z)));
+             Depth_test<Domain>(*m_domain, m_wall_distance + m_rounding)(x, y, z)));
   }
 
   // Returns a lower bound of the distance from p to the boundary: any bound above `needed`, or
@@ -86,7 +87,7 @@ public:
     const double bound = conservative(bound_of_cell(to_vector(p)));
     if(bound > needed) return bound;
     // a distance that exceeds `needed` even with rounding
-    const double enough = (needed + 2 * slack * m_diagonal) * (1 + 2 * slack);
+    const double enough = (needed + 2 * m_rounding) * (1 + 2 * slack);
     return conservative(depth_up_to(*m_domain, p, enough));
   }
 
@@ -138,7 +139,7 @@ private:
   static constexpr double tolerance = 1e-4;  // of a radius, relative
   static constexpr double min_radius = 1e-6; // in units of the limit
   static constexpr double cells_along_diagonal = Space_of<Domain>::is_plane ? 512 : 64;
-  static constexpr double slack = 1e-9; // for the rounding of distances
+  static constexpr double slack = 1e-9; // of distances, for rounding
   static constexpr double unknown = -1;
 
   // Each step is as long as the known distance to the layer; towards a plane, steps shrink in
@@ -162,7 +163,7 @@ private:
     }
   }
 
-  double conservative(double distance) const { return distance * (1 - slack) - slack * m_diagonal; }
+  double conservative(double distance) const { return distance * (1 - slack) - m_rounding; }
 
   double bound_of_cell(const Vector& x) const
   {
@@ -186,7 +187,7 @@ private:
 
   const Domain* m_domain;
   Vector m_low;
-  double m_diagonal, m_cell;
+  double m_cell, m_rounding; // of distances
   double m_wall_distance = 0, m_layer = 0;
   std::size_t m_size[3];          // cells along the axes
   Vector m_middle{0.5, 0.5, 0.5}; // of the first cell, in cells from its corner

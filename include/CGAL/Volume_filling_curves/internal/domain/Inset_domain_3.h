@@ -135,7 +135,7 @@ private:
   static constexpr bool is_plane = internal::Space_of<Domain>::is_plane;
   static constexpr int max_steps = 32;
   static constexpr double min_step = 1e-2; // of the limit: medial spheres need no more
-  static constexpr double slack = 1e-12;   // of distances, in units of the box, for rounding
+  static constexpr double slack = 1e-12;   // of distances, in units of the diagonal, for rounding
 
   void check()
   {
@@ -146,7 +146,7 @@ private:
     if(!(2 * m_c < (is_plane ? (std::min)(sides.x(), sides.y()) : sides.minCoeff())))
       throw std::invalid_argument("the domain has no inset by that distance: its box is narrower "
                                   "than twice as much");
-    m_limit = m_c + slack * internal::stable_norm(sides);
+    m_limit = m_c + internal::rounding_in(box, slack * internal::stable_norm(sides));
   }
 
   std::shared_ptr<const Domain> m_owned; // or none, if it is borrowed; shared by copies

@@ -12,9 +12,12 @@
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -103,6 +106,16 @@ std::pair<double, double> depth_of_segment(const Domain& domain,
     return domain.distance_of_segment(p, q);
   else
     return Segment_halving<Domain>(domain, p, q)();
+}
+
+// Bound of the errors of distances, and of points halfway between others, in a box; more than usual
+// far from the origin, where coordinates are coarse.
+inline double rounding_in(const CGAL::Bbox_3& box, double usual)
+{
+  constexpr double units = 4; // in the last place of a coordinate
+  const Vector low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
+  const double largest = (std::max)(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  return (std::max)(usual, units * std::numeric_limits<double>::epsilon() * largest);
 }
 
 // Test whether a whole triangle inside a domain, which may be degenerate, is farther than c from
