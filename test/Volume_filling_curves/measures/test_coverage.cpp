@@ -256,6 +256,27 @@ TEST(Empty_regions, are_none_where_there_is_no_room)
   EXPECT_EQ(varying[0].point, regions[0].point);
 }
 
+TEST(Empty_regions, search_ends_with_distances_of_another_curve)
+{
+  const Ball ball(Point(0, 0, 0), 1);
+  const Domain_samples_3<Traits, Ball> samples(ball, 1000);
+  const std::vector<double> far_away(samples.points().size(), 2);
+  EXPECT_TRUE(empty_regions(helix(.5, 1.2, 300), samples, far_away, .6).empty());
+}
+
+TEST(Coverage, refuses_a_thickness_that_is_none)
+{
+  const Ball ball(Point(0, 0, 0), 1);
+  const Domain_samples_3<Traits, Ball> samples(ball, 1000);
+  const std::vector<double> distances(samples.points().size(), 0.1);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto partly = [](const Point& p) { return p.x() > 0 ? nan : 0.1; };
+  EXPECT_THROW(static_cast<void>(coverage(samples, distances, partly)), std::invalid_argument);
+  for(const double r : {-1., 0., nan}) {
+    EXPECT_THROW(static_cast<void>(coverage(samples, distances, r)), std::invalid_argument) << r;
+  }
+}
+
 TEST(Containment, counts_what_touches_or_crosses_the_boundary)
 {
   const Mesh_domain domain(meshes::to_mesh(meshes::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 4)));

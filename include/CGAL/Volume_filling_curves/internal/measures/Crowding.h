@@ -13,6 +13,8 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/segment_distance.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Least_clearance.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/search/Broad_phase.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
@@ -27,14 +29,21 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A thickness is a number or a function of the point.
+// A thickness is a number or a function of the point. Throws std::invalid_argument, at once or for a
+// point, if it is not positive and finite.
 template <typename Thickness>
 auto thickness_function(const Thickness& thickness)
 {
-  if constexpr(std::is_arithmetic<Thickness>::value)
-    return [r = static_cast<double>(thickness)](const auto&) { return r; };
-  else
-    return [&thickness](const auto& p) { return static_cast<double>(thickness(p)); };
+  if constexpr(std::is_arithmetic<Thickness>::value) {
+    const double r = static_cast<double>(thickness);
+    if(!is_positive(r))
+      refuse_value(internal_np::thickness_t(), r, demand<double>(Range::POSITIVE));
+    return [r](const auto&) { return r; };
+  } else {
+    return [&thickness](const auto& p) {
+      return checked_thickness(static_cast<double>(thickness(p)), p);
+    };
+  }
 }
 
 // Distances between the strands of a curve of thickness r. Two edges belong to different strands if

@@ -170,7 +170,7 @@ private:
     while(step > ascent_end * m_thickness(to_point(ball.center, m_traits))) {
       check_run();
       Region next = ball;
-      const double length = (std::min)(step, ball.radius);
+      const double length = (std::min)(step, (std::max)(ball.radius, 0.));
       for(int i = 0; i < 6; ++i) {
         Vector trial = ball.center;
         trial[i / 2] += i % 2 == 0 ? length : -length;
@@ -178,7 +178,7 @@ private:
         if(clearance_there > next.radius) next = {trial, clearance_there, 0};
       }
       const double gain = next.radius - ball.radius;
-      if(gain < min_gain * length) step /= 2;
+      if(!(gain > min_gain * length)) step /= 2;
       ball = next;
     }
     return ball;

@@ -27,6 +27,25 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+// Throws std::invalid_argument: "thickness is VALUE at POINT, but DEMAND".
+template <typename Point_3>
+[[noreturn]] void refuse_thickness(double value, const Point_3& p, const std::string& demand)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "thickness is " << value << " at " << point_text(p) << ", but " << demand;
+  throw std::invalid_argument(text.str());
+}
+
+// Returns the value of a field at a point. Throws std::invalid_argument if it is not positive and
+// finite: a search for points at a distance of NaN never ends.
+template <typename Point_3>
+double checked_thickness(double value, const Point_3& p)
+{
+  if(!is_positive(value)) refuse_thickness(value, p, demand<double>(Range::POSITIVE));
+  return value;
+}
+
 // Thickness of a curve: a number or a field, times a factor, times a local thinning. untangle() and
 // fill() construct it and pass it on by value. Safe to call concurrently if the field is.
 template <typename Point_3>
@@ -51,8 +70,7 @@ public:
   double number() const { return m_number; }
   void set_number(double number) { m_number = number; }
 
-  // Throws std::invalid_argument if the field is not positive and finite at the point, or too
-  // large: a search for points at a distance of NaN never ends.
+  // Throws std::invalid_argument if the field is not positive and finite at the point, or too large.
   double operator()(const Point_3& p) const
   {
     const double thickness = m_field ? m_factor * checked(m_field(p), p) : m_number;
@@ -112,18 +130,8 @@ public:
 private:
   double checked(double value, const Point_3& p) const
   {
-    if(!is_positive(value)) refuse(value, p, demand<double>(Range::POSITIVE));
-    if(value > m_size) refuse(value, p, not_larger_than("the domain", m_size));
-    return value;
-  }
-
-  // Throws "thickness is VALUE at POINT, but DEMAND".
-  [[noreturn]] static void refuse(double value, const Point_3& p, const std::string& demand)
-  {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << "thickness is " << value << " at " << point_text(p) << ", but " << demand;
-    throw std::invalid_argument(text.str());
+    if(value > m_size) refuse_thickness(value, p, not_larger_than("the domain", m_size));
+    return checked_thickness(value, p);
   }
 
   double m_number, m_factor = 1, m_min = 0, m_size;
