@@ -21,11 +21,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace test_fill_limits {
@@ -190,6 +193,58 @@ TEST(Fill_limits, without_any_time_the_curve_is_valid)
   EXPECT_TRUE(std::isnan(result.thickness_fit.thin_fraction)) << "nobody has looked";
   EXPECT_GT(curve.number_of_nodes(), 2u);
   expect_inside(curve, ball);
+}
+
+TEST(Fill_limits, without_any_time_nothing_is_said_against_thin_domains)
+{
+  meshes::Mesh rod; // one in 2,500 points of its box is inside
+  const double w = 0.01;
+  CGAL::make_hexahedron(Point(0, 0, 0), Point(w, -w, 0), Point(w, w, -w), Point(0, w, -w),
+                        Point(1, 1 + w, 1 - w), Point(1, 1, 1), Point(1 + w, 1 - w, 1),
+                        Point(1 + w, 1 + w, 1 - w), rod);
+  CGAL::Polygon_mesh_processing::triangulate_faces(rod);
+  Curve curve;
+  const auto result = VFC::fill(curve, rod, np::thickness(0.1).time_limit(1e-9));
+  EXPECT_EQ(result.status, Filling_status::LIMIT);
+}
+
+TEST(Fill_limits, without_any_time_a_thickness_far_too_small_is_not_tried)
+{
+  Curve curve;
+  const auto result = VFC::fill(curve, ball, np::thickness(1e-30).time_limit(0));
+  EXPECT_EQ(result.status, Filling_status::LIMIT);
+  EXPECT_TRUE(VFC::is_embedded(curve));
+}
+
+TEST(Fill_limits, a_run_that_reaches_its_goal_at_the_limit_has_converged)
+{
+  Curve curve, limited;
+  const auto result = VFC::fill(curve, ball, np::thickness(0.3));
+  ASSERT_EQ(result.status, Filling_status::CONVERGED);
+  const std::size_t n = result.statistics.iterations;
+  const auto at_limit = np::thickness(0.3).number_of_iterations(n);
+  EXPECT_EQ(VFC::fill(limited, ball, at_limit).status, Filling_status::CONVERGED);
+  limited = Curve();
+  const auto below = np::thickness(0.3).number_of_iterations(n - 1);
+  EXPECT_EQ(VFC::fill(limited, ball, below).status, Filling_status::LIMIT);
+}
+
+TEST(Fill_limits, a_curve_that_nobody_had_time_to_measure_has_not_converged)
+{
+  std::atomic<bool> is_measuring{false};
+  const auto slow = [&](const Point&) {
+    if(is_measuring.exchange(false)) std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    return 0.3;
+  };
+  const auto stop_measuring = [&](const Run_progress& progress) {
+    is_measuring = progress.stage == Run_stage::MEASURING;
+    return !is_measuring;
+  };
+  Curve curve;
+  const auto result =
+      VFC::fill(curve, ball, np::thickness(slow).round_bends(false).progress(stop_measuring));
+  EXPECT_TRUE(std::isnan(result.crowded_fraction));
+  EXPECT_EQ(result.status, Filling_status::INTERRUPTED);
 }
 
 // Stops a run at the given report of the flow, which can be within a step.

@@ -136,6 +136,7 @@ TEST(Fill_ports, refuses_shares_that_do_not_match_the_arcs)
       VFC::fill(curve, Ball(Point(0, 0, 0), 1),
                 preview(0.3).volume_shares(shares).ports(ports).start(start));
     } catch(const std::invalid_argument& error) {
+      EXPECT_EQ(curve.number_of_nodes(), 0u) << "the input changes";
       return std::string(error.what());
     }
     return std::string();

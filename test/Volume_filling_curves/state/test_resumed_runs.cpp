@@ -23,6 +23,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,13 +39,15 @@ using Filling = Filling_parameters<Point>;
 
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
-// Ends a run at a limit of iterations, or when the visitor has been asked some times whether a step
-// or a search is to go on.
+// Ends a run at a limit of iterations, when the visitor has been asked some times whether a step or
+// a search is to go on, or at the first report of a stage.
 struct Interruption : Default_curve_flow_visitor
 {
   Interruption(std::size_t n = never, std::size_t k = never) : iterations(n), answers(k) {}
+  Interruption(Run_stage s) : Interruption() { stage = s; }
 
   std::size_t iterations, answers;
+  std::optional<Run_stage> stage;
 
   template <typename Flow>
   bool go_further(const Flow&)
@@ -70,6 +73,7 @@ Outcome run_from(const Run& run, Network curve, P p, const Run_state& state, Int
   p.certificate = &certificate;
   p.resume_from = &state;
   if(visitor.iterations != never) p.number_of_iterations = visitor.iterations;
+  p.progress = [&](const Run_progress& progress) { return progress.stage != visitor.stage; };
   p.checkpoint = [&](const Run_checkpoint& checkpoint) {
     if(checkpoint.is_last) outcome.state = Run_state(checkpoint.state().bytes());
   };
@@ -215,7 +219,8 @@ TEST(Resumed_runs, a_ball_is_filled_with_a_thickness_that_varies)
   const Ball_domain_3<> ball(Point(1, 2, 3), 1);
   Filling parameters = with_sharp_bends();
   parameters.thickness_field = [](const Point& p) { return 0.2 + 0.05 * p.x(); };
-  expect_resumed(filling(ball), Network(), parameters, {0, 2, {never, 7}, 19});
+  expect_resumed(filling(ball), Network(), parameters,
+                 {Run_stage::BRANCHING, 0, 2, {never, 7}, 19});
 }
 
 TEST(Resumed_runs, a_box_is_filled_to_a_length)
@@ -261,9 +266,9 @@ TEST(Resumed_runs, two_chambers_are_filled_from_a_circle)
 {
   const Triangle_mesh_domain_3<> domain(meshes::to_mesh(exact_surface::two_chambers()));
   Filling parameters = with_sharp_bends();
-  parameters.thickness = 0.2;
+  parameters.thickness = 0.3;
   parameters.start = Filling_start::CIRCLE;
-  expect_resumed(filling(domain), Network(), parameters, {10, 40, 60});
+  expect_resumed(filling(domain), Network(), parameters, {10, Run_stage::BRANCHING, 20, 30});
 }
 
 Network trefoil()

@@ -67,7 +67,7 @@ public:
                   Samples::default_number,
                   parameters.random_seed,
                   traits,
-                  [&] { return !watch.must_stop(); }),
+                  [&] { return goes_on_sampling(); }),
         m_thickness(parameters.length > 0 ? thickness_of_length() : thickness),
         m_distances(domain, m_samples.points(), sufficient_distance(), &watch, ConcurrencyTag()),
         m_parts(m_samples, m_distances, watch),
@@ -175,6 +175,13 @@ public:
   }
 
 private:
+  // States are those of all samples, which fields are compared by. A run that is to stop needs one.
+  bool goes_on_sampling() const
+  {
+    const bool is_saving = m_parameters.checkpoint || m_parameters.resume_from;
+    return is_saving || !m_watch.must_stop();
+  }
+
   bool is_thickness_asked_for() const { return m_thickness.is_given() || m_parameters.length > 0; }
 
   Thickness<Point_3> thickness_of_length() const
@@ -238,13 +245,14 @@ private:
   static constexpr double min_radius = 0.125;
 
   // The root of a tree is a hexagon as wide as the tips of fingers; fingers grow from its edges,
-  // half as long.
+  // half as long. If the run is to stop, nobody has checked that the thickness is large enough.
   std::vector<Point_3> circle(const typename Parts::Widest& ball) const
   {
     constexpr double share_of_clearance = 0.9; // of what the distance to the wall leaves
     const double wall = m_parameters.wall_distance;
     const double radius = wall > 0 ? share_of_clearance * (ball.radius() - wall) : ball.radius();
-    if(m_parameters.start == Filling_start::CIRCLE) return ball.circle(radius);
+    const bool is_root = m_parameters.start == Filling_start::TREE && !m_watch.must_stop();
+    if(!is_root) return ball.circle(radius);
     constexpr double radius_of_root = 0.7; // in units of the thickness
     constexpr std::size_t nodes_of_root = 6;
     const double r = m_thickness(to_point(ball.center(), m_samples.traits()));

@@ -89,6 +89,9 @@ public:
     return result();
   }
 
+  // the thickness that the curve is to end with
+  const Thickness& thickness() const { return m_thickness; }
+
 private:
   static constexpr double coarsest_share = 0.25; // of the widest ball: the curve needs room to grow
   // relative, of a required length, to end the search for it
@@ -134,9 +137,9 @@ private:
   bool grows_more_fingers()
   {
     if(m_runner.end() || slides_somewhere()) return false;
-    return m_runner.decide([this] {
+    return m_runner.decide_in_time([this] {
       return m_unfilled.is_much(curve(), m_thickness) && grow_tree(m_guard, m_survey);
-    }) != 0;
+    });
   }
 
   bool slides_somewhere() const
@@ -237,8 +240,13 @@ private:
            !(std::abs(flow().length() / m_parameters.length - 1) <= promised_tolerance);
   }
 
+  // A curve that nobody had time to measure has not reached its goal.
   Filling_status status_of_settled(const Result& result) const
   {
+    if(std::isnan(result.unfilled_fraction + result.crowded_fraction)) {
+      m_watch.checkpoint(Run_watch::Checkpoint::END);
+      return m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
+    }
     if(misses_length()) return Filling_status::LENGTH_NOT_REACHED;
     if(!result.shape_excesses.empty()) return Filling_status::CONSTRAINT_NOT_REACHED;
     return is_partial(result) ? Filling_status::PARTIAL : Filling_status::CONVERGED;

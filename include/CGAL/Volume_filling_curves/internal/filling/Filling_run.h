@@ -43,9 +43,11 @@
 #include <iomanip>
 #include <limits>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -79,7 +81,20 @@ public:
         m_saver(m_parameters, curves, m_watch, [this] { return fingerprint(); })
   {}
 
+  // The curves remain unchanged if they, or the state to resume from, are refused.
   Result operator()()
+  {
+    Network input = m_curves;
+    try {
+      return fill();
+    } catch(const std::invalid_argument&) {
+      m_curves = std::move(input);
+      throw;
+    }
+  }
+
+private:
+  Result fill()
   {
     check_box();
     if(m_fit.thin_fraction > tolerated_unfilled_fraction) m_visitor.on_thin_domain(m_fit);
@@ -88,14 +103,21 @@ public:
     else if(m_curves.number_of_nodes() == 0)
       place_circles();
     announce();
-    Result result = is_start_checked() ? grow() : stopped();
+    Result result = can_grow() ? grow() : stopped(m_survey.thickness());
     result.necks = m_necks;
     check_necks(m_curves, result.necks);
     report_parts(result);
     return result;
   }
 
-private:
+  // Whether there was time to survey the domain and to check the curves. A survey that was cut short
+  // may have placed other circles, so that no state is saved. A resumed run has its curve.
+  bool can_grow()
+  {
+    const bool is_surveyed = !m_watch.must_stop();
+    return (is_start_checked() && is_surveyed) || m_saver.is_resuming();
+  }
+
   void announce()
   {
     const double r = m_survey.thickness().number();
@@ -103,7 +125,9 @@ private:
     progress.thickness = r;
     progress.default_thickness = m_survey.refused_thickness();
     progress.expected_length = m_survey.size().length(r);
-    progress.expected_nodes = static_cast<std::size_t>(m_survey.size().number_of_nodes(r));
+    constexpr double most = 1e18; // a survey that was cut short has not checked the number
+    progress.expected_nodes =
+        static_cast<std::size_t>((std::min)(m_survey.size().number_of_nodes(r), most));
     progress.expected_seconds = m_survey.size().seconds(r);
     m_watch.report();
   }
@@ -133,10 +157,11 @@ private:
 
   void place_circles()
   {
+    m_circles = m_survey.circles();
+    if(m_circles.empty() && m_watch.must_stop()) throw Run_stopped();
     if(!(m_survey.widest_radius() > 0))
       throw std::invalid_argument("the domain contradicts itself: points are inside, and all at "
                                   "distance 0 from the boundary");
-    m_circles = m_survey.circles();
     if(m_circles.empty())
       refuse_wall_distance("no point was found that is farther from the boundary than ",
                            m_survey.widest_radius());
@@ -239,38 +264,48 @@ private:
     guard.set_wall_distance(m_parameters.wall_distance, layer());
     if(m_parameters.certificate) guard.start_recording();
     m_saver.resume(m_curves, guard, m_state);
-    if(m_parameters.start == Filling_start::TREE && !m_saver.is_resuming())
-      grow_tree(guard, m_survey);
+    if(m_parameters.start == Filling_start::TREE && m_state.is_start()) grow_first_tree(guard);
     const Result result = run_stages(guard);
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
     return result;
   }
 
+  // A run that is stopped meanwhile resumes with the whole tree.
+  void grow_first_tree(Isotopy_guard_3<Traits, Domain>& guard)
+  {
+    m_watch.checkpoint(Run_watch::Checkpoint::PART);
+    grow_tree(guard, m_survey);
+    if(!m_watch.must_stop()) return;
+    m_watch.checkpoint(Run_watch::Checkpoint::END_IN_PART);
+    m_watch.set_checkpoint(nullptr);
+  }
+
   // Interrupts steps, unless states are saved: they are copied between steps.
   Result run_stages(Isotopy_guard_3<Traits, Domain>& guard)
   {
+    std::optional<Filler<Flow, Survey, Visitor>> filler;
     try {
       const Watched_scope scope(m_watch.is_saving() ? nullptr : &m_watch);
       m_watch.begin(Run_stage::FLOWING);
-      return Filler<Flow, Survey, Visitor>(guard, m_survey, m_visitor, m_state)();
+      return filler.emplace(guard, m_survey, m_visitor, m_state)();
     } catch(const Run_stopped&) {
       if(m_curves.has_garbage()) guard.collect_garbage();
-      return stopped();
+      return stopped(filler ? filler->thickness() : m_survey.thickness());
     }
   }
 
   // The result of a run that was stopped within a step, or before the first one.
-  Result stopped() const
+  Result stopped(const Thickness<Point_3>& thickness) const
   {
     Result result;
     result.status = m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
-    result.thickness = m_survey.thickness().averaged_at(m_curves.points()).number();
+    result.thickness = thickness.averaged_at(m_curves.points()).number();
     result.medial_radius = std::numeric_limits<double>::quiet_NaN();
     result.gradient_norm = m_state.gradient_norm;
     result.statistics = m_state.statistics;
     const Unfilled unfilled(m_survey.samples(), m_survey.distances_to_boundary(), m_parameters.wall,
                             m_parameters.wall_distance);
-    measure_filling(result, unfilled, m_curves, m_survey.thickness(), m_watch);
+    measure_filling(result, unfilled, m_curves, thickness, m_watch);
     return result;
   }
 

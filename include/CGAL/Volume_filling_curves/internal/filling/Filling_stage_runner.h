@@ -82,12 +82,26 @@ public:
     return numbers[m_next_number++];
   }
 
-  // likewise some points
+  // The same, for a decision that takes long. If it is cut short, which ends the run, it is false,
+  // and a resumed run decides anew.
+  template <typename Decide>
+  bool decide_in_time(const Decide& decide)
+  {
+    if(m_next_number < m_state.numbers.size()) return m_state.numbers[m_next_number++] != 0;
+    const bool decision = in_time(decide);
+    if(m_end) return false;
+    m_state.numbers.push_back(decision);
+    ++m_next_number;
+    return decision;
+  }
+
+  // Likewise some points, or none.
   template <typename Decide>
   std::vector<Vector> decide_points(const Decide& decide_points)
   {
     if(m_next_points == m_state.point_counts.size()) {
-      const std::vector<Vector> points = decide_points();
+      const std::vector<Vector> points = in_time(decide_points);
+      if(m_end) return {};
       m_state.points.insert(m_state.points.end(), points.begin(), points.end());
       m_state.point_counts.push_back(points.size());
     }
@@ -119,6 +133,20 @@ public:
   }
 
 private:
+  // Decides, and ends the run if that is cut short.
+  template <typename Decide>
+  auto in_time(const Decide& decide)
+  {
+    if(m_watch.is_saving()) m_state.flow = m_flow.state();
+    m_watch.checkpoint(Run_watch::Checkpoint::PART);
+    const auto decision = decide();
+    if(m_watch.must_stop()) {
+      m_end = m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
+      m_watch.checkpoint(Run_watch::Checkpoint::END_IN_PART);
+    }
+    return decision;
+  }
+
   void note()
   {
     m_state.statistics = m_flow.statistics();
@@ -211,12 +239,14 @@ private:
     return end;
   }
 
-  // A curve that cannot be polished further has settled, as near to its shape as it could.
+  // A curve that cannot be polished further has settled, as near to its shape as it could. A limit
+  // ends no stage that is over: the last one may have reached the goal.
   std::optional<Filling_status> end_before_step(const Filling_stage& stage)
   {
     if(m_watch.is_interrupted()) return Filling_status::INTERRUPTED;
-    if(m_flow.statistics().iterations >= m_parameters.number_of_iterations || !is_time_left())
-      return Filling_status::LIMIT;
+    const bool is_at_limit =
+        m_flow.statistics().iterations >= m_parameters.number_of_iterations || !is_time_left();
+    if(is_at_limit && !is_over(stage)) return Filling_status::LIMIT;
     if(stage.phase != Shape_phase::POLISHING && m_state.idle_steps.are_too_many())
       return Filling_status::STALLED;
     if(!m_visitor.go_further(m_flow)) return Filling_status::INTERRUPTED;

@@ -80,7 +80,7 @@ struct Filling_state
   std::vector<double> numbers; // decided between stages
   std::vector<Vector> points;  // likewise, some at a time
   std::vector<std::size_t> point_counts;
-  std::size_t stage = 0; // from 1
+  std::size_t stage = 0; // from 1; 0 before the tree of fingers has grown
   Length_window lengths; // of the stage, as all that follows
   Polishing_record polishing;
   double max_displacement = 0; // in units of the thickness
@@ -95,8 +95,11 @@ struct Filling_state
                           flow.members());
   }
 
+  bool is_start() const { return stage == 0; }
+
   bool is_valid() const
   {
+    if(is_start()) return numbers.empty() && points.empty() && point_counts.empty();
     for(const double fraction : polishing.fractions)
       if(!(fraction >= 0 && fraction <= 1)) return false;
     std::size_t rest = points.size();
@@ -104,7 +107,7 @@ struct Filling_state
       if(count > rest) return false;
       rest -= count;
     }
-    return rest == 0 && stage > 0 && is_positive(max_displacement);
+    return rest == 0 && is_positive(max_displacement);
   }
 };
 
