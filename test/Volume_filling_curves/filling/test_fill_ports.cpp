@@ -78,6 +78,22 @@ std::vector<Neck> expect_filled(const Domain& domain,
   return result.necks;
 }
 
+// A guard that keeps a distance from the boundary cannot divide long edges near it.
+TEST(Fill_ports, starts_with_edges_of_two_thicknesses_at_most)
+{
+  const Box bar(Point(0, 0, 0), Point(4, 1, 1));
+  Curve curve;
+  const auto result =
+      VFC::fill(curve, bar,
+                preview(0.1)
+                    .ports(std::vector<Port>{{Point(0, 0.5, 0.5)}, {Point(4, 0.5, 0.5)}})
+                    .number_of_iterations(0));
+  ASSERT_EQ(result.start.size(), 1u);
+  const std::vector<Point>& arc = result.start.front();
+  for(std::size_t k = 1; k < arc.size(); ++k)
+    EXPECT_LT(CGAL::squared_distance(arc[k - 1], arc[k]), 0.2001 * 0.2001) << k;
+}
+
 TEST(Fill_ports, enters_a_ball_along_its_radii)
 {
   const auto necks =

@@ -298,6 +298,23 @@ TEST(Fill_round, stops_polishing_where_the_limits_are_out_of_reach)
 }
 
 // Nodes that the guard held at that distance held bends of 0.3 r next to them.
+// A tight helix, between nodes of which every sixth is pinned; bent on, it doubled its length in
+// each second step.
+TEST(Fill_round, stops_bending_a_curve_that_grows_without_end)
+{
+  const Box bar({-2, -0.5, -0.5}, {2, 0.5, 0.5});
+  std::vector<Point> helix;
+  for(int k = 0; k < 900; ++k)
+    helix.push_back({-1.2 + 2.4 * k / 900, 0.25 * std::cos(0.2 * k), 0.25 * std::sin(0.2 * k)});
+  Curve curve(std::vector<std::vector<Point>>{helix});
+  for(std::size_t v = 0; v < curve.number_of_nodes(); v += 6) curve.set_pinned(v);
+  const double former_length = VFC::length(curve);
+  const Result result = VFC::fill(curve, bar, np::thickness(0.1));
+  EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
+  EXPECT_LT(VFC::length(curve), 20 * former_length);
+  EXPECT_LT(result.statistics.iterations, 50u);
+}
+
 TEST(Fill_round, keeps_a_distance_from_the_boundary)
 {
   const Box cube({0, 0, 0}, {1, 1, 1});

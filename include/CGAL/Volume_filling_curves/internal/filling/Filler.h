@@ -180,6 +180,7 @@ private:
   {
     if(m_shape.is_given()) {
       run(Filling_stage::bending());
+      if(grows_without_end()) return;
       run(Filling_stage::polishing());
       for(int k = 0; k < max_loosenings && is_jammed(); ++k) {
         run(Filling_stage::loosening());
@@ -190,6 +191,14 @@ private:
     run(Filling_stage::settling());
     if(can_thin && is_thinned_in_narrow_regions()) run(Filling_stage::settling());
     run(Filling_stage::refining());
+  }
+
+  // Whether the curve has been bent in vain, and would grow further.
+  bool grows_without_end()
+  {
+    if(m_runner.end()) return false;
+    return m_runner.decide(
+               [this] { return m_runner.growth() > Filling_stage::bending().max_growth; }) != 0;
   }
 
   // Whether the curve is too dense for its bends and strands. A few local excesses do not justify

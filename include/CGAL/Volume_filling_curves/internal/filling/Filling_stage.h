@@ -35,6 +35,7 @@ struct Filling_stage
   std::size_t directions = any;   // of the medial spheres, at most
   std::size_t window = 10;        // the stage ends if over that many iterations
   double change_of_length = 1e-2; // the length changed by less than this fraction of it
+  double max_growth = any_change; // of the length; a curve that grows more does not fit
   double thickness = 1;           // of the flow, in units of the required one
   double coupling = 1;            // in units of the parameter
   Shape_phase phase = Shape_phase::NONE;
@@ -153,6 +154,7 @@ private:
     stage.directions = directions;
     stage.window = 16;
     stage.change_of_length = any_change;
+    stage.max_growth = 2; // of one between nodes that cannot move; others grow by some 1.2
     return stage;
   }
 };

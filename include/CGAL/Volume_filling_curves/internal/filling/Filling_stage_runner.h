@@ -70,6 +70,9 @@ public:
   // the record of the current stage, empty unless that polishes
   const Polishing_record& polishing() const { return m_state.polishing; }
 
+  // how much the curve has grown in the current stage
+  double growth() const { return m_state.lengths.growth(); }
+
   // whether there is time for another step
   bool is_time_left() const { return m_watch.leaves(m_seconds_of_step); }
 
@@ -207,6 +210,7 @@ private:
   bool is_over(const Filling_stage& stage) const
   {
     if(m_state.lengths.has_settled(stage.window, stage.change_of_length)) return true;
+    if(growth() > stage.max_growth) return true;
     return stage.phase == Shape_phase::POLISHING &&
            (m_state.idle_steps.are_too_many() || m_state.polishing.is_done() ||
             m_state.polishing.are_limits_out_of_reach());

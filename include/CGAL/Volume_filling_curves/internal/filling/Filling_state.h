@@ -40,6 +40,9 @@ struct Length_window
     const auto [min, max] = std::minmax_element(begin, values.end());
     return *max - *min < fraction * *max;
   }
+
+  // since the first one
+  double growth() const { return values.empty() ? 1 : values.back() / values.front(); }
 };
 
 // Progress of polishing: the fractions of the nodes at which a limit is exceeded, before the first
