@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <sstream>
@@ -114,9 +115,9 @@ std::vector<Batch_item> read_batch_list(const Batch_options& options,
                                         const std::vector<std::string>& endings)
 {
   const std::vector<Batch_item> all = List_reader(options.list, folder, endings).run();
+  const std::size_t step = (std::min)(options.number_of_shards, all.size()); // cannot overflow
   std::vector<Batch_item> items;
-  for(std::size_t i = options.shard - 1; i < all.size(); i += options.number_of_shards)
-    items.push_back(all[i]);
+  for(std::size_t i = options.shard - 1; i < all.size(); i += step) items.push_back(all[i]);
   return items;
 }
 

@@ -103,6 +103,8 @@ TEST_F(Command_line_batch, a_shard_takes_each_nth_line)
   EXPECT_EQ(run("simplify --batch list -o out_of_shard --shard 2/2").status, 0);
   EXPECT_EQ(files("out_of_shard"), std::set<std::string>({"b.obj", "results.jsonl"}));
   EXPECT_EQ(run("simplify --batch list -o out_of_shard --shard 3/3").status, 0);
+  EXPECT_EQ(run("simplify --batch list -o last --shard 2/18446744073709551615").status, 0);
+  EXPECT_EQ(files("last"), std::set<std::string>({"b.obj", "results.jsonl"}));
   for(const std::string shard : {"0/2", "3/2", "1", "1/", "/2", "a/b", "-1/2", "1/2/3"})
     expect_refused("simplify --batch list -o x --shard " + shard, 1, "--shard");
 }
