@@ -43,8 +43,18 @@ struct Convert_options
   Curve_reading reading;
 };
 
+// Refuses a thickness for files without a column for the medial radii.
+void check_radii(const Convert_options& options)
+{
+  const Curve_format* const format = curve_format_of(options.output);
+  if(options.thickness > 0 && format != nullptr && format->write_with_columns == nullptr)
+    throw Usage_error("--thickness: " + options.output +
+                      ": medial radii are written to .ply and .vtp files");
+}
+
 void plan_files(Session& session, const Convert_options& options)
 {
+  check_radii(options);
   check_unit(options.arcs.unit, options.output);
   session.add_input(options.file, "--output");
   if(options.arcs.is_wanted)

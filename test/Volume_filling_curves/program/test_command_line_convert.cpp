@@ -57,6 +57,12 @@ TEST_F(Command_line_convert, tells_medial_radii_where_the_thickness_is_known)
   EXPECT_EQ(read("without.vtp").find("\"radius\""), std::string::npos);
   EXPECT_NE(read("with.vtp").find("\"radius\""), std::string::npos);
   EXPECT_NE(read("tight.ply").find("property double radius\n"), std::string::npos);
+  for(const std::string name : {"x.obj", "x.polylines.txt", "x.vect", "x.dat"}) {
+    const Finished refused = run("convert trefoil.obj -o " + name + " --thickness 0.2");
+    EXPECT_EQ(refused.status, 1) << name;
+    EXPECT_NE(refused.err.find("--thickness: " + name), std::string::npos) << refused.err;
+    EXPECT_FALSE(exists(name));
+  }
 }
 
 TEST_F(Command_line_convert, makes_tubes_that_are_closed_surfaces)
