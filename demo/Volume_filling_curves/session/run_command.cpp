@@ -17,12 +17,22 @@
 namespace vfc {
 namespace {
 
+// Returns the exit status, even if the report cannot be written: there is another error to tell.
+int report_failure(Session& session, Exit_status status)
+{
+  try {
+    session.write_report(status);
+  } catch(const std::exception& error) {
+    session.console().fail(error.what());
+  }
+  return status;
+}
+
 int fail(Session& session, const No_result& end)
 {
   session.report()["status"] = end.status() == INTERRUPTED ? "interrupted" : "limit";
   session.console().fail(end.what());
-  session.write_report(end.status());
-  return end.status();
+  return report_failure(session, end.status());
 }
 
 int fail(Session& session, const Input_error& error)
@@ -58,12 +68,7 @@ int fail(Session& session, Exit_status status, const std::string& message)
 {
   session.console().fail(message);
   if(session.report()["status"] != "error") session.report().set_error(message);
-  try {
-    session.write_report(status);
-  } catch(const std::exception& error) {
-    session.console().fail(error.what());
-  }
-  return status;
+  return report_failure(session, status);
 }
 
 } // namespace vfc

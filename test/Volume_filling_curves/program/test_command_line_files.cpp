@@ -133,6 +133,19 @@ TEST_F(Command_line_files, frames_replace_neither_input_nor_output)
   EXPECT_EQ(run("untangle trefoil.obj --frames film -o film/x.obj --force --quiet").status, 0);
 }
 
+TEST_F(Command_line_files, a_report_that_cannot_be_written_is_told_after_any_other_error)
+{
+  if(!exists("/dev/full")) GTEST_SKIP() << "the system has no /dev/full";
+  write("tetrahedron.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                           "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  for(const std::string command : {"repair tetrahedron.off -o x.off --time-limit 0",
+                                   "fill tetrahedron.off --repair -o x.obj --time-limit 0"}) {
+    const Finished late = run(command + " --report /dev/full");
+    EXPECT_EQ(late.status, 2) << late.err;
+    EXPECT_NE(late.err.find("/dev/full: cannot be written"), std::string::npos) << late.err;
+  }
+}
+
 TEST_F(Command_line_files, a_link_that_leads_nowhere_gets_its_file)
 {
   make_trefoil();
