@@ -64,8 +64,8 @@ void plan_files(Session& session, const Fill_options& options)
   for(const std::string& file : {files.certificate, files.start, files.end, files.domain})
     session.outputs().add("--certificate", file);
   session.outputs().add("--map", options.film.map);
-  session.outputs().add_folder("--frames", options.film.frames, Frames::is_frame);
   plan_checkpoints(session, options.saving);
+  session.outputs().add_folder("--frames", options.film.frames, Frames::is_frame);
   session.require_output();
 }
 

@@ -47,11 +47,13 @@ namespace curves = CGAL::Volume_filling_curves;
 using curves::Untangling_result;
 using curves::Untangling_strategy;
 
-void plan_outputs(Output_files& outputs, const Untangle_options& options)
+void plan_outputs(Session& session, const Untangle_options& options)
 {
+  Output_files& outputs = session.outputs();
   add_curve_file(outputs, "--output", options.output);
   outputs.add("--certificate", options.certificate);
   outputs.add("--map", options.film.map);
+  plan_checkpoints(session, options.saving);
   outputs.add_folder("--frames", options.film.frames, Frames::is_frame);
 }
 
@@ -163,8 +165,7 @@ int run(Session& session, const Untangle_options& options)
   if(is_search && curves::internal::shape_goal(options.parameters).is_given())
     throw Usage_error("--bend-radius, --strand-distance: need --strategy flow or auto, since the "
                       "polygons of the search are not round");
-  plan_outputs(session.outputs(), options);
-  plan_checkpoints(session, options.saving);
+  plan_outputs(session, options);
   session.require_output();
   const curves::Run_state state = read_run_state(options.saving);
   Curve curve = read_curve(session, options.file, options.curve.reading);

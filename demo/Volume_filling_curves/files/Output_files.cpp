@@ -117,12 +117,12 @@ void Output_files::add_folder(const std::string& option,
 {
   if(!offer(option, path)) return;
   std::error_code error;
-  const fs::path folder(path);
+  const fs::path given(path), folder = given.has_filename() ? given : given.parent_path();
   const fs::file_status status = fs::status(folder, error);
-  if(!fs::exists(status)) {
-    const bool has_name = folder.has_filename();
-    return check_writable(option, has_name ? folder : folder.parent_path());
-  }
+  for(const Output& output : m_outputs)
+    if(are_same_file(folder, output.path))
+      refuse(option, path, "is also the file of " + output.option);
+  if(!fs::exists(status)) return check_writable(option, folder);
   if(!fs::is_directory(status)) refuse(option, path, "is not a folder");
   const auto is_there = [&](const std::string& file) {
     return is_replaced(file) && are_same_file(folder, fs::absolute(file).parent_path());

@@ -133,6 +133,31 @@ TEST_F(Command_line_files, frames_replace_neither_input_nor_output)
   EXPECT_EQ(run("untangle trefoil.obj --frames film -o film/x.obj --force --quiet").status, 0);
 }
 
+// The result would be lost: a folder of frames would be in the place of its file.
+TEST_F(Command_line_files, frames_that_do_not_exist_yet_are_no_other_output)
+{
+  make_trefoil();
+  for(const std::string option : {"-o", "--report", "--certificate", "--map", "--checkpoint"}) {
+    const std::string name = option == "--map" ? "x" : "x.obj";
+    const Finished refused =
+        run("untangle trefoil.obj --frames ./" + name + "/ " + option + " " + name);
+    EXPECT_EQ(refused.status, 1) << option;
+    EXPECT_NE(refused.err.find("--frames"), std::string::npos) << refused.err;
+    EXPECT_EQ(exists(name), option == "--report") << option;
+    fs::remove_all(path(name));
+  }
+}
+
+TEST_F(Command_line_files, frames_do_not_replace_the_state)
+{
+  make_trefoil();
+  fs::create_directory(path("film"));
+  const Finished refused = run(
+      "untangle trefoil.obj --frames film --checkpoint film/frame_000001.obj --max-iterations 2");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("holds the file of --checkpoint"), std::string::npos) << refused.err;
+}
+
 TEST_F(Command_line_files, a_report_that_cannot_be_written_is_told_after_any_other_error)
 {
   if(!exists("/dev/full")) GTEST_SKIP() << "the system has no /dev/full";
