@@ -70,7 +70,7 @@ Filling_result fill(Session& session,
                     const curves::Run_state& state,
                     curves::Isotopy_certificate& certificate)
 {
-  Flow_observer observer(session, options.parameters, 0, Frames(options.film));
+  Flow_observer observer(session, options.parameters, 0, Frames(options.film, session.console()));
   curves::Filling_parameters<> parameters = options.parameters;
   // the rest after reading and mending
   parameters.time_limit = (std::max)(0., parameters.time_limit - session.seconds());

@@ -178,7 +178,7 @@ int run(Session& session, const Untangle_options& options)
   const Patience patience(options.parameters.time_limit);
   {
     Flow_observer observer(session, options.parameters, options.parameters.tolerance,
-                           Frames(options.film));
+                           Frames(options.film, session.console()));
     result = untangle(session, curve, domain, options, state, certificate, patience, observer);
     observer.finish(result.statistics.iterations, curve);
   }

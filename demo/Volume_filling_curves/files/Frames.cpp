@@ -6,7 +6,9 @@
 
 #include "files/Frames.h"
 
-#include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
+#include "files/Output_files.h"
+#include "session/Console.h"
+
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <algorithm>
@@ -37,7 +39,19 @@ bool Frames::is_frame(const fs::path& file)
 
 void Frames::add(std::size_t iteration, const Curve& curve)
 {
-  if(!m_options.frames.empty() && iteration % m_options.every == 0) write(iteration, curve);
+  if(m_are_wanted && iteration % m_options.every == 0)
+    warn_of_failure([&] { write(iteration, curve); });
+}
+
+template <typename Write>
+void Frames::warn_of_failure(const Write& write)
+{
+  try {
+    write();
+  } catch(const Usage_error& error) {
+    m_are_wanted = false;
+    m_console.warn(std::string("--frames: ") + error.what() + "; no more frames are written");
+  }
 }
 
 void Frames::write(std::size_t iteration, const Curve& curve)
@@ -58,9 +72,11 @@ std::string Frames::name(std::size_t iteration) const
 
 void Frames::finish(std::size_t iteration, const Curve& curve)
 {
-  if(m_options.frames.empty()) return;
-  write(m_written.empty() ? iteration : (std::max)(iteration, *m_written.rbegin()), curve);
-  if(m_options.frame_format == "vtp") write_list();
+  if(!m_are_wanted) return;
+  warn_of_failure([&] {
+    write(m_written.empty() ? iteration : (std::max)(iteration, *m_written.rbegin()), curve);
+    if(m_options.frame_format == "vtp") write_list();
+  });
 }
 
 // Writes a ParaView collection, which ParaView plays as a film.
@@ -74,8 +90,7 @@ void Frames::write_list() const
             name(iteration) + "\"/>\n";
   list += "</Collection>\n</VTKFile>\n";
   const std::string file = (fs::path(m_options.frames) / list_of_frames).string();
-  const std::error_code error = CGAL::Volume_filling_curves::internal::write_whole_file(file, list);
-  if(error) throw Usage_error(file + ": cannot be written: " + error.message());
+  Output_files::write(file, list);
 }
 
 void Frames::prepare_folder() const

@@ -17,14 +17,19 @@
 
 namespace vfc {
 
+class Console;
+
 // Frames of a film: the curve of every K-th iteration and the result, frame_000000.obj and so on;
-// .vtp files also get a list, frames.pvd, for ParaView.
+// .vtp files also get a list, frames.pvd, for ParaView. The first one that cannot be written ends
+// them with a warning: the run and its result are worth more.
 class Frames
 {
 public:
   // Writes nothing if there is no folder. The frames of an earlier run are removed when the first
   // new one is written.
-  explicit Frames(const Film_options& options) : m_options(options) {}
+  Frames(const Film_options& options, const Console& console)
+      : m_options(options), m_console(console), m_are_wanted(!options.frames.empty())
+  {}
 
   void add(std::size_t iteration, const Curve& curve);
 
@@ -36,12 +41,16 @@ public:
   static bool is_frame(const std::filesystem::path& file);
 
 private:
+  template <typename Write>
+  void warn_of_failure(const Write& write);
   void write(std::size_t iteration, const Curve& curve);
   void write_list() const;
   void prepare_folder() const;
   std::string name(std::size_t iteration) const;
 
   Film_options m_options;
+  const Console& m_console;
+  bool m_are_wanted;
   std::set<std::size_t> m_written; // iterations; a strategy can repeat them
 };
 

@@ -158,6 +158,23 @@ TEST_F(Command_line_files, frames_do_not_replace_the_state)
   EXPECT_NE(refused.err.find("holds the file of --checkpoint"), std::string::npos) << refused.err;
 }
 
+TEST_F(Command_line_files, a_run_goes_on_without_frames_that_cannot_be_written)
+{
+  make_trefoil();
+  fs::create_directory(path("film"));
+  fs::create_directory(path("film/frame_000002.obj")); // which no file replaces
+  write("film/frame_000002.obj/kept", "");
+  const Finished told = run("untangle trefoil.obj --max-iterations 4 --frames film -o x.obj "
+                            "--report r.json --force");
+  EXPECT_EQ(json("r.json")["iterations"], 4);
+  EXPECT_EQ(run("check x.obj").status, 0);
+  const std::size_t warning = told.err.find("--frames: film/frame_000002.obj: cannot be written");
+  EXPECT_NE(warning, std::string::npos) << told.err;
+  EXPECT_EQ(told.err.find("--frames", warning + 1), std::string::npos) << "once";
+  EXPECT_TRUE(exists("film/frame_000001.obj"));
+  EXPECT_FALSE(exists("film/frame_000003.obj"));
+}
+
 TEST_F(Command_line_files, a_report_that_cannot_be_written_is_told_after_any_other_error)
 {
   if(!exists("/dev/full")) GTEST_SKIP() << "the system has no /dev/full";
