@@ -159,8 +159,7 @@ Mesh_and_defects mesh_of(Session& session, const Fill_options& options)
 int fill_mesh(Session& session, const Fill_options& options, const curves::Run_state& state)
 {
   const Mesh_and_defects mesh = mesh_of(session, options);
-  check_filling(options.parameters.thickness, options.parameters.length, options.parameters.spacing,
-                mesh.mesh);
+  check_filling(options.parameters, mesh.mesh);
   Thickness field;
   if(!options.thickness_field.empty()) field = read_thickness_field(options.thickness_field, mesh);
   Direction_field directions;

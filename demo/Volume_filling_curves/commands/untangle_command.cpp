@@ -24,7 +24,6 @@
 #include "session/interruption.h"
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
-#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Shape_finish.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
@@ -67,6 +66,19 @@ void pin(Curve& curve, const Untangle_options& options)
                         " is pinned, so the result cannot be scaled");
 }
 
+// Returns the options that decide on the thickness, with their values.
+std::string options_of_thickness(const curves::Untangling_parameters& parameters)
+{
+  std::string text;
+  const auto add = [&](const char* option, double value) {
+    if(value > 0) text += (text.empty() ? "" : ", ") + std::string(option) + ' ' + to_text(value);
+  };
+  add("--thickness", parameters.thickness);
+  add("--bend-radius", parameters.bend_radius);
+  add("--strand-distance", parameters.strand_distance);
+  return text;
+}
+
 // Checks whether the requested thickness makes sense. The default is measured later, and may grow
 // on the way; only a small spacing can ask for too many nodes then, if there is time to find out.
 void check_flow_thickness(const Curve& curve,
@@ -74,15 +86,17 @@ void check_flow_thickness(const Curve& curve,
                           const Patience& patience)
 {
   constexpr double harmless_spacing = 0.01;
-  const double asked = parameters.thickness, spacing = parameters.spacing;
-  const double least = curves::internal::min_thickness_for(parameters);
-  check_thickness(asked, spacing, curve);
-  check_thickness((std::min)(least, curves::internal::box_diagonal(curve)), spacing, curve);
-  if(asked > 0 || least > 0 || spacing >= harmless_spacing) return;
+  const double spacing = parameters.spacing;
+  check_thickness(parameters.thickness, curve);
+  const double requested =
+      (std::max)(parameters.thickness, curves::internal::min_thickness_for(parameters));
+  if(requested > 0)
+    check_number_of_nodes(requested, options_of_thickness(parameters), spacing, curve);
+  if(requested > 0 || spacing >= harmless_spacing) return;
   try {
     const double found = curves::default_thickness<CGAL::Parallel_if_available_tag>(
         curve, parameters.number_of_directions, curves::parameters::progress(patience));
-    check_thickness(found, spacing, curve);
+    check_number_of_nodes(found, "", spacing, curve);
   } catch(const curves::Run_interrupted&) {
     return;
   }

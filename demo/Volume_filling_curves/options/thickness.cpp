@@ -10,11 +10,13 @@
 
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfc {
@@ -31,31 +33,44 @@ constexpr double max_nodes = 2e7; // some 20 GB
 
 } // namespace
 
-void check_thickness(double thickness, double spacing, const Curve& curve)
+void check_thickness(double thickness, const Curve& curve)
 {
-  const double length = curves::length(curve);
   const double size = diagonal(curve.bbox());
   if(thickness > size)
     throw Usage_error("--thickness " + to_text(thickness) +
                       " is larger than the curve, whose box " + "has a diagonal of " +
                       to_text(size));
-  if(thickness > 0 && length / max_nodes > spacing * thickness)
-    throw Usage_error("--thickness " + to_text(thickness) + " and --spacing " + to_text(spacing) +
-                      " are too small for a curve of length " + to_text(length) +
-                      ": there would be more than " + to_text(max_nodes) + " nodes");
 }
 
-void check_filling(double thickness, double length, double spacing, const Mesh& mesh)
+void check_number_of_nodes(double thickness,
+                           const std::string& options,
+                           double spacing,
+                           const Curve& curve)
+{
+  const double length = curves::length(curve);
+  if(!(length / max_nodes > spacing * thickness)) return;
+  throw Usage_error((options.empty() ? "" : options + " and ") + "--spacing " + to_text(spacing) +
+                    (options.empty() ? " is" : " are") + " too small for a curve of length " +
+                    to_text(length) + " and thickness " + to_text(thickness) +
+                    ": there would be more than " + to_text(max_nodes) + " nodes");
+}
+
+void check_filling(const curves::Filling_parameters<>& parameters, const Mesh& mesh)
 {
   namespace pmp = CGAL::Polygon_mesh_processing;
+  const double thickness = parameters.thickness, length = parameters.length,
+               spacing = parameters.spacing;
   const double volume = std::abs(pmp::volume(mesh));
   const double size = diagonal(pmp::bbox(mesh));
   if(thickness > size)
     throw Usage_error("--thickness " + to_text(thickness) + " is larger than the mesh, whose box " +
                       "has a diagonal of " + to_text(size));
   const bool is_round = false; // a filling has the most nodes before its bends are rounded
-  const double r = length > 0 ? curves::thickness_of_filling(volume, length, is_round) : thickness;
-  if(r > 0 && curves::length_of_filling(volume, r, is_round) / (r * spacing) > max_nodes)
+  const double r = length > 0
+                       ? curves::thickness_of_filling(volume, length, is_round)
+                       : (std::max)(thickness, curves::internal::min_thickness_for(parameters));
+  if((length > 0 || thickness > 0) &&
+     curves::length_of_filling(volume, r, is_round) / (r * spacing) > max_nodes)
     throw Usage_error((length > 0 ? "--length " + to_text(length) : "--thickness " + to_text(r)) +
                       " and --spacing " + to_text(spacing) + ": there would be more than " +
                       to_text(max_nodes) + " nodes in a volume of " + to_text(volume));

@@ -10,15 +10,27 @@
 #include "files/curve_files.h"
 #include "files/mesh_files.h"
 
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+
+#include <string>
+
 namespace vfc {
 
-// Refuses typing errors: a thickness larger than the curve, or one that, with the spacing, requires
-// more nodes than fit into memory. A thickness of 0 stands for none.
-// \throws Usage_error that names the option
-void check_thickness(double thickness, double spacing, const Curve& curve);
+// These refuse typing errors. \throws Usage_error that names the options
 
-// The same for a curve that fills a mesh, with a thickness or a length; 0 stands for none.
-void check_filling(double thickness, double length, double spacing, const Mesh& mesh);
+// Refuses a thickness larger than the curve; 0 stands for none.
+void check_thickness(double thickness, const Curve& curve);
+
+// Refuses a thickness that, with the spacing, requires more nodes than fit into memory. The options
+// that it comes from, as "--bend-radius 0.1", are empty if it was measured.
+void check_number_of_nodes(double thickness,
+                           const std::string& options,
+                           double spacing,
+                           const Curve& curve);
+
+// Refuses both for a curve that fills a mesh, with a thickness or a length; 0 stands for none.
+void check_filling(const CGAL::Volume_filling_curves::Filling_parameters<>& parameters,
+                   const Mesh& mesh);
 
 } // namespace vfc
 

@@ -372,6 +372,9 @@ TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
   for(const std::string options :
       {"--thickness 1e-6", "--thickness 1e300", "--length 1e30", "--thickness 0.5 --spacing 1e-9"})
     EXPECT_EQ(run("fill cube.off -o c.obj " + options).status, 1) << options;
+  EXPECT_EQ(
+      run("fill cube.off -o c.obj --thickness 1e-6 --bend-radius 0.6 --max-iterations 1").status, 2)
+      << "the bends need a thickness of 0.6";
 }
 
 TEST_F(Command_line_fill, the_mesh_is_never_replaced)
