@@ -166,8 +166,10 @@ int fill_mesh(Session& session, const Fill_options& options, const curves::Run_s
   if(!options.direction_field.empty())
     directions = make_direction_field(options.direction_field, mesh);
   Mesh walls = mesh.mesh;
-  const auto add = options.may_repair ? add_or_cut_out_obstacles : add_obstacles;
-  add(session, walls, options.obstacles);
+  if(options.may_repair)
+    add_or_cut_out_obstacles(session, walls, options.obstacles, options.parameters.time_limit);
+  else
+    add_obstacles(session, walls, options.obstacles);
   if(!options.symmetry.empty()) return fill_sector(session, walls, directions, options, state);
   return fill_domain(session, Domain(walls, examined), field, directions, options, state);
 }

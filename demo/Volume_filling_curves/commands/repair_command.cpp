@@ -40,7 +40,7 @@ int repair(Session& session, const Repair_options& options)
   for(const std::string& obstacle : options.obstacles) session.add_input(obstacle, "--output");
   session.outputs().add("--output", options.output);
   Mesh mended = read_mended_mesh(session, options.mesh, options.mending).mesh;
-  add_or_cut_out_obstacles(session, mended, options.obstacles);
+  add_or_cut_out_obstacles(session, mended, options.obstacles, options.mending.time_limit);
   Output_files::write(options.output, to_text(mended, extension));
   session.end_stage("writing");
   session.report()["faces"] = mended.number_of_faces();

@@ -9,7 +9,6 @@
 #include "meshes/examine_mesh.h"
 #include "repair/combined_shells.h"
 #include "repair/read_mended_mesh.h"
-#include "session/No_result.h"
 #include "session/Session.h"
 #include "session/interruption.h"
 
@@ -30,11 +29,16 @@ namespace {
                     std::string("an obstacle of this mesh") + advice);
 }
 
-Mesh without_obstacle(const Mesh& mesh, const Mesh& obstacle, const std::string& file)
+Mesh without_obstacle(const Session& session,
+                      const Mesh& mesh,
+                      const Mesh& obstacle,
+                      const std::string& file,
+                      double time_limit)
 {
-  Work_watch watch(Work_watch::never,
+  Work_watch watch(time_limit - session.seconds(),
                    [](const std::string&, double) { return !is_interruption_requested(); });
   try {
+    watch.begin("cutting it out of the mesh");
     std::optional<Mesh> rest = difference(mesh, obstacle, watch);
     if(rest && rest->is_empty()) refuse(file, "the obstacle leaves nothing of the mesh");
     if(!rest || !is_sound(*rest, watch))
@@ -42,7 +46,7 @@ Mesh without_obstacle(const Mesh& mesh, const Mesh& obstacle, const std::string&
                    "bounds no domain: it would touch itself");
     return std::move(*rest);
   } catch(const Work_stopped&) {
-    throw No_result(INTERRUPTED, file + ": interrupted, while cutting it out of the mesh");
+    throw unfinished(watch, file, time_limit);
   }
 }
 
@@ -65,15 +69,18 @@ void add_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>&
         "--repair");
 }
 
-void add_or_cut_out_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>& files)
+void add_or_cut_out_obstacles(Session& session,
+                              Mesh& mesh,
+                              const std::vector<std::string>& files,
+                              double time_limit)
 {
   for(const std::string& file : files) {
-    const Mesh obstacle = read_mended_mesh(session, file).mesh;
+    const Mesh obstacle = read_mended_mesh(session, file, {0, time_limit}).mesh;
     if(!CGAL::Polygon_mesh_processing::do_intersect(mesh, obstacle)) {
       add(mesh, obstacle, file);
       continue;
     }
-    mesh = without_obstacle(mesh, obstacle, file);
+    mesh = without_obstacle(session, mesh, obstacle, file, time_limit);
     session.console().note(file + ": cut out of the mesh, since it crosses or touches the surface");
   }
 }

@@ -19,9 +19,13 @@ namespace vfc {
 void add_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>& files);
 
 // Reads obstacles, mends them and adds them to a mesh; those that cross the mesh or other obstacles
-// are cut out. \throws Input_error if they cannot be read, if an obstacle is outside, or within or
-// around another one, or if the remainder is empty or touches itself
-void add_or_cut_out_obstacles(Session& session, Mesh& mesh, const std::vector<std::string>& files);
+// are cut out. The time limit is in seconds of the session. \throws Input_error if they cannot be
+// read, if an obstacle is outside, or within or around another one, or if the remainder is empty or
+// touches itself \throws No_result if the time is over or the user interrupts
+void add_or_cut_out_obstacles(Session& session,
+                              Mesh& mesh,
+                              const std::vector<std::string>& files,
+                              double time_limit);
 
 } // namespace vfc
 

@@ -10,7 +10,6 @@
 #include "meshes/read_mesh_soup.h"
 #include "options/numbers.h"
 #include "repair/repair_mesh.h"
-#include "session/No_result.h"
 #include "session/Progress.h"
 #include "session/Session.h"
 #include "session/interruption.h"
@@ -82,30 +81,22 @@ Mended_mesh read_and_mend(const std::string& file, double alpha, Work_watch& wat
   return result;
 }
 
-std::string reason_to_end(const Work_watch& watch, const Mending_options& options)
-{
-  return watch.is_interrupted() ? "interrupted"
-                                : "not mended within " + to_text(options.time_limit) + " s";
-}
-
 // The part of the time that is over stands for that of the work.
-Mended_mesh mend_in_time(const Console& console,
+Mended_mesh mend_in_time(const Session& session,
                          const std::string& file,
                          const Mending_options& options)
 {
-  Progress progress(console);
-  Work_watch watch(options.time_limit, [&](const std::string& step, double seconds) {
+  const double time_left = options.time_limit - session.seconds();
+  Progress progress(session.console());
+  Work_watch watch(time_left, [&](const std::string& step, double seconds) {
     if(progress.is_due())
-      progress.show(seconds / options.time_limit,
-                    step + ", " + std::to_string(std::lround(seconds)) + " s");
+      progress.show(seconds / time_left, step + ", " + std::to_string(std::lround(seconds)) + " s");
     return !is_interruption_requested();
   });
   try {
     return read_and_mend(file, options.alpha, watch);
   } catch(const Work_stopped&) {
-    throw No_result(watch.is_interrupted() ? INTERRUPTED : LIMIT_REACHED,
-                    file + ": " + reason_to_end(watch, options) + ", while " + watch.step() +
-                        "; nothing was written");
+    throw unfinished(watch, file, options.time_limit);
   }
 }
 
@@ -116,7 +107,7 @@ Mesh_and_defects read_mended_mesh(Session& session,
                                   const Mending_options& options)
 {
   poll_interruptions();
-  Mended_mesh mended = mend_in_time(session.console(), file, options);
+  Mended_mesh mended = mend_in_time(session, file, options);
   session.end_stage(mended.mending ? "mending" : "reading");
   if(mended.mending)
     report_mending(session, file, *mended.mending);
@@ -125,6 +116,14 @@ Mesh_and_defects read_mended_mesh(Session& session,
     session.console().note(file + ": there is nothing to mend");
   }
   return std::move(mended.mesh);
+}
+
+No_result unfinished(const Work_watch& watch, const std::string& file, double time_limit)
+{
+  const std::string reason =
+      watch.is_interrupted() ? "interrupted" : "not mended within " + to_text(time_limit) + " s";
+  return No_result(watch.is_interrupted() ? INTERRUPTED : LIMIT_REACHED,
+                   file + ": " + reason + ", while " + watch.step() + "; nothing was written");
 }
 
 } // namespace vfc

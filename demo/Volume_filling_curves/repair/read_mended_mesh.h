@@ -8,6 +8,8 @@
 #define VFC_READ_MENDED_MESH_H
 
 #include "files/mesh_files.h"
+#include "session/No_result.h"
+#include "session/Work_watch.h"
 
 #include <limits>
 #include <string>
@@ -17,7 +19,7 @@ namespace vfc {
 struct Mending_options
 {
   double alpha = 0;                                            // see repair_mesh()
-  double time_limit = std::numeric_limits<double>::infinity(); // in seconds
+  double time_limit = std::numeric_limits<double>::infinity(); // in seconds of the session
 };
 
 // Reads a mesh, and mends it by repair_mesh() if it has errors and all of them can be mended.
@@ -25,7 +27,11 @@ struct Mending_options
 // \throws No_result if the time is over or the user interrupts
 Mesh_and_defects read_mended_mesh(Session& session,
                                   const std::string& file,
-                                  const Mending_options& options = {});
+                                  const Mending_options& options);
+
+// Returns the exception for work on a file that was stopped by its watch: interrupted, or at the
+// time limit.
+No_result unfinished(const Work_watch& watch, const std::string& file, double time_limit);
 
 } // namespace vfc
 

@@ -267,6 +267,21 @@ TEST_F(Command_line_meshes, bad_obstacles_are_named)
   }
 }
 
+// An obstacle that comes out of a pipe when the time is over.
+TEST_F(Command_line_meshes, the_time_limit_holds_for_obstacles_too)
+{
+  make_files();
+  write("obstacle.obj", small_cube(1, 1));
+  for(const std::string command : {"repair cube.obj -o x.obj", "fill cube.obj --repair -o x.obj"}) {
+    const Finished late = run_after("rm -f late.obj && mkfifo late.obj && "
+                                    "{ (sleep 0.6; cat obstacle.obj >late.obj) & }",
+                                    command + " --obstacle late.obj --time-limit 0.5");
+    EXPECT_EQ(late.status, 2) << late.err;
+    EXPECT_NE(late.err.find("not mended within 0.5 s"), std::string::npos) << late.err;
+    EXPECT_FALSE(exists("x.obj"));
+  }
+}
+
 // a box from corner to corner
 std::string box(const std::array<double, 3>& low, const std::array<double, 3>& high)
 {
