@@ -179,8 +179,7 @@ int run(Session& session, const Fill_options& options)
   session.report()["input"] = options.mesh;
   session.report()["seed"] = options.parameters.random_seed;
   plan_files(session, options);
-  read_ports(options.ports); // these two complain before any work starts
-  read_volume_shares(options.volume_shares);
+  read_ports(options.ports); // complains before any work starts
   const curves::Run_state state = read_run_state(options.saving);
   return is_polygon_file(options.mesh) ? fill_polygons(session, options, state)
                                        : fill_mesh(session, options, state);

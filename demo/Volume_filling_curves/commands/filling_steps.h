@@ -75,7 +75,6 @@ Filling_result fill(Session& session,
   // the rest after reading and mending
   parameters.time_limit = (std::max)(0., parameters.time_limit - session.seconds());
   if(!options.ports.empty()) parameters.ports = read_ports(options.ports);
-  parameters.volume_shares = read_volume_shares(options.volume_shares);
   parameters.thickness_field = field;
   parameters.direction_field = directions;
   if(!options.certificate.empty()) parameters.certificate = &certificate;

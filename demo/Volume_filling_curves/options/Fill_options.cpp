@@ -7,6 +7,7 @@
 #include "options/Fill_options.h"
 
 #include "options/Command_line.h"
+#include "options/numbers.h"
 #include "options/ports.h"
 
 namespace vfc {
@@ -80,6 +81,16 @@ void add_direction_options(CLI::App& command, Fill_options& options)
       .needs(&field);
 }
 
+// Reads "A,B,...".
+std::vector<double> read_volume_shares(const std::string& text)
+{
+  std::vector<double> shares;
+  for(const std::string& item : items_of_list(text))
+    if(!parse(item, shares.emplace_back()) || !(shares.back() > 0))
+      throw CLI::ValidationError("--volume-shares", "'" + item + "' is not a positive number");
+  return shares;
+}
+
 // The start of the curve.
 void add_start_options(CLI::App& command, Fill_options& options)
 {
@@ -88,8 +99,11 @@ void add_start_options(CLI::App& command, Fill_options& options)
                "curve to start from, inside MESH; default: a small circle in the widest ball");
   add_port_option(command, options.ports).excludes(&curve);
   command
-      .add_option(
-          "--volume-shares", options.volume_shares,
+      .add_option_function<std::string>(
+          "--volume-shares",
+          [&shares = options.parameters.volume_shares](const std::string& text) {
+            shares = read_volume_shares(text);
+          },
           "shares of the volume for the components of CURVE, or for the arcs between ports, "
           "of which only the ratios matter; default: equal shares")
       ->type_name("A,B,...");

@@ -27,7 +27,6 @@ struct Fill_options
   std::vector<std::string> obstacles;
   std::string start; // a curve file, or empty for a circle at the widest place
   std::vector<std::string> ports;
-  std::string volume_shares;
   std::string symmetry;
   std::string thickness_field; // a file
   std::string direction_field; // a file, or a vector

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace vfc {
@@ -23,11 +23,8 @@ namespace {
 std::vector<double> numbers(const std::string& list)
 {
   std::vector<double> result;
-  std::istringstream items(list + ',');
-  for(std::string item; std::getline(items, item, ',');) {
-    result.emplace_back();
-    if(!parse(item, result.back())) return {};
-  }
+  for(const std::string& item : items_of_list(list))
+    if(!parse(item, result.emplace_back())) return {};
   return result;
 }
 

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <string>
 #include <unordered_map>
-#include <vector>
 
 namespace vfc {
 namespace {
@@ -35,24 +34,12 @@ std::size_t find_node(const Node_of_number& node_of_number, const std::string& t
   return found->second;
 }
 
-// Also the empty ones: a list that ends with a comma may have lost a number.
-std::vector<std::string> items(const std::string& list)
-{
-  std::vector<std::string> result(1);
-  for(const char c : list)
-    if(c == ',')
-      result.emplace_back();
-    else
-      result.back() += c;
-  return result;
-}
-
 } // namespace
 
 void pin_nodes(Curve& curve, const std::string& list)
 {
   const Node_of_number node_of_number = nodes_by_number(curve);
-  for(const std::string& item : items(list)) {
+  for(const std::string& item : items_of_list(list)) {
     if(item == "ends")
       curve.pin_ends();
     else

@@ -14,20 +14,8 @@
 
 #include <array>
 #include <cstddef>
-#include <sstream>
 
 namespace vfc {
-namespace {
-
-// Returns the index of the n-th comma, or npos.
-std::size_t comma(const std::string& text, int n)
-{
-  std::size_t k = text.find(',');
-  while(--n > 0 && k != std::string::npos) k = text.find(',', k + 1);
-  return k;
-}
-
-} // namespace
 
 CLI::Option& add_port_option(CLI::App& command, std::vector<std::string>& texts)
 {
@@ -41,22 +29,11 @@ CLI::Option& add_port_option(CLI::App& command, std::vector<std::string>& texts)
               ->type_name("X,Y,Z[,NX,NY,NZ]");
 }
 
-std::vector<double> read_volume_shares(const std::string& text)
-{
-  std::vector<double> shares;
-  if(text.empty()) return shares;
-  std::istringstream numbers(text + ',');
-  for(std::string number; std::getline(numbers, number, ',');)
-    if(!parse(number, shares.emplace_back()) || !(shares.back() > 0))
-      throw Usage_error("--volume-shares: '" + number + "' is not a positive number");
-  return shares;
-}
-
 Ports read_ports(const std::vector<std::string>& texts)
 {
   Ports ports;
   for(const std::string& text : texts) {
-    const std::size_t end = comma(text, 3);
+    const std::size_t end = find_comma(text, 3);
     std::array<double, 3> place, direction{0, 0, 0};
     const bool is_read =
         parse_vector(text.substr(0, end), place) &&

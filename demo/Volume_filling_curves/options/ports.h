@@ -25,9 +25,6 @@ using Ports = std::vector<CGAL::Volume_filling_curves::Port<Curve::Point_3>>;
 
 CLI::Option& add_port_option(CLI::App& command, std::vector<std::string>& texts);
 
-// Reads "A,B,...", or nothing. \throws Usage_error
-std::vector<double> read_volume_shares(const std::string& text);
-
 // Reads "X,Y,Z" or "X,Y,Z,NX,NY,NZ". \throws Usage_error
 Ports read_ports(const std::vector<std::string>& texts);
 

@@ -260,7 +260,7 @@ TEST_F(Command_line_fill, arcs_divide_the_volume_by_their_shares)
   const std::string curve = read("c.obj");
   const std::size_t second = curve.rfind("\nl ");
   EXPECT_GT(curve.size() - second, 2 * (second - curve.find("\nl "))) << "lines of node numbers";
-  for(const std::string wrong : {"1", "1,2,3", "1,0", "1,-2", "1,x", "1,inf", "1,,2", "1,2,"})
+  for(const std::string wrong : {"1", "1,2,3", "1,0", "1,-2", "1,x", "1,inf", "1,,2", "1,2,", "''"})
     EXPECT_NE(run(fill + wrong + " --force").err.find("shares"), std::string::npos) << wrong;
 }
 
