@@ -107,7 +107,7 @@ CLI::Validator number_check(Range range)
 CLI::Validator file_check()
 {
   return CLI::Validator(
-      [](std::string& file) { return file.empty() ? "a name is missing" : std::string(); }, "");
+      [](std::string& file) { return file.empty() ? "a value is missing" : std::string(); }, "");
 }
 
 CLI::Validator whole_number_check(std::size_t least, std::size_t most)

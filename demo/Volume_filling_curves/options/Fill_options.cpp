@@ -58,8 +58,8 @@ void add_shape_options(CLI::App& command, Fill_options& options)
 // A curve with the symmetry of its domain.
 void add_symmetry_option(CLI::App& command, Fill_options& options)
 {
-  CLI::Option& symmetry = *command.add_option(
-      "--symmetry", options.symmetry,
+  CLI::Option& symmetry = add_file(
+      command, "--symmetry", options.symmetry,
       "fill one sector of MESH with an arc, and add its images: mirror, half of MESH, at a plane; "
       "rotation:K, a K-th of a turn about an axis; the numbers are a point and the normal of the "
       "plane or the direction of the axis; default: the middle of the box, normal x, direction z");
@@ -70,8 +70,8 @@ void add_symmetry_option(CLI::App& command, Fill_options& options)
 
 void add_direction_options(CLI::App& command, Fill_options& options)
 {
-  CLI::Option& field = *command.add_option(
-      "--direction-field", options.direction_field,
+  CLI::Option& field = add_file(
+      command, "--direction-field", options.direction_field,
       "direction for strands to follow: a vector x,y,z, a PLY file with the vertex properties "
       "direction_x, direction_y and direction_z, or a CSV file with a vector per vertex of MESH; "
       "sign and length do not matter, and zero means no preference");

@@ -35,6 +35,7 @@ void add_batch_options(CLI::App& command,
   const std::string argument = input.get_name();
   const auto start_batch = [&options, &input, &command_line, files,
                             writes_curves](const std::string& list) {
+    if(list.empty()) throw CLI::ValidationError("--batch", "a value is missing");
     options.list = list;
     if(!writes_curves) options.format.clear();
     input.required(false); // is asked for only after all options were read

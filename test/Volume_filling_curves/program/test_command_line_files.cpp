@@ -79,7 +79,7 @@ TEST_F(Command_line_files, nothing_partial_is_left)
   EXPECT_EQ(files, std::set<std::string>({"bad.obj", "out", "err"}));
 }
 
-TEST_F(Command_line_files, a_name_that_is_empty_is_a_wrong_option)
+TEST_F(Command_line_files, a_value_that_is_empty_is_a_wrong_option)
 {
   make_trefoil();
   for(const std::string option : {"-o ''", "--report ''", "--report=", "--map ''", "--frames ''"}) {
@@ -87,7 +87,15 @@ TEST_F(Command_line_files, a_name_that_is_empty_is_a_wrong_option)
     EXPECT_EQ(wrong.status, 1) << option;
     EXPECT_NE(wrong.err.find("--"), std::string::npos) << wrong.err;
   }
+  write("mesh.off", "OFF\n");
+  for(const std::string option :
+      {"--symmetry", "--direction-field", "--volume-shares", "--port", "--obstacle"}) {
+    const Finished wrong = run("fill mesh.off -o x.obj --thickness 1 " + option + " ''");
+    EXPECT_EQ(wrong.status, 1) << option;
+    EXPECT_NE(wrong.err.find(option), std::string::npos) << wrong.err;
+  }
   EXPECT_EQ(run("untangle ''").status, 1);
+  EXPECT_EQ(run("untangle --batch '' -o results").status, 1);
   EXPECT_EQ(run("draw trefoil.obj -o ''").status, 1);
 }
 
