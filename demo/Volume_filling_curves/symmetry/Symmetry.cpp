@@ -7,6 +7,7 @@
 #include "symmetry/Symmetry.h"
 
 #include "meshes/vertex_values.h"
+#include "options/numbers.h"
 #include "session/errors.h"
 
 #include <algorithm>
@@ -38,16 +39,18 @@ std::size_t parsed_order(const std::string& text)
   return order < 2 || order > max_order ? 0 : order;
 }
 
-std::size_t comma_of_direction(const std::string& text)
-{
-  std::size_t k = text.find(',');
-  for(int n = 1; n < 3 && k != std::string::npos; ++n) k = text.find(',', k + 1);
-  return k;
-}
-
+// Scales by a power of two first, since the square of a component may leave the range of numbers.
 Symmetry::Vector unit(const Symmetry::Vector& v)
 {
-  return v / std::sqrt(v.squared_length());
+  const int exponent = -std::ilogb((std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())}));
+  const auto scaled = [&](double x) { return std::scalbn(x, exponent); };
+  const Symmetry::Vector w(scaled(v.x()), scaled(v.y()), scaled(v.z()));
+  return w / std::sqrt(w.squared_length());
+}
+
+bool is_finite(const Symmetry::Point& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
 } // namespace
@@ -66,18 +69,19 @@ Symmetry::Symmetry(const std::string& text, const CGAL::Bbox_3& box)
     if(m_order == 0) complain(text);
     rest = text.substr(end);
   }
-  std::array<double, 3> p{(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
-                          (box.zmin() + box.zmax()) / 2};
+  const Point middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                     (box.zmin() + box.zmax()) / 2);
+  std::array<double, 3> p{middle.x(), middle.y(), middle.z()};
   std::array<double, 3> d{m_is_mirror ? 1. : 0., 0, m_is_mirror ? 0. : 1.};
   if(!rest.empty()) {
-    const std::size_t end = comma_of_direction(rest);
+    const std::size_t end = find_comma(rest, 3);
     if(rest[0] != ':' || end == std::string::npos || !parse_vector(rest.substr(1, end - 1), p) ||
        !parse_vector(rest.substr(end + 1), d))
       complain(text);
   }
   m_origin = Point(p[0], p[1], p[2]);
   const Vector direction(d[0], d[1], d[2]);
-  if(!(direction.squared_length() > 0)) complain(text);
+  if(direction == CGAL::NULL_VECTOR) complain(text);
   m_direction = unit(direction);
   // the coordinate axis that is the least parallel to the direction
   const Vector axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -86,6 +90,8 @@ Symmetry::Symmetry(const std::string& text, const CGAL::Bbox_3& box)
     if(std::abs(axis * m_direction) < std::abs(across * m_direction)) across = axis;
   m_across = unit(across - (across * m_direction) * m_direction);
   m_sideways = CGAL::cross_product(m_direction, m_across);
+  if(!is_finite(image(middle, 1)))
+    throw Usage_error("--symmetry: " + text + ": is too far from the mesh");
 }
 
 Symmetry::Point Symmetry::image(const Point& p, std::size_t k) const

@@ -81,6 +81,22 @@ TEST_F(Command_line_symmetry, planes_and_axes_may_lie_anywhere)
   EXPECT_EQ(nodes[nodes.size() / 2], (Point{nodes[0][0], -nodes[0][1], -nodes[0][2]}));
 }
 
+TEST_F(Command_line_symmetry, the_length_of_a_normal_does_not_matter)
+{
+  const std::string fill = "fill box.off --preview --thickness .25 --max-iterations 1 --force "
+                           "--symmetry mirror:0,0,0,";
+  run(fill + "1,0,0 -o one.obj");
+  ASSERT_FALSE(points("one.obj").empty());
+  for(const std::string length : {"1e200", "1e-200", "5e-324", "1.7e308"}) {
+    EXPECT_EQ(run(fill + length + ",0,0 -o c.obj").status, 2) << length;
+    EXPECT_EQ(read("c.obj"), read("one.obj")) << length;
+  }
+  const Finished far =
+      run("fill box.off --thickness .25 -o f.obj --symmetry mirror:1e308,0,0,1,0,0");
+  EXPECT_EQ(far.status, 1);
+  EXPECT_NE(far.err.find("--symmetry"), std::string::npos) << far.err;
+}
+
 TEST_F(Command_line_symmetry, thirds_of_a_torus_are_alike)
 {
   const Finished fill =
