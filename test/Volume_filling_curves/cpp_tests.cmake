@@ -55,8 +55,8 @@ endfunction()
 
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.cpp)
 if(NOT TARGET vfc_parts)
-  list(FILTER sources EXCLUDE REGEX
-    "/(arc_files|film|formats|meshes|pictures|repair|resampling)/") # modules of the program vfc
+  list(FILTER sources EXCLUDE REGEX # modules of the program vfc
+    "/(arc_files|film|formats|meshes|pictures|repair|resampling|symmetry)/")
 endif()
 if(VFC_UNITY_BUILD)
   # A unit for the tests that instantiate the same templates, by what they include: fill(), runs of

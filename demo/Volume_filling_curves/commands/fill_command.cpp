@@ -20,11 +20,14 @@
 #include "options/vertex_fields.h"
 #include "repair/obstacles.h"
 #include "repair/read_mended_mesh.h"
+#include "session/Patience.h"
 #include "symmetry/images.h"
 #include "symmetry/sector.h"
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 
+#include <algorithm>
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -95,7 +98,28 @@ int fill_domain(Session& session,
   const Filling_result result =
       filling::fill(session, curve, domain, field, directions, options, state, certificate);
   write_certificate_and_start(options, certificate, result);
-  return filling::finish(session, options, curve, domain, directions, result);
+  filling::write(session, options, curve, result);
+  return filling::report(session, options, curve, domain, directions, result);
+}
+
+// Returns the curve of an arc and its images. If there is none, writes the arc: it is certified,
+// and may have taken long.
+Curve closed_up_or_kept(const Session& session,
+                        const Fill_options& options,
+                        const Curve& arc,
+                        double thickness,
+                        const Ports& ports,
+                        const Symmetry& symmetry,
+                        const Domain& domain)
+{
+  try {
+    return closed_up(arc, ports, symmetry, domain, options.mesh);
+  } catch(const std::exception&) {
+    filling::write_result(options, arc, thickness);
+    if(!options.output.empty())
+      session.console().warn(options.output + ": holds the arc in its sector, without its images");
+    throw;
+  }
 }
 
 // Fills one sector of a mesh, and closes the arc up with its images.
@@ -122,9 +146,12 @@ int fill_sector(Session& session,
     write_curve(files.end, arc);
     Output_files::write(files.domain, to_text(sector.mesh, ".off"));
   }
-  const Curve curve = closed_up(arc, sector.ports, symmetry, whole, options.mesh);
-  measure_again(result, curve, whole, options.parameters);
-  return filling::finish(session, options, curve, whole, directions, result);
+  const Curve curve =
+      closed_up_or_kept(session, options, arc, result.thickness, sector.ports, symmetry, whole);
+  filling::write(session, options, curve, result); // before measuring, which may be interrupted
+  const Patience patience((std::max)(0., options.parameters.time_limit - session.seconds()));
+  measure_again(result, curve, whole, options.parameters, patience);
+  return filling::report(session, options, curve, whole, directions, result);
 }
 
 // Options that are for meshes: files with values at their vertices, and what changes them.

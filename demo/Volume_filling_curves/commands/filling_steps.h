@@ -120,20 +120,28 @@ inline void write_result(const Fill_options& options, const Curve& curve, double
     write_curve(options.output, curve, thickness);
 }
 
-// Writes and reports a curve that fills a domain.
-template <typename Domain>
-int finish(Session& session,
-           const Fill_options& options,
-           const Curve& curve,
-           const Domain& domain,
-           const Direction_field& directions,
-           const Filling_result& result)
+// Writes a curve that fills a domain.
+inline void write(Session& session,
+                  const Fill_options& options,
+                  const Curve& curve,
+                  const Filling_result& result)
 {
   note_thickness(session, options, result);
   report_stages(session, result.statistics);
   write_result(options, curve, result.thickness);
   write_map(options.film.map, options.output, curve);
   session.end_stage("writing");
+}
+
+// Measures and reports it, and returns the exit status.
+template <typename Domain>
+int report(Session& session,
+           const Fill_options& options,
+           const Curve& curve,
+           const Domain& domain,
+           const Direction_field& directions,
+           const Filling_result& result)
+{
   const bool is_out_of_time = session.seconds() >= options.parameters.time_limit;
   if(session.has_report()) report_filling(session.report(), curve, domain, result, is_out_of_time);
   if(directions && !is_out_of_time)

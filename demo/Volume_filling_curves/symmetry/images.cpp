@@ -7,6 +7,7 @@
 #include "symmetry/images.h"
 
 #include "reports/containment.h"
+#include "session/interruption.h"
 
 #include <CGAL/Volume_filling_curves/coverage.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
@@ -16,11 +17,14 @@
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -51,6 +55,70 @@ double unfilled_fraction_of_whole(const Samples& samples,
   return unfilled.fraction(distances, [=](const Point&) { return thickness; });
 }
 
+void measure_coverage(Filling_result& result,
+                      const Curve& curve,
+                      const Domain& domain,
+                      const Filling_parameters& parameters,
+                      curves::internal::Run_watch& watch)
+{
+  const auto go_further = [&] {
+    watch.check();
+    return true;
+  };
+  const Samples samples(domain, Samples::default_number, 0, Curve::Traits(), go_further);
+  const auto distances = curves::sample_distances<Concurrency>(curve, samples);
+  result.coverage = curves::coverage(samples, distances, result.thickness);
+  result.uncovered_fraction = curves::unfilled_fraction(samples, distances, result.thickness);
+  result.unfilled_fraction =
+      unfilled_fraction_of_whole(samples, distances, result.thickness, parameters);
+}
+
+template <typename NamedParameters>
+void measure_shape(Filling_result& result,
+                   const Curve& curve,
+                   const Domain& domain,
+                   const NamedParameters& np)
+{
+  const auto bend = curves::tightest_bend(curve);
+  result.min_bend_radius = bend.radius;
+  result.tightest_node = bend.node;
+  const auto strands = curves::min_strand_distance(curve, result.thickness, np);
+  result.min_strand_distance = strands.distance;
+  result.closest_points = strands.points;
+  const auto wall = curves::min_wall_distance<Concurrency>(curve, domain, np);
+  result.min_wall_distance = wall.distance;
+  result.point_nearest_to_wall = wall.point;
+  result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness, np);
+}
+
+// Those of the arc do not hold for the curve.
+void forget_measures(Filling_result& result)
+{
+  const Filling_result unknown;
+  result.coverage = unknown.coverage;
+  result.uncovered_fraction = result.unfilled_fraction = std::numeric_limits<double>::quiet_NaN();
+  result.are_empty_regions_known = false;
+  result.empty_regions.clear();
+  result.necks.clear();
+  result.min_bend_radius = unknown.min_bend_radius;
+  result.min_strand_distance = unknown.min_strand_distance;
+  result.min_wall_distance = unknown.min_wall_distance;
+  result.crowded_fraction = unknown.crowded_fraction;
+}
+
+bool has_settled(const Filling_result& result)
+{
+  return result.status == curves::Filling_status::CONVERGED ||
+         result.status == curves::Filling_status::PARTIAL;
+}
+
+void end_early(Filling_result& result)
+{
+  result.status = is_interruption_requested() ? curves::Filling_status::INTERRUPTED
+                                              : curves::Filling_status::LIMIT;
+  result.reason = "there was no time to measure the curve of all images";
+}
+
 // What is tolerable in a sector may not be so in the whole.
 void compare_with_tolerances(Filling_result& result)
 {
@@ -68,17 +136,14 @@ void compare_with_limits(Filling_result& result,
                          const Curve& curve,
                          const Filling_parameters& parameters)
 {
-  using curves::Filling_status;
   const auto goal = curves::internal::shape_goal(parameters);
-  const bool has_settled =
-      result.status == Filling_status::CONVERGED || result.status == Filling_status::PARTIAL;
-  if(!goal.is_given() || !has_settled) return;
+  if(!goal.is_given() || !has_settled(result)) return;
   const std::vector<double> thickness(curve.number_of_nodes(), result.thickness);
   const curves::internal::Shape_check check(Concurrency(), curve,
                                             curves::internal::Shape_limits(curve, goal, thickness));
   result.shape_excesses = curves::internal::shape_excesses<Point>(check, curve.traits());
   if(result.shape_excesses.empty()) return;
-  result.status = Filling_status::CONSTRAINT_NOT_REACHED;
+  result.status = curves::Filling_status::CONSTRAINT_NOT_REACHED;
   result.reason = curves::internal::shape_reason(result.shape_excesses) +
                   (result.reason.empty() ? "" : "; ") + result.reason;
 }
@@ -111,29 +176,22 @@ Curve closed_up(const Curve& arc,
 void measure_again(Filling_result& result,
                    const Curve& curve,
                    const Domain& domain,
-                   const Filling_parameters& parameters)
+                   const Filling_parameters& parameters,
+                   const Progress_function& progress)
 {
-  const Samples samples(domain);
-  const auto distances = curves::sample_distances<Concurrency>(curve, samples);
-  result.coverage = curves::coverage(samples, distances, result.thickness);
-  result.uncovered_fraction = curves::unfilled_fraction(samples, distances, result.thickness);
-  result.are_empty_regions_known = false;
-  result.empty_regions.clear();
-  result.necks.clear();
-  const auto bend = curves::tightest_bend(curve);
-  result.min_bend_radius = bend.radius;
-  result.tightest_node = bend.node;
-  const auto strands = curves::min_strand_distance(curve, result.thickness);
-  result.min_strand_distance = strands.distance;
-  result.closest_points = strands.points;
-  const auto wall = curves::min_wall_distance<Concurrency>(curve, domain);
-  result.min_wall_distance = wall.distance;
-  result.point_nearest_to_wall = wall.point;
-  result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness);
-  result.unfilled_fraction =
-      unfilled_fraction_of_whole(samples, distances, result.thickness, parameters);
-  compare_with_tolerances(result);
-  compare_with_limits(result, curve, parameters);
+  forget_measures(result);
+  const auto np = curves::parameters::progress(progress);
+  try {
+    curves::internal::measured(np, [&](curves::internal::Run_watch* watch) {
+      const curves::internal::Watched_scope scope(watch);
+      measure_coverage(result, curve, domain, parameters, *watch);
+      measure_shape(result, curve, domain, np);
+      compare_with_tolerances(result);
+      compare_with_limits(result, curve, parameters);
+    });
+  } catch(const curves::Run_interrupted&) {
+    if(has_settled(result)) end_early(result);
+  }
 }
 
 } // namespace vfc

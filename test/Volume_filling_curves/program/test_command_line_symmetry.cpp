@@ -97,6 +97,24 @@ TEST_F(Command_line_symmetry, the_length_of_a_normal_does_not_matter)
   EXPECT_NE(far.err.find("--symmetry"), std::string::npos) << far.err;
 }
 
+// All corners of the plate are near the walls, so that the mesh passes for a symmetric one, but the
+// images of strands cross it.
+TEST_F(Command_line_symmetry, an_arc_whose_images_do_not_fit_is_written_alone)
+{
+  write("plate.off", "OFF\n8 12 0\n-1.001 -.999 -.999\n-1 -.999 -.999\n-1 .999 -.999\n"
+                     "-1.001 .999 -.999\n-1.001 -.999 .999\n-1 -.999 .999\n-1 .999 .999\n"
+                     "-1.001 .999 .999\n3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n"
+                     "3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  const Finished fill = run("fill box.off --obstacle plate.off --preview --thickness .25 "
+                            "--symmetry mirror --max-iterations 3 -o c.obj");
+  EXPECT_EQ(fill.status, 4) << fill.err;
+  EXPECT_NE(fill.err.find("c.obj: holds the arc in its sector"), std::string::npos) << fill.err;
+  const std::vector<Point> arc = points("c.obj");
+  ASSERT_FALSE(arc.empty());
+  EXPECT_TRUE(std::all_of(arc.begin(), arc.end(), [](const Point& p) { return p[0] > 0; }));
+  EXPECT_EQ(run("check c.obj box.off").status, 0);
+}
+
 TEST_F(Command_line_symmetry, thirds_of_a_torus_are_alike)
 {
   const Finished fill =
