@@ -15,6 +15,7 @@
 #include "session/errors.h"
 #include "session/interruption.h"
 #include "session/run_command.h"
+#include "session/standard_streams.h"
 
 #include "commit.h"
 
@@ -71,6 +72,7 @@ int run(const Command_line& command_line)
 
 int run_program(int argc, char** argv)
 {
+  reserve_standard_streams();
   handle_signals();
   set_commit(vfc_commit);
   Command_line command_line;

@@ -13,6 +13,7 @@
 
 #include "support/program_test_support.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -226,6 +227,20 @@ TEST_F(Command_line_batch, files_that_would_overwrite_others_are_refused)
   EXPECT_FALSE(exists("x"));
   write("list", "b.obj\nresults.obj\n");
   EXPECT_EQ(run("simplify --batch list -o y").status, 0);
+}
+
+// The file of the results would have taken the place of the closed stream.
+TEST_F(Command_line_batch, messages_to_closed_streams_do_not_enter_the_results)
+{
+  make_curves();
+  for(const std::string closed : {"2>&-", "<&-", "<&- 2>&-"}) {
+    fs::remove_all(path("closed"));
+    const std::string command =
+        "cd '" + path(".").string() +
+        "' && '" VFC_PROGRAM "' simplify --batch list -o closed >out 2>err " + closed;
+    EXPECT_EQ(std::system(command.c_str()), 0) << closed;
+    EXPECT_EQ(results("closed").size(), 2u) << closed;
+  }
 }
 
 TEST_F(Command_line_batch, an_exit_status_that_there_is_not_is_refused)
