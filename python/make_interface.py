@@ -9,10 +9,12 @@ make_interface.py FOLDER    writes enumerations.h, results.h, vfc/_results.py, v
                             the stub vfc/__init__.pyi into the folder"""
 
 import ast
+import math
 import pathlib
 import re
 import sys
 import textwrap
+from functools import cache
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "doc/Volume_filling_curves"))
@@ -40,28 +42,91 @@ FIELD_TYPES = {
     # of functions of a point; arrays have a row per vertex of the mesh
     "std::function<double(const Point_3&)>": "Callable[[Any], float] | Sequence[float]",
     "std::function<Vector_3(const Point_3&)>": "Callable[[Any], Any] | Sequence[Any]"}
-TYPES = {"double": "float", "std::size_t": "int", "int": "int", "bool": "bool", "std::string": "str"}
+TYPES = {"double": "float", "std::size_t": "int", "std::uint32_t": "int", "int": "int",
+         "bool": "bool", "std::string": "str"}
+MEASURES = "Curve_measures"  # whose members are described at the functions of the same names
+IN_PYTHON = {  # what the headers say of C++: what Python's users need
+    " if the `ConcurrencyTag` allows it": "",
+    ", see `Search_progress`": "",
+    ", unless there is a `checkpoint`": "",
+    "`default_thickness()` in `untangle()`, and see `Filling_parameters` for `fill()`":
+        "in `fill()`, a quarter of the radius of the widest ball inside, or more if the curve would "
+        "have over 200,000 nodes",
+    ", a `std::array<double, 3>` or any type with members `x()`, `y()` and `z()`": "",
+    "a `Curve_flow_3`": "a flow",
+    "the final `Curve_flow_3::gradient_norm()`": "the gradient of the flow at the end, dimensionless",
+    "The final `Curve_flow_3::gradient_norm()`": "The gradient of the flow at the end, dimensionless",
+    "`Curve_flow_3::gradient_norm()`": "the `UntanglingResult.gradient_norm`",
+    "`Curve_flow_3::loose_share()`": "the share of loose contacts and bends",
+    "the visitor asked to stop": "the function `progress` returned `False`",
+    "`verify_certificate()`": "`verify()`",
+    "an `alignment()` of": "an alignment of",
+    "as defined by `untangle()`, is": "by rays from its ends to infinity, is",
+    "The chirality of a knot or link with a name.":
+        "Whether a knot or link with a name is isotopic to its mirror image.",
+    "the node of the curve that has it": "the index, among the points of all curves, of the one that has it",
+    "the node at the corner": "the index, among the points of all curves, of that at the corner",
+    "the last node before it": "that of the last point before it",
+    "the node of the strand that is met": "the index of a point of the strand that is met",
+    "`data/prime_links.txt`": "data/prime_links.txt"}
+used_phrases = set()
 
 
+@cache
 def enumerations():
-    """Each enumeration of the library with its enumerators."""
+    """Each enumeration of the library: its enumerators, with the word and the meaning of each."""
     found = {}
     for name, body in re.findall(r"^enum class (\w+)\n{\n(.*?)\n};", named_parameters.sources(), re.S | re.M):
-        values = re.findall(r"\b([A-Z][A-Z0-9_]*)\b(?= *(?:,|///|\n|$))", re.sub(r"//.*", "", body))
-        found[name] = values
+        said = re.search(rf"^inline const char\* to_string\({name} .*?^}}", named_parameters.sources(), re.S | re.M)
+        words = dict(re.findall(r'(?:case \w+::(\w+)|default):\s*return "(.*?)"', said[0] if said else ""))
+        entries = re.findall(r"^  ([A-Z]\w*),? *(///< .*(?:\n +///< .*)*)?", body, re.M)
+        found[name] = {value: (words.get(value) or words.get("") or value.lower().replace("_", " "),
+                               " ".join(re.findall(r"///< (.*)", comment))) for value, comment in entries}
     return found
+
+
+def word(enumerator, enumeration=None):
+    """An enumerator as a word in quotes; those of the same name in other enumerations have the same."""
+    known = enumerations()
+    owners = [enumeration] if enumeration in known else known
+    found = {known[owner][enumerator][0] for owner in owners if enumerator in known[owner]}
+    if len(found) != 1:
+        raise SystemExit(f"{enumerator} is none of the enumerators, or has several words: {found}")
+    return f"`'{found.pop()}'`"
 
 
 def plain(text):
     """A comment of a header as plain text."""
+    text = re.sub(r"\s+", " ", text)
+    for cpp, python in IN_PYTHON.items():
+        if cpp in text:
+            used_phrases.add(cpp)
+            text = text.replace(cpp, python)
     text = re.sub(r"\\ref \w+", "manual", text)
-    text = re.sub(r"`\w+::([A-Z][A-Z_0-9]+)`", lambda m: "`'" + m[1].lower() + "'`", text)
-    text = re.sub(r"`([A-Z][A-Z_0-9]+)`", lambda m: "`'" + m[1].lower() + "'`", text)
+    text = re.sub(r"`(\w+)::([A-Z][A-Z_0-9]+)`", lambda m: word(m[2], m[1]), text)
+    text = re.sub(r"`([A-Z][A-Z_0-9]+)`", lambda m: word(m[1]), re.sub(r"`([A-Z])`", r"\1", text))
     text = re.sub(r"`(\w+)::(\w+(?:\(\))?)`",
                   lambda m: f"`{RESULTS[m[1]]}.{m[2]}`" if m[1] in RESULTS else f"`{m[2]}`", text)
     text = re.sub(r"`(true|false)`", lambda m: f"`{m[1].title()}`", text)
-    text = re.sub(r"\\f\$(.*?)\\f\$", lambda m: m[1].replace("\\", ""), text)
-    return re.sub(r"\s+", " ", text.replace("\\cgal", "CGAL")).strip()
+    text = re.sub(r"[,;]? see `(\w+)\(\)`", lambda m: m[0] if m[1] in OPTIONS else "", text)
+    text = re.sub(r"`(\w+)\(\)`", lambda m: f"`{RESULTS[MEASURES]}.{m[1]}`"
+                  if m[1] in dict.fromkeys(own_members(MEASURES)) else m[0], text)
+    text = re.sub(r"\\f\$(.*?)\\f\$", lambda m: re.sub(r"\\(left|right)?", "", m[1]), text)
+    return re.sub(r" ?\\cgalCite{.*?}", "", text).replace("\\cgal", "CGAL").strip()
+
+
+@cache
+def own_members(name):
+    return tuple(re.findall(r"^  [\w:<>, ]+? (\w+)(?: = [^;]*)?;",
+                            re.search(rf"struct {name}\n{{\n(.*?)\n}};", named_parameters.sources(), re.S)[1], re.M))
+
+
+def of_function(name):
+    """What a function of the headers returns, in its first paragraph, without the time it takes."""
+    before = re.search(rf"\A.*?\[\[nodiscard\]\] [^;{{(]*\b{name}\(", named_parameters.sources(), re.S)[0]
+    comment = re.findall(r"^(?:///| \*) returns (.*\n(?:(?:///| \*) [^\\\n].*\n)*)", before, re.M)[-1]
+    text = " ".join(line.strip(" /*") for line in comment.splitlines())
+    return plain(re.sub(r" (?:Takes|Linear)[^.]* time\b[^.]*\.", "", text).rstrip("."))
 
 
 def members(name):
@@ -80,16 +145,18 @@ def members(name):
             found[-1][2].append(more[1])
         elif line.strip():
             comment = []
-    return [(kind, member, plain(" ".join(text))) for kind, member, text in found if text]
+    return [(kind, member, of_function(member) if text == [f"see `{member}()`"] else plain(" ".join(text)))
+            for kind, member, text in found if text]
 
 
 def summary(name):
     """The first sentence of the comment of a struct."""
     before = named_parameters.sources().partition(f"\nstruct {name}\n")[0]
-    block = re.search(r"((?:///.*\n)+|/\*!\n(?: \*.*\n)+)(?:template <[^>]*>\n?)?$", before + "\n")
+    block = re.search(r"((?:///.*\n)+|/\*!\n(?: \*.*\n)+)(?:template <.*>\n?)?$", before + "\n")
     text = " ".join(re.sub(r"^ ?(///|/\*!|\*/?) ?", "", line) for line in block[1].splitlines()) if block else ""
     text = plain(re.sub(r"\\(ingroup|headerfile) \S+|\\brief", "", text))
-    return re.split(r"(?<=\.) ", text)[0]
+    text = re.sub(r"^The struct `\w+` (?:is )?", "", re.split(r"(?<=\.) ", text)[0])
+    return text[:1].upper() + text[1:]
 
 
 def is_in_arrays(kind):
@@ -101,12 +168,27 @@ def python_type(kind):
         return TYPES[kind]
     if kind in RESULTS:
         return RESULTS[kind]
-    if inner := re.match(r"std::vector<(.*)>$", kind):
-        item = python_type(inner[1])
-        return item if is_in_arrays(inner[1]) else f"list[{item}]"
+    if kind in enumerations():
+        return literal(kind)
     if inner := re.match(r"(\w+)<(?:Point_3)?>$", kind):
         return RESULTS[inner[1]]
-    return "np.ndarray" if "Point" in kind else "str"
+    if re.fullmatch(r"(std::vector<|std::array<)?Point_3(>|, \d+>)?", kind):
+        return "np.ndarray"
+    if inner := re.match(r"std::(?:vector<(.*)>|array<(.*), \d+>)$", kind):
+        inner = inner[1] or inner[2]
+        return python_type(inner) if is_in_arrays(inner) else f"list[{python_type(inner)}]"
+    raise SystemExit(f"{kind} has no type in Python")
+
+
+def literal(kind):
+    """The type of an enumeration: its enumerators as words."""
+    return "Literal[%s]" % ", ".join(repr(value) for value, _ in enumerations()[kind].values())
+
+
+def meanings(kind, indent):
+    """A line for each word of an enumeration, with its meaning, if the type is one or a list of such."""
+    for name, text in enumerations().get(re.sub(r"std::vector<(.*)>", r"\1", kind), {}).values():
+        yield wrapped(f"{name!r}: {plain(text)}", indent, "    ")
 
 
 def guarded(name, lines):
@@ -130,7 +212,7 @@ def enumerations_header():
     for name, values in enumerations().items():
         if name not in used:
             continue
-        wanted = ", ".join(value.lower() for value in values)
+        wanted = ", ".join(value for value, _ in values.values())
         yield f"template <>\ninline VFC::{name} enumerator<VFC::{name}>(const std::string& name)\n{{"
         for value in values:
             yield f'  if(in_capitals(name) == "{value}") return VFC::{name}::{value};'
@@ -160,13 +242,14 @@ def wrapped(text, indent, hanging=""):
 
 def results_module():
     yield '"""The results of the functions of this module."""\n'
-    yield "from __future__ import annotations\n\nfrom dataclasses import dataclass\n"
+    yield "from __future__ import annotations\n\nfrom dataclasses import dataclass\nfrom typing import Literal\n"
     yield "import numpy as np\n\nfrom .representation import Short\n"
     for name, title in RESULTS.items():
-        yield f"\n@dataclass(repr=False)\nclass {title}(Short):"
-        yield f'    """{summary(name)}\n\n    Attributes:'
-        for _, member, text in members(name):
+        yield f"\n@dataclass(repr=False, eq=False)\nclass {title}(Short):"
+        yield wrapped(f'"""{summary(name)}', "    ") + "\n\n    Attributes:"
+        for kind, member, text in members(name):
             yield wrapped(f"{member}: {text}", "        ", "    ")
+            yield from meanings(kind, "            ")
         yield '    """\n'
         for kind, member, _ in members(name):
             yield f"    {member}: {'np.ndarray' if name in IN_ARRAYS else python_type(kind)}"
@@ -191,35 +274,55 @@ def results_module():
     yield "}"
 
 
-def words(kind):
-    """The type of an enumeration: its enumerators as words."""
-    values = enumerations().get(kind)
-    return "Literal[%s]" % ", ".join(repr(value.lower()) for value in values) if values else "str"
+def default_value(text):
+    """The value of a default in the documentation of a header."""
+    text = plain(text).strip("`")
+    if text[0] == "'":
+        return text.strip("'")
+    named = {"infinity": math.inf, "none": None, "true": True, "True": True, "false": False, "False": False}
+    if text in named:
+        return named[text]
+    factors = [ast.literal_eval(factor) for factor in text.split(" * ")]
+    return round(math.prod(factors), 9) if len(factors) > 1 else factors[0]
+
+
+def without_default(text):
+    """The description of an option, whose default stands elsewhere."""
+    text = re.sub(r"(; |(?<=\.) )(?:`\w+`|\w+) by default(?=\.)", r"\1", text)
+    text = re.sub(r"; \.|(?<=\.) \.", lambda m: "." if m[0] == "; ." else "", text)
+    return text.replace(" (default)", "")
 
 
 def option_entries(function):
-    """Name, type, default and text of each option of a function."""
+    """Name, type, default, text and words of each option of a function."""
     for name, lines in named_parameters.entries(OPTIONS[function]).items():
         if name in NOT_IN_PYTHON:
             continue
         found = dict(re.findall(r"\\cgalParam(\w+?){(.*)}$", "\n".join(lines), re.M))
         kinds = [kind for kind in re.findall(r"`(.*?)`", found["Type"])]
-        types = [TYPES.get(kind) or FIELD_TYPES.get(kind) or words(kind) for kind in kinds]
+        types = [FIELD_TYPES.get(kind) or python_type(kind) for kind in kinds]
         limits = found.get("Precondition")
-        text = plain(found["Description"]) + (f" Must be {limits}." if limits else "")
-        yield name, " | ".join(dict.fromkeys(types)), plain(found["Default"]).strip("`'").replace("false", "False"), text
+        text = without_default(plain(found["Description"])) + (f" Must be {limits}." if limits else "")
+        words = [line for kind in kinds for line in meanings(kind, "        ")]
+        yield name, " | ".join(dict.fromkeys(types)), default_value(found["Default"]), text, words
 
 
 def options_module():
-    yield '"""What is said of the keyword arguments that functions pass on to the library."""\n'
-    yield "OPTIONS = {"
+    yield '"""The keyword arguments that functions pass on to the library: texts and defaults."""\n'
+    yield "from math import inf\n\nTEXTS = {"
     for function in OPTIONS:
         yield f'    "{function}": """'
-        for name, kind, default, text in option_entries(function):
-            yield f"    {name} : {kind}, default {default}"
-            yield wrapped(text, "        ").replace("\\", "\\\\")
+        for name, kind, default, text, words in option_entries(function):
+            yield f"    {name} : {kind}, default {default!r}"
+            yield from (line.replace("\\", "\\\\") for line in [wrapped(text, "        "), *words])
         yield '""",'
-    yield "}"
+    yield "}\n\nDEFAULTS = {"
+    for function in OPTIONS:
+        defaults = {name: default for name, _, default, *_ in option_entries(function)}
+        yield f'    "{function}": {defaults},'
+    yield '}\n\nSTAGES = """'
+    yield from meanings("Run_stage", "            ")
+    yield '"""'
 
 
 def signature(function):
@@ -239,7 +342,7 @@ def stub():
     for node in imports:
         for name in (alias.name for alias in node.names):
             if node.module == "_vfc":
-                yield f"class {name}(RuntimeError): ..."
+                yield "__version__: str" if name == "__version__" else f"class {name}(RuntimeError): ..."
             elif name not in OPTIONS:
                 yield f"from .{node.module} import {name} as {name}"
     for node in (node for file in ("runs.py", "identification.py")
@@ -258,6 +361,8 @@ def main(folder):
         path = folder / file
         if not path.exists() or path.read_text() != text:
             path.write_text(text)
+    if unused := set(IN_PYTHON) - used_phrases:
+        raise SystemExit(f"The headers say no longer: {unused}")
 
 
 if __name__ == "__main__":

@@ -7,12 +7,14 @@
 #include "bindings.h"
 
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/version.h>
 
 PYBIND11_MODULE(_vfc, module)
 {
   using CGAL::Volume_filling_curves::Run_interrupted;
   pybind11::register_exception<Run_interrupted>(module, "Interrupted", PyExc_RuntimeError);
   module.doc() = "The compiled part of vfc.";
+  module.attr("__version__") = CGAL_VOLUME_FILLING_CURVES_VERSION;
   vfc_python::bind_arcs(module);
   vfc_python::bind_checks(module);
   vfc_python::bind_curves(module);

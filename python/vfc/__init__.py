@@ -15,7 +15,7 @@ from ._results import (ArcConflict, ArcPath, ArcPieces, ArcSpline, ChainIdentity
                        ClosureKnot, Coverage, CurveMeasures, EmptyRegion, FillingResult,
                        FlowStatistics, KnotShare, LinkIdentity, PlanarDiagram, PortNeck, ShapeExcess,
                        ThicknessFit, UntanglingResult, Verdict)
-from ._vfc import Interrupted
+from ._vfc import Interrupted, __version__
 from .checks import WallDistance, check_curves, outside, wall_distance
 from .curves import Network
 from .defects import CurveDefect, MeshDefect

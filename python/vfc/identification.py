@@ -18,7 +18,7 @@ def identify(curves: Curves, *, progress: Progress = None) -> LinkIdentity:
 
     Args:
         curves: the curves
-        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+        progress: a function of a dictionary; if it returns `False`, `Interrupted` is raised
     """
     return made("LinkIdentity", _vfc.identify(to_core(curves), progress))
 

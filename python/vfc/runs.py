@@ -5,21 +5,25 @@
 
 from __future__ import annotations
 
+import inspect
+import reprlib
 from dataclasses import dataclass
+from math import isnan
 from typing import Any, Callable, Optional
 
 from . import _options, _results, _vfc
 from .curves import Closed, Curves, from_core, origins, size, to_core
-from .domains import Domain, Mesh, core_of
+from .domains import Domain, Mesh, core_of, core_or_none
 
 Progress = Optional[Callable[[dict], Any]]
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class Untangled(_results.UntanglingResult):
     __doc__ = _results.UntanglingResult.__doc__ + """
         curves: the result, in the form of the input
-        origin: for each point of the result the index of the input point that it was, or -1
+        origin: for each point of the result the index, among the points of all curves of the input,
+            of the point that it was, or -1 if it was inserted
         certificate: the record of the run, if it was asked for
     """
 
@@ -31,7 +35,7 @@ class Untangled(_results.UntanglingResult):
         return f"<Untangled: {self.status}, {self.statistics.iterations} iterations, {size(self.curves)}>"
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class Filled(_results.FillingResult):
     __doc__ = _results.FillingResult.__doc__ + """
         curves: a list of curves, or the result in the form of the curves that were given
@@ -44,18 +48,20 @@ class Filled(_results.FillingResult):
     certificate: Optional[bytes]
 
     def __repr__(self) -> str:
-        return (f"<Filled: {self.status}, {100 * self.coverage.fraction_within_r:.0f} % within "
-                f"r = {self.thickness:.4g}, {size(self.curves)}>")
+        within = 100 * self.coverage.fraction_within_r
+        share = "" if isnan(within) else f"{within:.0f} % within r = {self.thickness:.4g}, "
+        return f"<Filled: {self.status}, {share}{size(self.curves)}>"
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class Simplified:
     """The result of `simplify()`.
 
     Attributes:
         removed_nodes: how many points were removed
         curves: the result, in the form of the input
-        origin: for each point of the result the index of the input point that it was
+        origin: for each point of the result the index, among the points of all curves of the input,
+            of the point that it was
         certificate: the record of the run, if it was asked for
     """
 
@@ -81,7 +87,7 @@ def untangle(curves: Curves, *, domain: Optional[Domain] = None, closed: Closed 
              **options: Any) -> Untangled:
     core = to_core(curves, closed, pin)
     record = _record(certificate)
-    result = _vfc.untangle(core, core_of(domain), options, record, progress)
+    result = _vfc.untangle(core, core_or_none(domain), options, record, progress)
     return Untangled(**_results.with_classes("UntanglingResult", result),
                      curves=from_core(core, curves), origin=origins(core, curves),
                      certificate=_bytes(record))
@@ -94,6 +100,8 @@ def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, clo
         domain = Mesh(domain, faces)
     if not isinstance(domain, Domain):
         raise TypeError("fill() takes vertices and faces, or a Domain")
+    if curves is None and (pin is not None or closed is not True):
+        raise TypeError("closed and pin are about curves, but no curves are given")
     given = [] if curves is None else curves
     core = to_core(given, closed, pin)
     record = _record(certificate)
@@ -121,13 +129,16 @@ def verify(certificate: bytes, start: Curves, end: Curves, *, domain: Optional[D
         end: the result of the run
         domain: the domain that the curves must not have left
         closed: whether the curves are closed, or a list with a value for each
-        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+        progress: a function of a dictionary; if it returns `False`, `Interrupted` is raised
 
     Returns:
         a `Verdict`, which is true if the record proves that the curves are ambient isotopic
     """
+    if not isinstance(certificate, (bytes, bytearray)):
+        raise TypeError(f"certificate is {reprlib.repr(certificate)}, but must be the bytes that a "
+                        "run returns with certificate=True")
     core = _vfc.Certificate(bytes(certificate))
-    result = _vfc.verify(core, to_core(start, closed), to_core(end, closed), core_of(domain),
+    result = _vfc.verify(core, to_core(start, closed), to_core(end, closed), core_or_none(domain),
                          progress)
     return _results.Verdict(**result)
 
@@ -136,19 +147,19 @@ _COMMON = """
     closed : bool or list of bool, default True
         Whether the curves are closed. The last point of a closed curve may repeat the first.
     pin : 'ends' or indices of points, default None
-        The points that stay where they are. The ends of open curves are free by default, and a
+        The points that stay where they are, as indices among those of all curves. The ends of open curves are free by default, and a
         strand may slip off a free end.
     certificate : bool, default False
         Whether to record the run, for `verify()`.
     progress : function of a dict, default None
-        Is called some twenty times a second. If it returns False, the run ends, and the result is
-        the curve as it is by then. Keys: stage, fraction, iterations, nodes, length, gradient_norm,
-        seconds, thickness, expected_length, expected_nodes, expected_seconds.
-"""
+        Is called some twenty times a second. If it returns `False`, the run ends, and the result is
+        the curve as it is by then; with any other value it goes on. Keys: stage, fraction,
+        iterations, nodes, length, gradient_norm, seconds, thickness, expected_length,
+        expected_nodes, expected_seconds. The stages are:""" + _options.STAGES
 
 PROGRESS = """
     progress : function of a dict, default None
-        Is called some twenty times a second. If it returns False, `Interrupted` is raised.
+        Is called some twenty times a second. If it returns `False`, `Interrupted` is raised.
 """
 
 _RAISES = """
@@ -165,7 +176,12 @@ _RAISES = """
 
 def describe(function: Callable, text: str, common: str = _COMMON) -> None:
     """Documents a function, with the options that it passes on to the library."""
-    function.__doc__ = text + common + _options.OPTIONS[function.__name__] + _RAISES
+    function.__doc__ = text + common + _options.TEXTS[function.__name__] + _RAISES
+    own = inspect.signature(function)
+    named = [given for given in own.parameters.values() if given.kind != given.VAR_KEYWORD]
+    options = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default)
+               for name, default in _options.DEFAULTS[function.__name__].items()]
+    function.__signature__ = own.replace(parameters=named + options)
 
 
 describe(untangle, """Moves curves to a short and simple shape, without ever passing through themselves.
