@@ -4,11 +4,13 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "Run_observer.h"
 #include "arrays.h"
 #include "bindings.h"
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
 
+#include <cerrno>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -19,7 +21,7 @@ namespace vfc_python {
 namespace {
 
 // std::invalid_argument names the first error, with its line.
-Curve read(const std::string& file, bool is_network)
+Curve curve_in(const std::string& file, bool is_network)
 {
   Curve curve;
   std::vector<VFC::Curve_defect> defects;
@@ -30,11 +32,22 @@ Curve read(const std::string& file, bool is_network)
   throw std::invalid_argument(file + " is not a valid curve");
 }
 
+Curve read(const std::string& file, bool is_network)
+{
+  return interruptible([&](auto*) { return curve_in(file, is_network); });
+}
+
 void write(const std::string& file, const Curve& curve)
 {
   std::error_code error;
-  if(!CGAL::IO::write_curve_network(file, curve, error))
-    throw std::runtime_error(file + ": " + error.message());
+  {
+    const py::gil_scoped_release unlock;
+    CGAL::IO::write_curve_network(file, curve, error);
+  }
+  if(!error) return;
+  errno = error.value();
+  PyErr_SetFromErrnoWithFilename(PyExc_OSError, file.c_str());
+  throw py::error_already_set();
 }
 
 } // namespace

@@ -8,10 +8,8 @@ from __future__ import annotations
 import os
 from typing import Any
 
-import numpy as np
-
 from . import _vfc
-from .curves import Closed, Curves, Network, to_core
+from .curves import Closed, Curves, Network, split, to_core
 
 
 def read(file: Any, *, network: bool = False) -> tuple[list, list] | Network:
@@ -26,14 +24,20 @@ def read(file: Any, *, network: bool = False) -> tuple[list, list] | Network:
         `network` is true
 
     Raises:
-        ValueError: if the file holds no valid curve, with the line
+        OSError: if the file cannot be opened
+        ValueError: if it holds no valid curve, with the line
     """
-    core = _vfc.read(os.fspath(file), network)
+    with open(file, "rb"):  # raises the OSError that fits
+        core = _vfc.read(os.fspath(file), bool(network))
     if network:
         return Network(core.points(), core.edges())
-    return np.split(core.points(), core.offsets()[1:-1]), core.closedness()
+    return split(core.points(), core), core.closedness()
 
 
 def write(file: Any, curves: Curves, *, closed: Closed = True) -> None:
-    """Writes curves without loss, with 17 significant digits; replaces the file when complete."""
+    """Writes curves without loss, with 17 significant digits; replaces the file when complete.
+
+    Raises:
+        OSError: if the file cannot be written
+    """
     _vfc.write(os.fspath(file), to_core(curves, closed))
