@@ -3,42 +3,16 @@
 # Author(s) : The Volume_filling_curves authors
 """Tests of the Python module: python3 -m unittest, with the built package on the path."""
 
-import ast
 import concurrent.futures
-import inspect
-import os
 import pathlib
-import re
-import resource
-import signal
 import tempfile
-import threading
-import time
 import unittest
 import weakref
 
 import numpy as np
+from support import CUBE_FACES, CUBE_VERTICES, SQUARE, circle
 
 import vfc
-
-CUBE_VERTICES = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
-SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
-CUBE_FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 7, 5], [4, 6, 7], [0, 5, 1], [0, 4, 5],
-                       [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
-
-
-def circle(points=16, at=(0, 0, 0), radius=1.0):
-    angle = np.linspace(0, 2 * np.pi, points, endpoint=False)
-    return radius * np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]) + at
-
-
-def growth_of_memory(call):
-    """By how many KiB the memory grows from the 20th to the 100th call."""
-    sizes = []
-    for _ in range(100):
-        call()
-        sizes.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
-    return sizes[-1] - sizes[20]
 
 
 class Curves(unittest.TestCase):
@@ -67,14 +41,6 @@ class Curves(unittest.TestCase):
         star = vfc.Network([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1], [0, 2], [0, 3]])
         self.assertAlmostEqual(vfc.length(star), 3)
         self.assertIsInstance(vfc.simplify(star, pin="ends").curves, vfc.Network)
-
-    def test_a_million_points_go_in_and_out(self):
-        points = np.cumsum(np.random.default_rng(0).normal(size=(10**6, 3)), axis=0)
-        start = time.process_time()
-        core = vfc.curves.to_core(points)
-        back = vfc.curves.from_core(core, points)
-        print(f"{time.process_time() - start:.2f} s for a million points")
-        self.assertTrue(np.array_equal(points, back))
 
     def test_what_is_wrong_with_an_array_is_a_value_error(self):
         for wrong, message in [(np.zeros((4, 2)), r"\(4, 2\)"), (circle() * np.nan, "point 0"),
@@ -140,12 +106,6 @@ class Untangling(unittest.TestCase):
             at_once = [result.curves for result in pool.map(vfc.untangle, knots)]
         self.assertTrue(all(map(np.array_equal, in_turn, at_once)))
 
-    def test_memory_stays_constant(self):
-        knot = vfc.torus_knot(2, 3, 100)
-        grown = growth_of_memory(
-            lambda: vfc.untangle(knot, certificate=True, number_of_iterations=3))
-        self.assertLess(grown, 4096)
-
     def test_curves_stay_in_a_domain(self):
         ring = circle(32, radius=0.9)
         cavity = 0.25 + 0.5 * CUBE_VERTICES - 0.5
@@ -162,59 +122,6 @@ class Untangling(unittest.TestCase):
             vfc.untangle(circle(), domain=vfc.Ball((0, 0, 0), 0.5))
         with self.assertRaisesRegex(ValueError, "not in polygons"):
             vfc.untangle(circle(), domain=vfc.Polygons(SQUARE))
-
-
-class Interruption(unittest.TestCase):
-    def setUp(self):
-        signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in a background job
-
-    def interrupted_after(self, call, seconds=0.3):
-        """The time from Ctrl-C until the call ended, in seconds of a processor: others may be busy."""
-        sent = []
-
-        def send():
-            sent.append(time.process_time())
-            os.kill(os.getpid(), signal.SIGINT)
-        timer = threading.Timer(seconds, send)
-        timer.start()
-        try:
-            with self.assertRaises(KeyboardInterrupt):
-                call()
-                time.sleep(5)
-        finally:
-            timer.cancel()
-        return time.process_time() - sent[0]
-
-    def test_ctrl_c_ends_every_long_call(self):
-        polygon = vfc.random_polygon(20000)
-        tangle = vfc.random_polygon(4000)
-        record = vfc.simplify(polygon, certificate=True)
-        chain = np.cumsum(np.random.default_rng(0).normal(size=(400000, 3)), axis=0)
-        tube = vfc.tube(chain[:40000], 1e-9, closed=False)
-        cube = vfc.Mesh(CUBE_VERTICES, CUBE_FACES)
-        half_space = vfc.Implicit(lambda p: p[0], (-1, -1, -1), (1, 1, 1))
-        ball = vfc.Implicit(lambda p: np.linalg.norm(p) - 1, (-1, -1, -1), (1, 1, 1))
-        for call in [lambda: vfc.untangle(tangle), lambda: vfc.untangle(tangle, strategy="flow"),
-                     lambda: vfc.simplify(polygon), lambda: vfc.measure(polygon),
-                     lambda: vfc.verify(record.certificate, polygon, record.curves),
-                     lambda: vfc.fill(cube, thickness=0.01), lambda: vfc.identify(tangle),
-                     lambda: vfc.fill(ball, thickness=0.02),
-                     lambda: vfc.fill(vfc.Polygons(SQUARE), thickness=1e-3),
-                     lambda: vfc.coverage(circle(), vfc.Ball((0, 0, 0), 2), 0.1, samples=10**8),
-                     lambda: vfc.coverage(polygon, cube, 0.1, samples=10**7),
-                     lambda: vfc.outside(circle(400000, radius=0.5), half_space),
-                     lambda: vfc.wall_distance(circle(400000, radius=0.9), vfc.Ball((0, 0, 0), 1)),
-                     lambda: vfc.check_curves(chain, closed=False),
-                     lambda: vfc.check_curves(circle(400000, radius=0.5), domain=half_space),
-                     lambda: vfc.identify_chain(chain[:2000], find_core=True),
-                     lambda: vfc.hard_unknot(1000, 10**8), lambda: vfc.random_polygon(10**6),
-                     lambda: vfc.torus_knot(2, 3, 10**6),
-                     lambda: vfc.closed_braid([1, -2] * 99, 10**6),
-                     lambda: vfc.arc_spline(chain, closed=False),
-                     lambda: vfc.tube(chain, 0.1, closed=False),
-                     lambda: vfc.Mesh(*tube), lambda: vfc.check_mesh(*tube),
-                     lambda: vfc.repair(tube[0], tube[1][1:])]:
-            self.assertLess(self.interrupted_after(call, 0.1), 0.5, inspect.getsource(call))
 
 
 class Filling(unittest.TestCase):
@@ -302,13 +209,6 @@ class Filling(unittest.TestCase):
         in_turn = [filling(seed) for seed in range(4)]
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             self.assertTrue(all(map(np.array_equal, in_turn, pool.map(filling, range(4)))))
-
-    def test_memory_stays_constant(self):
-        def thickness(p):
-            return 0.3 + 0.05 * p[2]
-        grown = growth_of_memory(lambda: vfc.fill(CUBE_VERTICES, CUBE_FACES, thickness=thickness,
-                                                  certificate=True, number_of_iterations=3))
-        self.assertLess(grown, 4096)
 
     def test_a_function_is_let_go_with_its_domain(self):
         def inside(p):
@@ -552,35 +452,6 @@ class Files(unittest.TestCase):
             file.write_text("v 1 2 x\n")
             with self.assertRaisesRegex(ValueError, "curves.obj:1: error: unparsable number"):
                 vfc.read(file)
-
-
-class Documentation(unittest.TestCase):
-    def test_every_function_describes_its_options(self):
-        for function in (vfc.untangle, vfc.fill, vfc.simplify):
-            self.assertIn("progress : function", function.__doc__)
-        self.assertIn("lower_ropelength : bool, default", vfc.untangle.__doc__)
-        self.assertIn("unfilled_fraction:", vfc.Filled.__doc__)
-
-    def test_the_stub_has_every_name_and_every_option(self):
-        stub = ast.parse(pathlib.Path(vfc.__file__).with_suffix(".pyi").read_text())
-        functions = {node.name: {arg.arg for arg in node.args.args + node.args.kwonlyargs}
-                     for node in stub.body if isinstance(node, ast.FunctionDef)}
-        named = {alias.asname for node in stub.body if isinstance(node, ast.ImportFrom)
-                 for alias in node.names} | set(functions)
-        public = {name for name, value in vars(vfc).items()
-                  if callable(value) and name != "Interrupted"}
-        self.assertLessEqual(public, named)
-        for name, parameters in functions.items():
-            described = set(re.findall(r"^    (\w+) : ", getattr(vfc, name).__doc__, re.M))
-            self.assertLessEqual(described - {"faces"}, parameters | {"domain"}, name)
-            self.assertGreater(len(described), 4)
-
-    def test_a_repr_says_what_it_is(self):
-        result = vfc.untangle(vfc.hard_unknot(random_seed=3))
-        self.assertRegex(repr(result), r"^<Untangled: unknotted, \d+ iterations, \d+ points>$")
-        self.assertEqual(repr(vfc.Ball((0, 0, 0), 2)), "Ball([0, 0, 0], 2)")
-        self.assertEqual(repr(vfc.Polygons(SQUARE)), "Polygons(1 polygons, 0 holes)")
-        self.assertEqual(repr(vfc.Network(circle(), [[0, 1]])), "<Network: 16 points, 1 edges>")
 
 
 if __name__ == "__main__":
