@@ -25,7 +25,7 @@ using Planar_domain = VFC::Polygon_domain_3<Curve::Traits>;
 // A domain as Python holds it.
 struct Domain
 {
-  std::variant<Any_domain, Planar_domain> inside; // the dimension is known when it is compiled
+  std::variant<Any_domain, Planar_domain> inside; // one per dimension, which is a constant
   std::shared_ptr<const Mesh> mesh; // that bounds it, for fields at its vertices; may be null
 };
 

@@ -23,6 +23,23 @@ namespace vfc_python {
 namespace py = pybind11;
 namespace VFC = CGAL::Volume_filling_curves;
 
+// Takes None, or a function of a dictionary.
+inline void require_function(const py::object& progress)
+{
+  if(!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+    throw py::type_error("progress is " + py::repr(progress).cast<std::string>() +
+                         ", but must be a function of a dictionary");
+}
+
+// Whether work goes on after a function of its progress has returned this. Only False ends it, or
+// NumPy's: functions return other values without a thought of that, such as 0 or an empty list.
+inline bool goes_on(const py::object& answer)
+{
+  if(answer.is_none()) return true;
+  const bool is_numpys = py::isinstance(answer, py::module_::import("numpy").attr("bool_"));
+  return !(is_numpys || py::isinstance<py::bool_>(answer)) || answer.cast<bool>();
+}
+
 // The progress of a run that was started from Python: a function receives it as a dictionary and
 // can end the run by returning False, and Ctrl-C ends the run by KeyboardInterrupt. The run itself
 // goes on without the interpreter's lock, which is taken twenty times a second at most.
@@ -30,7 +47,10 @@ class Run_observer
 {
 public:
   // Takes None, or a function of a dictionary.
-  explicit Run_observer(py::object function) : m_function(std::move(function)) {}
+  explicit Run_observer(py::object function) : m_function(std::move(function))
+  {
+    require_function(m_function);
+  }
 
   bool operator()(const VFC::Run_progress& progress)
   {
@@ -42,8 +62,7 @@ public:
     const py::gil_scoped_acquire lock;
     if(PyErr_CheckSignals() != 0) throw py::error_already_set();
     if(m_function.is_none()) return true;
-    const py::object answer = m_function(dictionary(progress));
-    return answer.is_none() || answer.cast<bool>();
+    return goes_on(m_function(dictionary(progress)));
   }
 
 private:

@@ -28,8 +28,8 @@ public:
   Result call(const Point& p) const
   {
     const py::gil_scoped_acquire lock;
-    const py::object point = py::module_::import("numpy").attr("array")(
-        py::make_tuple(p.x(), p.y(), p.z()));
+    const py::object point =
+        py::module_::import("numpy").attr("array")(py::make_tuple(p.x(), p.y(), p.z()));
     return (*m_function)(point).template cast<Result>();
   }
 

@@ -18,6 +18,17 @@ namespace vfc_python {
 
 namespace {
 
+// Nodes as the points of the input that they were.
+void name_points(const Curve& curve, VFC::Arc_spline<Point>& spline)
+{
+  for(auto& path : spline.paths)
+    for(auto& piece : path.pieces) piece.node = curve.origin(piece.node);
+  for(VFC::Arc_conflict& conflict : spline.conflicts) {
+    conflict.node = curve.origin(conflict.node);
+    conflict.other = curve.origin(conflict.other);
+  }
+}
+
 // The domain may be None.
 py::dict arc_spline(const Curve& curve, const Domain* domain, const py::object& progress)
 {
@@ -31,6 +42,7 @@ py::dict arc_spline(const Curve& curve, const Domain* domain, const py::object& 
                  : std::visit([&](const auto& in) { return VFC::arc_spline(curve, in, np); },
                               domain->inside);
   }
+  name_points(curve, result);
   return to_python(result);
 }
 

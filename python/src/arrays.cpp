@@ -75,6 +75,19 @@ std::vector<Point> points_of_rows(const Doubles& rows, const char* name)
   return points;
 }
 
+std::size_t end_of_component(const Doubles& points,
+                             std::size_t first,
+                             std::size_t end,
+                             bool is_closed)
+{
+  if(!is_closed || end - first < 2) return end;
+  const auto x = points.unchecked<2>();
+  const auto one = static_cast<py::ssize_t>(first), other = static_cast<py::ssize_t>(end - 1);
+  for(py::ssize_t k = 0; k < 3; ++k)
+    if(x(one, k) != x(other, k)) return end;
+  return end - 1;
+}
+
 Curve curve_of_components(const Doubles& points,
                           const std::vector<std::size_t>& offsets,
                           const std::vector<bool>& is_closed)
@@ -82,12 +95,12 @@ Curve curve_of_components(const Doubles& points,
   std::vector<std::array<std::size_t, 2>> edges;
   edges.reserve(static_cast<std::size_t>(points.shape(0)));
   for(std::size_t c = 0; c < is_closed.size(); ++c) {
-    const std::size_t first = offsets[c], end = offsets[c + 1];
+    const std::size_t first = offsets[c];
+    const std::size_t end = end_of_component(points, first, offsets[c + 1], is_closed[c]);
     if(end - first < (is_closed[c] ? 3U : 2U))
-      throw std::invalid_argument("curve " + std::to_string(c) + " has " +
-                                  std::to_string(end - first) + " points, but " +
-                                  (is_closed[c] ? "a closed curve has at least 3"
-                                                : "an open curve has at least 2"));
+      throw std::invalid_argument(
+          "curve " + std::to_string(c) + " has " + std::to_string(end - first) + " points, but " +
+          (is_closed[c] ? "a closed curve has at least 3" : "an open curve has at least 2"));
     for(std::size_t i = first; i + 1 < end; ++i) edges.push_back({i, i + 1});
     if(is_closed[c]) edges.push_back({end - 1, first});
   }
@@ -116,7 +129,8 @@ void pin(Curve& curve, const std::vector<std::size_t>& points)
   }
   for(const std::size_t point : points) {
     if(point >= node_of.size() || node_of[point] == Curve::null_node())
-      throw std::invalid_argument("pin: there is no point " + std::to_string(point));
+      throw std::invalid_argument("pin: there is no point " + std::to_string(point) +
+                                  ", or it repeats the first point of its curve");
     curve.set_pinned(node_of[point]);
   }
 }

@@ -38,8 +38,16 @@ using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::force
 // Points; std::invalid_argument, with the name of the array, unless it has three columns.
 std::vector<Point> points_of_rows(const Doubles& rows, const char* name);
 
+// Where a component ends that has the points from `first` to `end`: before the last point, if it is
+// closed and the last point repeats the first.
+std::size_t end_of_component(const Doubles& points,
+                             std::size_t first,
+                             std::size_t end,
+                             bool is_closed);
+
 // A curve from the points of all components, one after another. Component `c` has the points from
-// `offsets[c]` to `offsets[c + 1]`, and joins the last to the first if `is_closed[c]`.
+// `offsets[c]` to `offsets[c + 1]`, and joins the last to the first if `is_closed[c]`. A repeated
+// first point becomes no node, but counts in the origins of nodes.
 Curve curve_of_components(const Doubles& points,
                           const std::vector<std::size_t>& offsets,
                           const std::vector<bool>& is_closed);

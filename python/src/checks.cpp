@@ -41,7 +41,7 @@ void add_points(Curve_draft& draft, const Doubles& points)
   for(const Point& p : points_of_rows(points, "points")) draft.add_point({p.x(), p.y(), p.z()}, 0);
 }
 
-// The edges of a component have its number instead of a line.
+// The edges of a component have its number instead of a line. A repeated first point is in no edge.
 Curve_draft draft_of_components(const Doubles& points,
                                 const std::vector<std::size_t>& offsets,
                                 const std::vector<bool>& is_closed)
@@ -49,7 +49,8 @@ Curve_draft draft_of_components(const Doubles& points,
   Curve_draft draft;
   add_points(draft, points);
   for(std::size_t c = 0; c < is_closed.size(); ++c) {
-    const std::size_t first = offsets[c], end = offsets[c + 1];
+    const std::size_t first = offsets[c];
+    const std::size_t end = end_of_component(points, first, offsets[c + 1], is_closed[c]);
     if(end - first < 2)
       draft.defects.add({Curve_defect_kind::SHORT_LINE, "a curve has fewer than two points", 0,
                          std::vector<std::size_t>(end - first, first + 1), c + 1});
@@ -102,22 +103,20 @@ py::dict dictionary(const VFC::Curve_defect& defect)
   return d;
 }
 
-// The defects, and the curve unless one of them is an error.
-py::tuple checked(Curve_draft draft, VFC::Junctions junctions, const py::object& progress)
+py::list checked(Curve_draft draft, VFC::Junctions junctions, const py::object& progress)
 {
   Curve curve;
   std::vector<VFC::Curve_defect> defects;
-  bool is_valid = interruptible(
-      [&](auto*) {
-        return internal::draft_to_embedded_network(draft, curve, defects, junctions);
-      },
+  interruptible(
+      [&](auto*) { return internal::draft_to_embedded_network(draft, curve, defects, junctions); },
       progress);
   py::list found;
   for(const VFC::Curve_defect& defect : defects) {
+    if(defect.kind == Curve_defect_kind::ISOLATED_VERTEX && junctions == VFC::Junctions::FORBIDDEN)
+      continue; // repeated first points
     found.append(dictionary(defect));
-    is_valid = is_valid && !is_refused(defect.kind);
   }
-  return py::make_tuple(found, is_valid ? py::cast(std::move(curve)) : py::none());
+  return found;
 }
 
 Nodes nodes_of_edge(const Curve& curve, std::size_t e)
@@ -156,8 +155,8 @@ py::dict wall_distance(const Curve& curve, const Domain& domain, const py::objec
 {
   if(curve.number_of_edges() == 0) throw std::invalid_argument("there is no curve");
   const auto find = [&](internal::Run_watch* watch) {
-    return std::visit(
-        [&](const auto& inside) { return nearest_to_wall(curve, inside, watch); }, domain.inside);
+    return std::visit([&](const auto& inside) { return nearest_to_wall(curve, inside, watch); },
+                      domain.inside);
   };
   const auto nearest = interruptible(find, progress);
   py::dict d;
@@ -172,7 +171,7 @@ py::dict wall_distance(const Curve& curve, const Domain& domain, const py::objec
 void bind_checks(py::module_& module)
 {
   module.def("check_curves", [](const Doubles& points, const std::vector<std::size_t>& offsets,
-                                    const std::vector<bool>& is_closed, const py::object& progress) {
+                                const std::vector<bool>& is_closed, const py::object& progress) {
     return checked(draft_of_components(points, offsets, is_closed), VFC::Junctions::FORBIDDEN,
                    progress);
   });

@@ -60,8 +60,9 @@ Domain inside_of_polygons(const std::vector<std::vector<Doubles>>& boundaries)
     for(std::size_t i = 1; i < rings.size(); ++i) polygon.add_hole(polygon_of(rings[i]));
     polygons.push_back(std::move(polygon));
   }
-  return interruptible(
-      [&](internal::Run_watch*) { return Domain{Planar_domain(polygons), nullptr}; });
+  return interruptible([&](internal::Run_watch*) {
+    return Domain{Planar_domain(polygons), nullptr};
+  });
 }
 
 Domain inside_of_box(const Doubles& low, const Doubles& high)
@@ -81,9 +82,9 @@ Domain where_negative(const py::object& function,
 {
   const auto value = [f = Shared_function(function)](const Point& p) { return f.call<double>(p); };
   const CGAL::Bbox_3 box = point_of(low).bbox() + point_of(high).bbox();
-  return {Any_domain::of(
-              VFC::Implicit_domain_3<decltype(value), Traits>(value, box, lipschitz_bound)),
-          nullptr};
+  return {
+      Any_domain::of(VFC::Implicit_domain_3<decltype(value), Traits>(value, box, lipschitz_bound)),
+      nullptr};
 }
 
 } // namespace

@@ -46,9 +46,9 @@ Doubles numbers_of(const py::object& given, const char* name)
 const Mesh& mesh_with_values(const Domain& domain)
 {
   if(!domain.mesh)
-    throw std::invalid_argument(
-        "an array of thicknesses or directions has a row per vertex of a mesh, but the domain is no "
-        "mesh; a function of a point can be given");
+    throw std::invalid_argument("an array of thicknesses or directions has a row per vertex of a "
+                                "mesh, but the domain is no "
+                                "mesh; a function of a point can be given");
   return *domain.mesh;
 }
 
@@ -56,9 +56,8 @@ const Mesh& mesh_with_values(const Domain& domain)
 template <typename Field, typename Values>
 auto function_of_field(const Mesh& mesh, const Values& values)
 {
-  return [field = std::make_shared<const Field>(mesh, values)](const Point& p) {
-    return (*field)(p);
-  };
+  return
+      [field = std::make_shared<const Field>(mesh, values)](const Point& p) { return (*field)(p); };
 }
 
 Thickness thickness_at_vertices(const Doubles& values, const Domain& domain)
@@ -135,7 +134,10 @@ Thickness thickness_of(const py::object& given, const Domain& domain)
   if(PyCallable_Check(given.ptr())) return From_python<Thickness>::value(given);
   if(is_array(given)) return thickness_at_vertices(numbers_of(given, "thickness"), domain);
   const double r = PyFloat_AsDouble(given.ptr());
-  if(PyErr_Occurred() != nullptr) throw py::error_already_set();
+  if(PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    throw py::type_error("thickness is neither a number, nor a function, nor an array");
+  }
   if(!(r > 0)) throw std::invalid_argument("thickness is not positive");
   return [r](const Point&) { return r; };
 }
@@ -155,8 +157,7 @@ VFC::Coverage coverage_of(const Curve& curve,
   const VFC::Domain_samples_3<Curve::Traits, Inside> samples(inside, number_of_samples, seed,
                                                              Curve::Traits(), go_further);
   return VFC::coverage(
-      samples,
-      internal::sample_distances<CGAL::Parallel_if_available_tag>(curve, samples, &watch),
+      samples, internal::sample_distances<CGAL::Parallel_if_available_tag>(curve, samples, &watch),
       thickness);
 }
 

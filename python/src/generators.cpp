@@ -4,8 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-#include "arrays.h"
 #include "Run_observer.h"
+#include "arrays.h"
 #include "bindings.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
@@ -28,7 +28,8 @@ void bind_generators(py::module_& module)
         [&](auto*) { return VFC::make_closed_braid(word, number_of_nodes, seed); });
   });
   module.def("hard_unknot", [](size_t number_of_nodes, size_t moves, size_t seed) {
-    return interruptible([=](auto*) { return VFC::make_hard_unknot(number_of_nodes, moves, seed); });
+    return interruptible(
+        [=](auto*) { return VFC::make_hard_unknot(number_of_nodes, moves, seed); });
   });
   module.def("random_polygon", [](size_t number_of_nodes, size_t seed) {
     return interruptible([=](auto*) { return VFC::make_random_polygon(number_of_nodes, seed); });

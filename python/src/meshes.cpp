@@ -4,6 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include "Run_observer.h"
 #include "arrays.h"
 #include "bindings.h"
 
@@ -33,6 +34,7 @@ namespace {
 template <typename Function>
 auto watched(const Function& function, const py::object& progress)
 {
+  require_function(progress);
   std::exception_ptr raised;
   const auto tell = [&](const std::string& step, double seconds) {
     const py::gil_scoped_acquire lock;
@@ -42,8 +44,7 @@ auto watched(const Function& function, const py::object& progress)
       py::dict d;
       d["stage"] = step;
       d["seconds"] = seconds;
-      const py::object answer = progress(d);
-      return answer.is_none() || answer.cast<bool>();
+      return goes_on(progress(d));
     } catch(...) {
       raised = std::current_exception();
       return false;
@@ -92,8 +93,7 @@ vfc::Mesh_findings examined(const vfc::Mesh_soup& soup, const py::object& progre
 
 py::list check(const Doubles& vertices, const Integers& faces, const py::object& progress)
 {
-  const vfc::Mesh_findings findings =
-      examined(soup_of(triangles_of(vertices, faces)), progress);
+  const vfc::Mesh_findings findings = examined(soup_of(triangles_of(vertices, faces)), progress);
   py::list result;
   for(const vfc::Defect& defect : findings.list()) {
     py::dict d;

@@ -97,6 +97,25 @@ struct From_python<std::vector<VFC::Port<Point>>>
   }
 };
 
+// A number of things, of anything that Python takes for an integer, such as numpy.int64.
+inline std::size_t count_of(const std::string& name, const py::handle& given)
+{
+  if(!PyIndex_Check(given.ptr())) throw py::cast_error();
+  const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
+  if(!number) throw py::error_already_set();
+  const auto refuse = [&](const char* reason) {
+    throw std::invalid_argument(name + " is " + py::str(number).cast<std::string>() +
+                                ", but must " + reason);
+  };
+  if(number < py::int_(0)) refuse("not be negative");
+  const std::size_t count = PyLong_AsSize_t(number.ptr());
+  if(PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    refuse("be less than 2^64");
+  }
+  return count;
+}
+
 // Returns whether the value could be converted.
 template <typename Parameters, typename Row>
 bool set_by_row(Parameters& parameters, const Row& row, const py::handle& given)
@@ -105,11 +124,11 @@ bool set_by_row(Parameters& parameters, const Row& row, const py::handle& given)
   if constexpr(is_set_elsewhere<Value>)
     return false;
   else {
-    if constexpr(std::is_unsigned_v<Value> && !std::is_same_v<Value, bool>)
-      if(PyLong_Check(given.ptr()) && py::int_(py::reinterpret_borrow<py::object>(given)) < py::int_(0))
-        internal::refuse_value(typename Row::Tag(), given.cast<long long>(), "must not be negative");
     try {
-      parameters.*row.member = From_python<Value>::value(given);
+      if constexpr(std::is_same_v<Value, std::size_t>)
+        parameters.*row.member = count_of(VFC::internal_np::name_of(typename Row::Tag()), given);
+      else
+        parameters.*row.member = From_python<Value>::value(given);
     } catch(const py::cast_error&) {
       return false;
     }

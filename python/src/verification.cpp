@@ -44,7 +44,8 @@ py::dict verify(const VFC::Isotopy_certificate& certificate,
   VFC::Certificate_verdict result;
   {
     const py::gil_scoped_release unlock;
-    result = verdict(certificate, start, end, domain, VFC::parameters::progress(std::ref(observer)));
+    result =
+        verdict(certificate, start, end, domain, VFC::parameters::progress(std::ref(observer)));
   }
   return to_python(result);
 }

@@ -11,14 +11,15 @@ from typing import Optional
 import numpy as np
 
 from . import _vfc
+from .arguments import number
 from .curves import Closed, Curves, flat, to_core
 from .defects import CurveDefect
-from .domains import Domain, core_of
+from .domains import Domain, core_of, core_or_none
 from .representation import Short
 from .runs import Progress
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class WallDistance(Short):
     """The least distance of curves to the boundary of a domain.
 
@@ -65,7 +66,7 @@ def check_curves(curves: Curves, *, closed: Closed = True, domain: Optional[Doma
         domain: the domain that has to contain the curves
         wall_distance: how far from its boundary they have to keep, in the input's unit; needs a
             domain
-        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+        progress: a function of a dictionary; if it returns `False`, `Interrupted` is raised
 
     Returns:
         a list of `CurveDefect`; functions take the curves if none is an error
@@ -73,15 +74,16 @@ def check_curves(curves: Curves, *, closed: Closed = True, domain: Optional[Doma
     Raises:
         ValueError: if `wall_distance` is negative or not finite, or given without a domain
     """
-    if not 0 <= wall_distance < np.inf:
+    if not 0 <= number(wall_distance, "wall_distance") < np.inf:
         raise ValueError(f"wall_distance is {wall_distance}, but must be finite and not negative")
     if domain is None and wall_distance > 0:
         raise ValueError("wall_distance needs a domain")
-    inside = core_of(domain)
-    found, core = _vfc.check_curves(*flat(curves, closed), progress)
+    inside = core_or_none(domain)
+    found = _vfc.check_curves(*flat(curves, closed), progress)
     defects = [CurveDefect(**defect) for defect in found]
-    if core is None or inside is None:
+    if inside is None or any(defect.is_error for defect in defects):
         return defects
+    core = to_core(curves, closed)
     points, edges = _vfc.outside(core, inside, progress)
     defects += [_error("outside node", "a point is not strictly inside", [point]) for point in points]
     defects += [_error("outside segment", "an edge is not strictly inside", edge) for edge in edges]

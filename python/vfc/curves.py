@@ -7,14 +7,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from os import PathLike
-from typing import Any, Callable, Sequence, Union
+from typing import Any, Sequence, Union
 
 import numpy as np
 
 from . import _vfc
+from .arguments import integers, numbers
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class Network:
     """Curves with junctions: points, and edges that join them.
 
@@ -39,30 +40,32 @@ def _is_one(curves: Curves) -> bool:
 
 
 def _flags(closed: Closed, count: int) -> list[bool]:
-    flags = [bool(closed)] * count if np.ndim(closed) == 0 else [bool(flag) for flag in closed]
+    flags = np.asarray(closed)
+    if flags.dtype.kind not in "biu" and flags.size > 0:
+        raise TypeError(f"closed is {closed!r}, but must be True, False, or a list of such values")
+    if flags.ndim == 0:
+        return [bool(flags)] * count
     if len(flags) != count:
         raise ValueError(f"closed has {len(flags)} values, but there are {count} curves")
-    return flags
+    return flags.astype(bool).tolist()
 
 
-def _rows(curve: Any, is_closed: bool) -> np.ndarray:
-    """The points of a curve; a closed one may repeat its first point at the end."""
-    rows = np.asarray(curve, dtype=float)
+def _rows(curve: Any) -> np.ndarray:
+    rows = numbers(curve, "a curve")
     if rows.ndim != 2 or rows.shape[1] != 3:
         raise ValueError(f"a curve has the shape {rows.shape}, but must have the shape (n, 3)")
-    is_repeated = is_closed and len(rows) > 1 and np.array_equal(rows[0], rows[-1])
-    return rows[:-1] if is_repeated else rows
+    return rows
 
 
 def flat(curves: Curves, closed: Closed = True) -> tuple:
     """The points of all curves, and which are joined: edges, or where each begins and if it closes."""
     if isinstance(curves, Network):
-        return np.asarray(curves.points, float), np.asarray(curves.edges)
+        return numbers(curves.points, "points"), integers(curves.edges, "edges")
     if isinstance(curves, (str, PathLike)):
         raise TypeError(f"the curve is the name '{curves}', but must be an array; read() reads a file")
     parts = [curves] if _is_one(curves) else list(curves)
     flags = _flags(closed, len(parts))
-    rows = [_rows(part, flag) for part, flag in zip(parts, flags)]
+    rows = [_rows(part) for part in parts]
     offsets = np.cumsum([0] + [len(part) for part in rows])
     points = rows[0] if len(rows) == 1 else np.concatenate(rows or [np.empty((0, 3))])
     return points, offsets.tolist(), flags
@@ -76,19 +79,30 @@ def to_core(curves: Curves, closed: Closed = True, pin: Any = None) -> _vfc.Curv
             raise ValueError(f"pin is '{pin}', but must be 'ends' or indices of points")
         core.pin_ends()
     elif pin is not None:
-        core.pin([int(point) for point in pin])
+        core.pin(_indices(pin))
     return core
 
 
-def _split(array: np.ndarray, core: _vfc.Curve) -> list[np.ndarray]:
-    return np.split(array, core.offsets()[1:-1])
+def _indices(pin: Any) -> list[int]:
+    points = integers(pin, "pin")
+    if points.ndim != 1:
+        raise ValueError(f"pin has the shape {points.shape}, but must be a list of indices")
+    if np.any(points < 0):
+        raise ValueError(f"pin: there is no point {points.min()}")
+    return points.tolist()
+
+
+def split(array: np.ndarray, core: _vfc.Curve) -> list[np.ndarray]:
+    """The rows of each curve; none if there is no curve, where np.split() would return one array."""
+    offsets = core.offsets().tolist()
+    return [array[first:end] for first, end in zip(offsets, offsets[1:])]
 
 
 def from_core(core: _vfc.Curve, like: Curves) -> Curves:
-    """The curves of the compiled module in the form of others: an array, a list or a network."""
+    """The curves of the compiled module in the form of the input: an array, a list or a network."""
     if isinstance(like, Network):
         return Network(core.points(), core.edges())
-    parts = _split(core.points(), core)
+    parts = split(core.points(), core)
     return parts[0] if _is_one(like) else parts
 
 
@@ -105,5 +119,5 @@ def origins(core: _vfc.Curve, like: Curves) -> Any:
     """The input point that each point of the result was, or -1, in the form of the curves."""
     if isinstance(like, Network):
         return core.origins()
-    parts = _split(core.origins(), core)
+    parts = split(core.origins(), core)
     return parts[0] if _is_one(like) else parts

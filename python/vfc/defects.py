@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 
-@dataclass
+@dataclass(eq=False)
 class Defect:
     kind: str
     is_error: bool
@@ -20,7 +20,7 @@ class Defect:
         return f"{'error' if self.is_error else 'warning'}: {self.kind}: {self.message}"
 
 
-@dataclass
+@dataclass(eq=False)
 class CurveDefect(Defect):
     """A defect of curves, or a peculiarity that does no harm.
 
@@ -34,7 +34,7 @@ class CurveDefect(Defect):
     points: np.ndarray
 
 
-@dataclass
+@dataclass(eq=False)
 class MeshDefect(Defect):
     """A defect of a mesh, or a peculiarity that does no harm.
 

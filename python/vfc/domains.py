@@ -5,11 +5,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
 
 from . import _vfc
+from .arguments import integers, number, numbers, vector
 
 
 class Domain:
@@ -24,11 +25,15 @@ class Domain:
 
 
 def core_of(domain: Any) -> _vfc.Domain:
-    """The domain as an object of the compiled module, or None for None."""
-    if domain is not None and not isinstance(domain, Domain):
+    """The domain as an object of the compiled module."""
+    if not isinstance(domain, Domain):
         raise TypeError(f"the domain is a {type(domain).__name__}, but must be a Domain, such as "
                         "Mesh(vertices, faces)")
-    return domain and domain._core
+    return domain._core
+
+
+def core_or_none(domain: Any) -> Optional[_vfc.Domain]:
+    return None if domain is None else core_of(domain)
 
 
 class Mesh(Domain):
@@ -43,8 +48,8 @@ class Mesh(Domain):
     """
 
     def __init__(self, vertices: Any, faces: Any):
-        super().__init__(_vfc.inside_of_mesh(np.asarray(vertices, float), np.asarray(faces)),
-                         f"{len(vertices)} vertices, {len(faces)} faces")
+        core = _vfc.inside_of_mesh(numbers(vertices, "vertices"), integers(faces, "faces"))
+        super().__init__(core, f"{len(vertices)} vertices, {len(faces)} faces")
 
 
 class Polygons(Domain):
@@ -61,7 +66,7 @@ class Polygons(Domain):
     def __init__(self, *polygons: Any):
         rings = [[polygon] if np.ndim(polygon[0]) == 1 else list(polygon) for polygon in polygons]
         super().__init__(
-            _vfc.inside_of_polygons([[np.asarray(ring, float) for ring in part] for part in rings]),
+            _vfc.inside_of_polygons([[numbers(ring, "corners") for ring in part] for part in rings]),
             f"{len(rings)} polygons, {sum(len(part) - 1 for part in rings)} holes")
 
 
@@ -69,14 +74,16 @@ class Box(Domain):
     """A box with sides parallel to the axes, between two opposite corners."""
 
     def __init__(self, low: Sequence[float], high: Sequence[float]):
-        super().__init__(_vfc.inside_of_box(low, high), f"{list(low)}, {list(high)}")
+        core = _vfc.inside_of_box(vector(low, "low"), vector(high, "high"))
+        super().__init__(core, f"{list(low)}, {list(high)}")
 
 
 class Ball(Domain):
     """A ball."""
 
     def __init__(self, center: Sequence[float], radius: float):
-        super().__init__(_vfc.inside_of_ball(center, radius), f"{list(center)}, {radius}")
+        core = _vfc.inside_of_ball(vector(center, "center"), number(radius, "radius"))
+        super().__init__(core, f"{list(center)}, {radius}")
 
 
 class Implicit(Domain):
@@ -94,5 +101,8 @@ class Implicit(Domain):
 
     def __init__(self, function: Callable[[np.ndarray], float], low: Sequence[float],
                  high: Sequence[float], *, lipschitz_bound: float = 1):
-        super().__init__(_vfc.where_negative(function, low, high, lipschitz_bound),
-                         f"{function!r}, {list(low)}, {list(high)}")
+        if not callable(function):
+            raise TypeError(f"function is {function!r}, but must be a function of a point")
+        core = _vfc.where_negative(function, vector(low, "low"), vector(high, "high"),
+                                   number(lipschitz_bound, "lipschitz_bound"))
+        super().__init__(core, f"{function!r}, {list(low)}, {list(high)}")

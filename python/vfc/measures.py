@@ -10,8 +10,9 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _results, _vfc
+from .arguments import integer, number
 from .curves import Closed, Curves, to_core
-from .domains import Domain, core_of
+from .domains import Domain, core_of, core_or_none
 from .runs import Progress
 
 
@@ -29,9 +30,10 @@ def measure(curves: Curves, *, closed: Closed = True, thickness: float = 0,
         closed: whether they are closed
         thickness: edges that are closer than pi times this along a curve are neighbors, which do not
             count for `min_clearance`; with 0, those with a common point
-        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+        progress: a function of a dictionary; if it returns `False`, `Interrupted` is raised
     """
-    return _results.CurveMeasures(**_vfc.measure(to_core(curves, closed), thickness, progress))
+    return _results.CurveMeasures(
+        **_vfc.measure(to_core(curves, closed), number(thickness, "thickness"), progress))
 
 
 def coverage(curves: Curves, domain: Domain, thickness: Any, *, closed: Closed = True,
@@ -47,11 +49,12 @@ def coverage(curves: Curves, domain: Domain, thickness: Any, *, closed: Closed =
         closed: whether the curves are closed, or a list with a value for each
         samples: the number of samples
         random_seed: the seed of the samples
-        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+        progress: a function of a dictionary; if it returns `False`, `Interrupted` is raised
     """
     core = to_core(curves, closed)
     return _results.Coverage(
-        **_vfc.coverage(core, core_of(domain), thickness, samples, random_seed, progress))
+        **_vfc.coverage(core, core_of(domain), thickness, integer(samples, "samples"),
+                        integer(random_seed, "random_seed"), progress))
 
 
 def arc_spline(curves: Curves, domain: Optional[Domain] = None, *, closed: Closed = True,
@@ -62,16 +65,16 @@ def arc_spline(curves: Curves, domain: Optional[Domain] = None, *, closed: Close
         curves: the curves
         domain: the domain that the arcs must not leave
         closed: whether the curves are closed
-        progress: a function of a dictionary; if it returns False, `Interrupted` is raised
+        progress: a function of a dictionary; if it returns `False`, `Interrupted` is raised
 
     Returns:
         an `ArcSpline`, which says whether it is certified to be ambient isotopic to the curves
     """
-    result = _vfc.arc_spline(to_core(curves, closed), core_of(domain), progress)
+    result = _vfc.arc_spline(to_core(curves, closed), core_or_none(domain), progress)
     return _results.made("ArcSpline", result)
 
 
 def tube(curves: Curves, radius: float, *, closed: Closed = True,
          sides: int = 12) -> tuple[np.ndarray, np.ndarray]:
     """The surface of the tube around curves: vertices (n, 3) and faces (m, 3), oriented outwards."""
-    return _vfc.tube(to_core(curves, closed), radius, sides)
+    return _vfc.tube(to_core(curves, closed), number(radius, "radius"), integer(sides, "sides"))

@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 
 from . import _vfc
+from .arguments import integers, number, numbers
 from .defects import MeshDefect
 from .runs import Progress
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class RepairedMesh:
     """A mesh that bounds a domain.
 
@@ -45,13 +46,13 @@ def check_mesh(vertices: Any, faces: Any, *, progress: Progress = None) -> list[
     Args:
         vertices: array of shape (n, 3)
         faces: integer array of shape (m, 3), of indices of vertices
-        progress: a function of a dictionary with the keys stage and seconds; if it returns False,
+        progress: a function of a dictionary with the keys stage and seconds; if it returns `False`,
             `Interrupted` is raised
 
     Returns:
         a list of `MeshDefect`, at most 1000 of each kind; `fill()` takes the mesh if none is an error
     """
-    found = _vfc.check_mesh(np.asarray(vertices, float), np.asarray(faces), progress)
+    found = _vfc.check_mesh(numbers(vertices, "vertices"), integers(faces, "faces"), progress)
     return [MeshDefect(**defect) for defect in found]
 
 
@@ -68,11 +69,11 @@ def repair(vertices: Any, faces: Any, *, alpha: float = 0,
         faces: integer array of shape (m, 3), of indices of vertices
         alpha: the width of gaps that a wrapped surface does not enter, in the input's unit; 0 stands
             for a fiftieth of the diagonal
-        progress: a function of a dictionary with the keys stage and seconds; if it returns False,
+        progress: a function of a dictionary with the keys stage and seconds; if it returns `False`,
             `Interrupted` is raised
 
     Raises:
         ValueError: if the mesh cannot be mended, for example if no face has an area
     """
-    return RepairedMesh(**_vfc.repair(np.asarray(vertices, float), np.asarray(faces), alpha,
-                                      progress))
+    return RepairedMesh(**_vfc.repair(numbers(vertices, "vertices"), integers(faces, "faces"),
+                                      number(alpha, "alpha"), progress))

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s) : The Volume_filling_curves authors
+"""Arguments as the compiled module takes them; an error names the one that is wrong."""
+
+from __future__ import annotations
+
+import operator
+import reprlib
+from typing import Any
+
+import numpy as np
+
+INT_MAX = 2**31 - 1  # of int in C++
+SIZE_MAX = 2**63 - 1  # less than of std::size_t, and of an index in NumPy
+
+
+def integer(value: Any, name: str, least: int = 0, most: int = SIZE_MAX) -> int:
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {reprlib.repr(value)}, but must be an integer") from None
+    if number < least:
+        limit = f"at least {least}" if least else "not negative"
+        raise ValueError(f"{name} is {number}, but must be {limit}")
+    if number > most:
+        raise ValueError(f"{name} is {number}, but must be at most {most}")
+    return number
+
+
+def number(value: Any, name: str) -> float:
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is {reprlib.repr(value)}, but must be a number") from None
+
+
+def numbers(value: Any, name: str) -> np.ndarray:
+    """An array of floats."""
+    array = _array(value, name)
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{name} must hold numbers, but has the dtype {array.dtype}")
+    return array.astype(float, copy=False)
+
+
+def integers(value: Any, name: str) -> np.ndarray:
+    """An array of indices. NumPy itself would cut off the decimals of floats."""
+    array = _array(value, name)
+    if array.dtype.kind not in "iu" and array.size > 0:
+        raise TypeError(f"{name} must hold integers, but has the dtype {array.dtype}")
+    return array.astype(np.int64, copy=False)
+
+
+def vector(value: Any, name: str) -> np.ndarray:
+    coordinates = numbers(value, name)
+    if coordinates.shape != (3,):
+        raise ValueError(f"{name} has the shape {coordinates.shape}, but must have three coordinates")
+    return coordinates
+
+
+def _array(value: Any, name: str) -> np.ndarray:
+    try:
+        return np.asarray(value)
+    except ValueError:  # of lists of different lengths
+        raise ValueError(f"{name} has rows of different lengths") from None
