@@ -3,6 +3,7 @@
 # Author(s) : The Volume_filling_curves authors
 """Tests of Ctrl-C, which ends every call that can last, and of the interpreter's lock."""
 
+import importlib.util
 import inspect
 import operator
 import os
@@ -119,6 +120,19 @@ class Interruption(unittest.TestCase):
                 self.assertLess(ended.seconds, SECONDS_TO_THE_END)
             interrupted.add(name)
         self.assertEqual(interrupted | INSTANT, callables() | {"Network"})
+
+    def test_ctrl_c_ends_the_threads_of_the_example(self):
+        file = pathlib.Path(__file__).parents[1] / "examples/batch.py"
+        specification = importlib.util.spec_from_file_location("batch", file)
+        batch = importlib.util.module_from_spec(specification)
+        specification.loader.exec_module(batch)
+        tangle = vfc.random_polygon(4000)
+        timer = threading.Timer(0.5, os.kill, [os.getpid(), signal.SIGINT])
+        start = time.process_time()
+        with self.assertRaises(KeyboardInterrupt):
+            timer.start()
+            batch.untangled([tangle] * 8)
+        self.assertLess(time.process_time() - start, 5)  # 8 runs alone take minutes
 
     def test_other_threads_go_on(self):
         polygon = vfc.random_polygon(20000)
