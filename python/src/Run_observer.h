@@ -88,8 +88,8 @@ private:
   std::chrono::steady_clock::time_point m_next;
 };
 
-// Calls a function of a watch without the interpreter's lock; Ctrl-C ends it where it asks the watch,
-// or where the library asks the one of the thread.
+// Calls a function of a watch without the interpreter's lock; Ctrl-C ends it where it asks the
+// watch, or where the library asks the one of the thread.
 template <typename Function>
 auto interruptible(const Function& function, const py::object& progress = py::none())
 {

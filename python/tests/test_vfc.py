@@ -5,7 +5,6 @@
 
 import concurrent.futures
 import pathlib
-import tempfile
 import unittest
 import weakref
 
@@ -438,20 +437,6 @@ class Measures(unittest.TestCase):
         vertices, faces = vfc.tube(circle(), 0.1, sides=6)
         self.assertEqual((vertices.shape, faces.shape), ((96, 3), (192, 3)))
         vfc.Mesh(vertices, faces)
-
-
-class Files(unittest.TestCase):
-    def test_files_are_read_without_loss(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "curves.obj"
-            arc = [[0, 0, 3], [0.1, 0, 4]]
-            vfc.write(file, [circle(), arc], closed=[True, False])
-            curves, closed = vfc.read(file)
-            self.assertEqual(closed, [True, False])
-            self.assertTrue(np.array_equal(curves[0], circle()) and np.array_equal(curves[1], arc))
-            file.write_text("v 1 2 x\n")
-            with self.assertRaisesRegex(ValueError, "curves.obj:1: error: unparsable number"):
-                vfc.read(file)
 
 
 if __name__ == "__main__":
