@@ -38,12 +38,13 @@ def tag():
 
 
 def compiled(folder):
-    """Builds the package into the folder."""
-    configure = ["cmake", "-S", ROOT / "python", "-B", folder, "-DCMAKE_BUILD_TYPE=Release",
+    """Builds the package into the folder, as the manual says that users of CMake do."""
+    configure = ["cmake", "-S", ROOT, "-B", folder, "-DVolume_filling_curves_WITH_PYTHON=ON",
                  f"-DPython_EXECUTABLE={sys.executable}", "-DVFC_PYTHON_FOLDER=."]
     jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
-    for command in (configure, ["cmake", "--build", folder, "--parallel", jobs],
-                    ["cmake", "--install", folder, "--prefix", folder / "installed"]):
+    install = ["cmake", "--install", folder, "--component", "python", "--prefix", folder / "installed"]
+    for command in (configure, ["cmake", "--build", folder, "--target", "_vfc", "--parallel", jobs],
+                    install):
         subprocess.run(command, check=True, stdout=sys.stderr)
     return folder / "installed"
 
