@@ -25,7 +25,8 @@ using Planar_domain = VFC::Polygon_domain_3<Curve::Traits>;
 // A domain as Python holds it.
 struct Domain
 {
-  std::variant<Any_domain, Planar_domain> inside; // one per dimension, which is a constant
+  // one alternative per dimension, a compile-time property
+  std::variant<Any_domain, Planar_domain> inside;
   std::shared_ptr<const Mesh> mesh; // that bounds it, for fields at its vertices; may be null
 };
 

@@ -5,12 +5,15 @@
 
 import contextlib
 import importlib.util
+import inspect
 import io
 import os
 import pathlib
 import re
 import tempfile
 import unittest
+
+import vfc
 
 CHAPTER = pathlib.Path(__file__).parents[2] / "doc/Volume_filling_curves/python.txt"
 OPTIONAL = ("matplotlib", "tqdm")
@@ -40,10 +43,17 @@ class Chapter(unittest.TestCase):
             if missing := absent(block):
                 print(f"A block of the chapter is skipped, without {', '.join(missing)}:\n{block}")
                 continue
-            with contextlib.redirect_stdout(printed):
+            with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(io.StringIO()):
                 exec(compile(block, str(CHAPTER), "exec"), names)
         for words in ("3_1* True", "3_1* 0.71", "8_18", "8_18 [True]", "near wall", "open boundary"):
             self.assertIn(words, printed.getvalue())
+
+    def test_it_names_every_function_and_every_domain(self):
+        text = CHAPTER.read_text()
+        for name, value in vars(vfc).items():
+            if inspect.isfunction(value) or inspect.isclass(value) and issubclass(
+                    value, (vfc.Domain, vfc.Interrupted)) and value is not vfc.Domain:
+                self.assertIn(f"vfc.{name}", text)
 
 
 if __name__ == "__main__":

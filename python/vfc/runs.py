@@ -147,8 +147,8 @@ _COMMON = """
     closed : bool or list of bool, default True
         Whether the curves are closed. The last point of a closed curve may repeat the first.
     pin : 'ends' or indices of points, default None
-        The points that stay where they are, as indices among those of all curves. The ends of open curves are free by default, and a
-        strand may slip off a free end.
+        The points that stay where they are; indices count over the points of all curves. The ends
+        of open curves are free by default, and a strand may slip off a free end.
     certificate : bool, default False
         Whether to record the run, for `verify()`.
     progress : function of a dict, default None
