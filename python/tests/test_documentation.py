@@ -11,7 +11,6 @@ import re
 import typing
 import unittest
 
-import numpy as np
 from support import CUBE_FACES, CUBE_VERTICES, SQUARE, circle
 
 import vfc
