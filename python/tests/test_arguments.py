@@ -61,7 +61,7 @@ class Wrong_arguments(unittest.TestCase):
 
     def test_a_value_out_of_its_range_is_a_value_error_with_the_name(self):
         self.check(ValueError, [
-            ("points is -5, but must be not negative", lambda: vfc.random_polygon(-5)),
+            ("points is -5, but must not be negative", lambda: vfc.random_polygon(-5)),
             ("moves is -1", lambda: vfc.hard_unknot(moves=-1)),
             ("random_seed is -1", lambda: vfc.torus_knot(2, 3, random_seed=-1)),
             ("p is 10+, but must be at most", lambda: vfc.torus_knot(10**20, 3)),

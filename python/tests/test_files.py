@@ -63,6 +63,11 @@ class Files(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "closed is 'yes'"):
             vfc.read(file, closed="yes")
 
+    def test_what_is_read_is_no_curve_but_a_pair(self):
+        vfc.write(self.folder / "curve.obj", circle())
+        with self.assertRaisesRegex(ValueError, r"shape \(1, 16, 3\).*read\(\) returns curves, and"):
+            vfc.identify(vfc.read(self.folder / "curve.obj"))
+
     def test_errors_name_the_file_and_the_line(self):
         file = self.folder / "curves.obj"
         file.write_text("v 1 2 x\n")

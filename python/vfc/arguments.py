@@ -21,8 +21,8 @@ def integer(value: Any, name: str, least: int = 0, most: int = SIZE_MAX) -> int:
     except TypeError:
         raise TypeError(f"{name} is {reprlib.repr(value)}, but must be an integer") from None
     if number < least:
-        limit = f"at least {least}" if least else "not negative"
-        raise ValueError(f"{name} is {number}, but must be {limit}")
+        limit = f"be at least {least}" if least else "not be negative"
+        raise ValueError(f"{name} is {number}, but must {limit}")
     if number > most:
         raise ValueError(f"{name} is {number}, but must be at most {most}")
     return number

@@ -53,7 +53,8 @@ def _flags(closed: Closed, count: int) -> list[bool]:
 def _rows(curve: Any) -> np.ndarray:
     rows = numbers(curve, "a curve")
     if rows.ndim != 2 or rows.shape[1] != 3:
-        raise ValueError(f"a curve has the shape {rows.shape}, but must have the shape (n, 3)")
+        hint = "; read() returns curves, and which are closed" if rows.ndim == 3 else ""
+        raise ValueError(f"a curve has the shape {rows.shape}, but must have the shape (n, 3){hint}")
     return rows
 
 
