@@ -58,7 +58,7 @@ def wall_distance(curves: Curves, domain: Domain, *, closed: Closed = True,
 
 def check_curves(curves: Curves, *, closed: Closed = True, domain: Optional[Domain] = None,
                  wall_distance: float = 0, progress: Progress = None) -> list[CurveDefect]:
-    """What keeps curves from being used, and what else is peculiar; contacts are decided exactly.
+    """Lists the errors of curves, and warnings. Contacts are decided exactly.
 
     Args:
         curves: the curves

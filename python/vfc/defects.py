@@ -22,7 +22,7 @@ class Defect:
 
 @dataclass(eq=False)
 class CurveDefect(Defect):
-    """A defect of curves, or a peculiarity that does no harm.
+    """A defect of curves, or an oddity that does no harm.
 
     Attributes:
         kind: for example "self-contact", "coincident nodes" or "outside segment"
@@ -36,7 +36,7 @@ class CurveDefect(Defect):
 
 @dataclass(eq=False)
 class MeshDefect(Defect):
-    """A defect of a mesh, or a peculiarity that does no harm.
+    """A defect of a mesh, or an oddity that does no harm.
 
     Attributes:
         kind: for example "open boundary" or "self-intersection"

@@ -90,7 +90,7 @@ class Implicit(Domain):
     """Where a function of a point is negative, for example a signed distance.
 
     The function takes an array of shape (3,) and returns a number. It is called often, which takes
-    the interpreter's lock each time: filling a mesh is some hundred times as fast.
+    the interpreter's lock each time: filling a mesh is about a hundred times faster.
 
     Args:
         function: the function

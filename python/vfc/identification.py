@@ -14,7 +14,7 @@ from .runs import PROGRESS, Progress, describe
 
 
 def identify(curves: Curves, *, progress: Progress = None) -> LinkIdentity:
-    """The name, the polynomials and a diagram of closed curves; proved with up to 10 crossings.
+    """Names the knot of closed curves, with polynomials and a diagram; proved up to 10 crossings.
 
     Args:
         curves: the curves

@@ -41,7 +41,7 @@ class RepairedMesh:
 
 
 def check_mesh(vertices: Any, faces: Any, *, progress: Progress = None) -> list[MeshDefect]:
-    """What keeps a mesh from bounding a domain, and what else is peculiar; decided exactly.
+    """Lists the errors of a mesh as the boundary of a domain, and warnings; decided exactly.
 
     Args:
         vertices: array of shape (n, 3)

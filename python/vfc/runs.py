@@ -23,7 +23,7 @@ class Untangled(_results.UntanglingResult):
     __doc__ = _results.UntanglingResult.__doc__ + """
         curves: the result, in the form of the input
         origin: for each point of the result the index, among the points of all curves of the input,
-            of the point that it was, or -1 if it was inserted
+            of the point that it came from, or -1 if it was inserted
         certificate: the record of the run, if it was asked for
     """
 
@@ -61,7 +61,7 @@ class Simplified:
         removed_nodes: how many points were removed
         curves: the result, in the form of the input
         origin: for each point of the result the index, among the points of all curves of the input,
-            of the point that it was
+            of the point that it came from
         certificate: the record of the run, if it was asked for
     """
 
@@ -121,7 +121,7 @@ def simplify(curves: Curves, *, closed: Closed = True, pin: Any = None, certific
 
 def verify(certificate: bytes, start: Curves, end: Curves, *, domain: Optional[Domain] = None,
            closed: Closed = True, progress: Progress = None) -> _results.Verdict:
-    """Replays the record of a run, with code that shares nothing with the run and rational numbers.
+    """Replays the record of a run with exact arithmetic, by code that shares nothing with the run.
 
     Args:
         certificate: the record, from `untangle()`, `fill()` or `simplify()`
@@ -153,7 +153,7 @@ _COMMON = """
         Whether to record the run, for `verify()`.
     progress : function of a dict, default None
         Is called some twenty times a second. If it returns `False`, the run ends, and the result is
-        the curve as it is by then; with any other value it goes on. Keys: stage, fraction,
+        the current curve; with any other value it goes on. Keys: stage, fraction,
         iterations, nodes, length, gradient_norm, seconds, thickness, expected_length,
         expected_nodes, expected_seconds. The stages are:""" + _options.STAGES
 
