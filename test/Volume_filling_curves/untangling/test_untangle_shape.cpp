@@ -127,6 +127,16 @@ TEST(Untangle_shape, leaves_a_ring_round)
   expect_shape(ring, 0.5, 0);
 }
 
+TEST(Untangle_shape, leaves_the_thickness_if_it_is_large_enough)
+{
+  Network curve = braid("1 1 1", 60);
+  const double usual = VFC::default_thickness(curve);
+  const Untangling_result result =
+      untangle(curve, parameters::bend_radius(0.01 * usual).strategy(Untangling_strategy::FLOW));
+  EXPECT_EQ(result.status, Untangling_status::CONVERGED);
+  EXPECT_EQ(result.thickness, usual);
+}
+
 // A trefoil is at least 16 times as long as its strands are apart.
 TEST(Untangle_shape, says_where_a_knot_is_too_short_for_it)
 {

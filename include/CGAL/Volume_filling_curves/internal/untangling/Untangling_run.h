@@ -20,6 +20,7 @@
 #include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
@@ -151,7 +152,7 @@ private:
       rays.set_sphere(state.sphere);
       parameters.thickness = state.thickness_of_rays;
     } else {
-      parameters.thickness = (std::max)(parameters.thickness, min_thickness_for(parameters));
+      parameters.thickness = thickness_for_shape();
       m_surroundings.add_rays(rays, parameters);
       state.sphere = rays.sphere();
       state.thickness = state.thickness_of_rays = parameters.thickness;
@@ -163,6 +164,20 @@ private:
     const bool can_slip_off = Guard::Boundary::is_bounded && rays.are_needed();
     result.is_closure_kept = !can_slip_off && rays.can_turn_outwards();
     return result;
+  }
+
+  // Returns the thickness that is given, or measured, raised to what limits of the shape need; 0 if
+  // there are none, and it is to be measured later.
+  double thickness_for_shape()
+  {
+    using Default = Default_thickness<Network, typename Surroundings::Flow::Concurrency_tag>;
+    const double least = min_thickness_for(m_parameters);
+    double usual = m_parameters.thickness;
+    if(least > 0 && usual == 0)
+      does_in_time(m_watch, [&] {
+        usual = Default(m_curves, m_parameters.number_of_directions, &m_watch)();
+      });
+    return (std::max)(usual, least);
   }
 
   // Without the rays, and scaled.
