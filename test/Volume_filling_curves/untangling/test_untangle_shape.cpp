@@ -10,6 +10,7 @@
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/medial_radii.h>
 #include <CGAL/Volume_filling_curves/untangle_in_domain.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
