@@ -47,10 +47,11 @@ function choices() {
   return {Unknots: unknots, Links: links, "Torus knots": torusKnots, "Domains to fill": domains, "Prime knots": knots};
 }
 
-const ownChoice = new Option("your own", ""); // what was opened or drawn
+const ownChoice = new Option("Your curve", ""); // what was opened or drawn
 ownChoice.hidden = true;
 
 let offered = {};
+const chosen = []; // the value of the list for each number that was loaded
 
 function addChoices() {
   offered = choices();
@@ -63,3 +64,6 @@ function addChoices() {
   element("knot").append(ownChoice); // the first one is selected
 }
 
+
+// The list names what is shown, and nothing that was refused.
+function showChoice(ofLoaded) { element("knot").value = chosen[ofLoaded]; }

@@ -35,7 +35,9 @@ function showDomain(data) {
   const side = Math.max(...sides);
   domain = {...data, low, side, axis: sides.indexOf(side)};
   picture = null;
+  say("");
   setMode("filling");
+  showChoice(data.number);
   scene.addDomain(data.points, data.triangles);
   scene.showDomain(element("glass").valueAsNumber);
   view.follow(data.points, true);
@@ -47,6 +49,7 @@ function showDomain(data) {
 function leaveDomain() {
   if (!domain) return;
   domain = null;
+  say("");
   setMode("knot");
   scene.removeDomain();
   forgetGrown();
@@ -138,6 +141,6 @@ function listenToFilling() {
   for (const name of ["filling-thickness", "bend", "ratio"])
     element(name).addEventListener("input", () => {
       showSettings();
-      if (grown) say(`For a curve like that, press ${isFilling ? "Stop and " : ""}Fill.`);
+      if (grown) say(`Press ${isFilling ? "Stop and then " : ""}Fill to use these settings.`);
     });
 }

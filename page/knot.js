@@ -26,13 +26,28 @@ function showPicture(data) {
   element("length").textContent = round(picture.length);
   element("ropelength").textContent = round(picture.ropelength);
   element("nodes").textContent = picture.coordinates.length / 3;
+  showThickness();
   showProof();
-  const isGoing = picture.isRunning || picture.isSearching;
-  element("run").textContent = isGoing ? "\u275A\u275A Pause" : "\u25B6 Run";
-  element("undo").disabled = !picture.canUndo;
+  showButtons();
   element("scene").classList.toggle("refused", picture.isRefused);
   if (picture.isRefused) say("Refused: a strand is in the way.", "refused");
   else if (wasRefused) say(""); // but what is wrong with a file stays
+}
+
+// The slider is relative to the thickness that the core measured. It stays where the user has it until
+// the core has heard of that.
+function showThickness() {
+  const slider = element("thickness"), {thickness, thicknessFactor, unit, isSearching} = picture;
+  slider.disabled = isSearching;
+  if (picture.thicknessRequest === thicknessRequest) slider.value = Math.log2(thicknessFactor);
+  element("thickness-value").textContent = Number((thickness * unit).toPrecision(3));
+}
+
+function showButtons() {
+  const {isRunning, isSearching, canUndo} = picture;
+  element("run").textContent = isSearching ? "\u25A0 Stop" : isRunning ? "\u275A\u275A Pause" : "\u25B6 Run";
+  element("step").disabled = element("search").disabled = isSearching;
+  element("undo").disabled = !canUndo;
 }
 
 // Nothing is known yet of another curve.
@@ -41,14 +56,15 @@ function showNumber(ofCurve) {
   element("name").textContent = element("crossings").textContent = "…";
   knottedness = "unknown";
   shownNumber = ofCurve;
+  showChoice(ofCurve);
 }
 
 function showIdentity({number: ofCurve, name, isProved, knottedness: found, crossings}) {
   showNumber(ofCurve);
   knottedness = found || "unknown";
-  element("name").textContent = name ? name + (isProved ? " (proved)" : " (by polynomials)") : "not found";
+  element("name").textContent = name ? name + (isProved ? " (proved)" : " (by polynomials)") : "no name known";
   element("crossings").textContent = crossings === undefined ? "–" : crossings;
-  showProof();
+  if (picture) showProof(); // it may come before the first picture
 }
 
 // The curve's shape can be a proof, and so can its diagram.

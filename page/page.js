@@ -2,13 +2,15 @@
 
 const COLORS = ["#d83a34", "#2f6fbf", "#2e9e5b", "#c9881f", "#8a4fb5", "#3aa6b0"];
 
+const NO_CORE = "The page does not work in this browser: ";
+
 let worker = null;
-const scene = new Scene(element("scene"), COLORS);
+const scene = openScene();
 const drawing = new Drawing(element("drawing"));
 const view = new View(), marks = new Hand_marks();
 
-let number = 0;     // of the curve or domain that was loaded last, unless it was refused
-let thickness = 0;  // of the slider of knots, when it was moved last
+let number = 0; // of the curve or domain that was loaded last, unless it was refused
+let thicknessRequest = 0; // the number of times that this core was asked for a thickness
 
 const ask = (action, values = {}) => worker.postMessage({action, ...values});
 
@@ -17,35 +19,51 @@ function say(text, kind = "") {
   element("message").className = kind;
 }
 
+// Without WebGL there is nothing to show, but the reason.
+function openScene() {
+  try {
+    return new Scene(element("scene"), COLORS);
+  } catch (error) {
+    document.querySelector("main").hidden = true;
+    say("The page needs WebGL, which this browser does not have or has switched off.", "refused");
+    throw error;
+  }
+}
+
 // "knot", "filling" or "drawing", each of which has controls of its own
-function setMode(mode) { document.body.dataset.mode = mode; }
+function setMode(mode) {
+  document.body.dataset.mode = mode;
+  const isFilled = mode === "filling";
+  element("save-start").title = isFilled ? "The circles that the curve grew from" : "The curve as it was loaded";
+}
 
 // --- Input and output
 
 function loadChoice() {
   const [label, ...name] = element("knot").value.split("/");
-  load(offered[label][name.join("/")]);
+  load(offered[label][name.join("/")], element("knot").value);
 }
 
-function load(input) {
+function load(input, choice) {
   if (isFilling) stopFilling();
   if (drawing.isOn) endDrawing();
   say("");
-  element("thickness").value = thickness = 0;
-  ask("load", {input, number: ++number});
+  chosen[++number] = choice;
+  ask("load", {input, number});
 }
 
 async function openFile(file) {
   if (!file) return;
   const known = [".polylines.txt", ".off"].find((end) => file.name.toLowerCase().endsWith(end));
-  loadFile("input" + (known || ".obj"), await file.text());
+  const content = await file.text().catch(() => null);
+  if (content === null) return say(`${file.name} cannot be read.`, "refused"); // a folder, for instance
+  loadFile("input" + (known || ".obj"), content);
 }
 
 // A file with faces is one of a surface.
 function loadFile(name, content) {
-  ownChoice.selected = true;
   const isSurface = name.endsWith(".off") || /^f\s/m.test(content);
-  load(isSurface ? {domain: {name, content}} : {name, content});
+  load(isSurface ? {domain: {name, content}} : {name, content}, ownChoice.value);
 }
 
 // Begins a drawing or, if there is one, ends it: its curve is seen as it was drawn.
@@ -94,9 +112,8 @@ function savePicture() {
 // --- Controls
 
 function toggle() {
-  if (domain) return toggleFilling();
   say("");
-  ask(picture && (picture.isRunning || picture.isSearching) ? "pause" : "run");
+  ask("toggle");
 }
 
 function search() {
@@ -105,20 +122,46 @@ function search() {
   ask("search", {seed: Math.floor(Math.random() * 2 ** 31)});
 }
 
+function step() {
+  say("");
+  ask("step");
+}
+
 function undo() {
   letGo();
+  say("");
   ask("undo");
 }
 
+function setThickness() {
+  ask("thickness", {factor: exponential("thickness"), request: ++thicknessRequest});
+}
+
+// Keys press the buttons, unless these are disabled. A key that is held down presses Space once.
+const click = (name) => () => element(name).click();
+const keys = {
+  always: {
+    " ": (event) => event.repeat || element(domain ? "fill" : "run").click(),
+    "+": () => scene.zoom(1 / 1.1),
+    "-": () => scene.zoom(1.1),
+  },
+  ofKnots: {".": click("step"), s: click("search"), z: click("undo"), n: holdNext, escape: letGo},
+};
+
+// With caps lock, too. Other combinations than Ctrl+Z are the browser's.
+function actionOf({key, altKey, ctrlKey, metaKey, shiftKey}) {
+  const name = key.toLowerCase(), isUndo = name === "z" && !shiftKey;
+  if (altKey || ((ctrlKey || metaKey) && !isUndo)) return null;
+  return keys.always[name] || (picture && keys.ofKnots[name]);
+}
+
 function listenToKeys() {
-  const always = {" ": toggle, "+": () => scene.zoom(1 / 1.1), "-": () => scene.zoom(1.1)};
-  const ofKnots = {".": () => ask("step"), s: search, z: undo, n: holdNext, Escape: letGo};
   document.addEventListener("keydown", (event) => {
     if (drawing.isOn) return event.key === "Escape" && endDrawing();
     const {tagName} = event.target, isTaken = tagName === "SELECT" || (tagName === "BUTTON" && event.key === " ");
-    const action = always[event.key] || (picture && ofKnots[event.key]);
-    if (isTaken || !action || event.ctrlKey || event.metaKey) return;
-    action();
+    const action = actionOf(event);
+    if (isTaken || !action) return;
+    action(event);
     event.preventDefault();
   });
 }
@@ -127,16 +170,16 @@ function listenToControls() {
   element("knot").addEventListener("change", loadChoice);
   element("open").addEventListener("click", () => element("file").click());
   element("draw").addEventListener("click", draw);
-  element("file").addEventListener("change", (event) => openFile(event.target.files[0]));
+  element("file").addEventListener("change", (event) => {
+    openFile(event.target.files[0]);
+    event.target.value = ""; // or the same file could not be opened again
+  });
   element("run").addEventListener("click", toggle);
-  element("step").addEventListener("click", () => ask("step"));
+  element("step").addEventListener("click", step);
   element("search").addEventListener("click", search);
   element("undo").addEventListener("click", undo);
   element("tube").addEventListener("input", () => (picture ? showCurve() : showGrown()));
-  element("thickness").addEventListener("input", (event) => {
-    ask("thickness", {factor: Math.pow(2, event.target.valueAsNumber - thickness)});
-    thickness = event.target.valueAsNumber;
-  });
+  element("thickness").addEventListener("input", setThickness);
   for (const [button, file] of Object.entries(savedFiles))
     element(button).addEventListener("click", () => ask("save", {file}));
   element("save-picture").addEventListener("click", savePicture);
@@ -161,6 +204,7 @@ const answers = {
     if (isFilling) showResult({status: "refused"});
     setFilling(false);
   },
+  failure: ({text}) => say(NO_CORE + text, "refused"),
   file: ({file, content}) => download(file, new Blob([content])),
 };
 
@@ -171,9 +215,11 @@ function startWorker() {
   worker = new Worker(URL.createObjectURL(
     new Blob([element("worker").textContent], {type: "text/javascript"})));
   worker.onmessage = ({data}) => answers[data.kind](data);
-  worker.onerror = (event) => say("The page does not work in this browser: " + event.message, "refused");
+  worker.onerror = ({message}) => say(NO_CORE + message, "refused");
+  thicknessRequest = 0;
 }
 
+setMode("knot");
 startWorker();
 addChoices();
 listenToControls();

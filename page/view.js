@@ -14,8 +14,14 @@ class View {
 
   follow(coordinates, isSudden) {
     this.wanted = corners(coordinates).flat();
-    if (isSudden) this.box = this.wanted;
+    if (isSudden || this.hasGrown()) this.box = this.wanted;
     this.move();
+  }
+
+  // What a search has straightened out, or what undo brings back, would surround the viewer.
+  hasGrown() {
+    const size = (box) => Math.hypot(...[0, 1, 2].map((k) => box[3 + k] - box[k]));
+    return size(this.wanted) > 1.5 * size(this.box);
   }
 
   // Nearer to the wanted box with each picture of the screen.

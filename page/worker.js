@@ -15,7 +15,9 @@ let number = 0;          // of the curve among those that were loaded
 let isRunning = false, isWaiting = false, hasChanged = false, isDrawn = true;
 let target = null;       // of the held node, until it is reached or refused
 let isRefused = false;   // the last pull
+let hasPulled = false;   // the held node
 let isNamed = false;     // what no motion changes
+let thicknessRequest = 0; // the last one that was heard
 let ropelength = {value: 0, time: 0};
 
 const isBusy = () => curve && (isRunning || curve.isSearching() || target !== null);
@@ -38,20 +40,19 @@ const actions = {
 };
 
 const actionsOnCurves = {
-  run() {
-    curve.remember();
-    isRunning = true;
-  },
-  pause() {
-    isRunning = false;
-    curve.endSearch();
+  toggle() {
+    if (curve.isSearching()) return stopSearch();
+    if (!isRunning) curve.remember();
+    isRunning = !isRunning;
   },
   step() {
+    if (curve.isSearching()) return; // which replays its changes of the curve that it began with
     curve.remember();
     isRunning = false;
     curve.step();
   },
   search({seed}) {
+    if (curve.isSearching()) return;
     curve.remember();
     isRunning = false;
     curve.release();
@@ -59,16 +60,24 @@ const actionsOnCurves = {
   },
   hold({point}) {
     if (curve.isSearching()) return;
-    curve.remember();
+    hasPulled = false;
     curve.hold(...point);
   },
-  pull({point}) { if (curve.heldNode() >= 0) target = point; },
+  pull({point}) {
+    if (curve.heldNode() < 0) return;
+    if (!hasPulled) curve.remember(); // a touch alone is nothing to undo
+    hasPulled = true;
+    target = point;
+  },
   release() {
     target = null;
     isRefused = false;
     curve.release();
   },
-  thickness({factor}) { if (!curve.isSearching()) curve.changeThickness(factor); },
+  thickness({factor, request}) {
+    thicknessRequest = request;
+    if (!curve.isSearching()) curve.setThicknessFactor(factor);
+  },
   undo() {
     isRunning = false;
     target = null;
@@ -89,13 +98,19 @@ function work() {
   if (curve.isSearching()) {
     if (curve.search(SECONDS_OF_SEARCH)) return;
     isNamed = false; // fewer edges may give a name
-    note("The search has ended: its polygon is certified.");
+    note("Search finished. The simpler curve is certified to be the same knot.");
     return;
   }
   if (target !== null) pull();
   if (!isRunning || curve.step()) return;
   isRunning = false;
   note("The curve is tight.");
+}
+
+function stopSearch() {
+  curve.endSearch();
+  isNamed = false;
+  note("Search stopped. The curve so far is certified to be the same knot.");
 }
 
 function pull() {
@@ -118,14 +133,14 @@ function show() {
   hasChanged = isDrawn = false;
   const picture = curve.picture();
   postMessage({
-    kind: "picture", number, ...picture, isRunning, isRefused, isSearching: curve.isSearching(),
+    kind: "picture", number, ...picture, thicknessRequest, isRunning, isRefused, isSearching: curve.isSearching(),
     held: curve.heldNode(), canUndo: curve.canUndo(), length: curve.length(),
     ropelength: currentRopelength(), isProved: curve.isProvedTrivial(),
   }, [picture.coordinates.buffer]);
 }
 
 function currentRopelength() {
-  if (curve.isSearching()) return ropelength.value;
+  if (curve.isSearching()) return NaN; // that of what is shown is not worth its time
   if (!isBusy() || Date.now() - ropelength.time > MILLISECONDS_BETWEEN_ROPELENGTHS)
     ropelength = {value: curve.ropelength(), time: Date.now()};
   return ropelength.value;
@@ -171,7 +186,12 @@ async function loadCore() {
 
 self.onmessage = async ({data}) => {
   loading = loading || loadCore();
-  core = await loading;
+  try {
+    core = await loading;
+  } catch (error) {
+    postMessage({kind: "failure", text: error.message});
+    return;
+  }
   attempt(() => {
     const action = actions[data.action] || (curve && actionsOnCurves[data.action]);
     if (action) action(data);

@@ -45,6 +45,13 @@ public:
     m_node = Curve::null_node();
   }
 
+  // The guard's curve, with the pin that it has without a hand.
+  Curve released(Curve curve) const
+  {
+    if(!is_empty()) curve.set_pinned(m_node, m_was_pinned);
+    return curve;
+  }
+
   void on_renumbering(const std::vector<std::uint32_t>& former) override
   {
     const auto place = std::find(former.begin(), former.end(), m_node);

@@ -29,8 +29,6 @@ constexpr double reach_of_pull = 4;
 constexpr double smoothing = 0.5;       // share of the way to the middle of the neighbors
 constexpr double strand_distance = 1.2; // strands in contact end a pull, before the guard's halving
 
-constexpr double measured = 0; // as thickness
-
 constexpr std::size_t max_moments = 50; // to return to
 
 // as untangle() decides
@@ -63,7 +61,7 @@ void check_closed(const Curve& curve)
 struct Live_curve::Moment
 {
   Curve curve;
-  double thickness;
+  double thickness, measured_thickness;
   std::size_t number_of_bytes;
   Record record; // without its bytes
 };
@@ -75,7 +73,7 @@ Live_curve::Live_curve(const Curve& curve) : m_start(curve), m_curve(curve)
   if(!VFC::is_embedded(m_curve)) throw std::invalid_argument("two edges of the curve meet");
   m_guard = std::make_unique<Guard>(m_curve);
   m_guard->start_recording();
-  begin_flow(measured);
+  measure_and_begin_flow();
 }
 
 Live_curve::~Live_curve()
@@ -84,6 +82,13 @@ Live_curve::~Live_curve()
 }
 
 // --- The flow
+
+void Live_curve::measure_and_begin_flow()
+{
+  constexpr double measured = 0; // as thickness
+  begin_flow(measured);
+  m_measured_thickness = m_flow->thickness();
+}
 
 void Live_curve::begin_flow(double thickness)
 {
@@ -106,14 +111,14 @@ bool Live_curve::step()
   if(m_flow->gradient_norm() >= tolerance) return has_moved;
   if(m_flow->loose_share() < loose) return false;
   const double factor = gradient_of_fitting_thickness / m_flow->gradient_norm();
-  if(factor >= 2) change_thickness(factor);
+  if(factor >= 2) set_thickness(factor * m_flow->thickness());
   return has_moved;
 }
 
-void Live_curve::change_thickness(double factor)
+void Live_curve::set_thickness(double thickness)
 {
   VFC::Curve_flow_parameters parameters = m_flow->parameters();
-  parameters.thickness *= factor;
+  parameters.thickness = thickness;
   m_flow->set_parameters(parameters);
   note_change();
 }
@@ -128,10 +133,7 @@ void Live_curve::begin_search(std::size_t seed)
 bool Live_curve::search(double seconds)
 {
   if(m_search->run(seconds)) return true;
-  m_flow.reset();
-  m_search->apply(*m_guard);
   end_search();
-  begin_flow(measured);
   return false;
 }
 
@@ -142,7 +144,10 @@ Curve Live_curve::searched_curve() const
 
 void Live_curve::end_search()
 {
+  m_flow.reset(); // which would follow each change
+  m_search->apply(*m_guard);
   m_search.reset();
+  measure_and_begin_flow();
 }
 
 // --- The hand
@@ -205,14 +210,14 @@ void Live_curve::remember()
 {
   if(m_moments.size() == max_moments) m_moments.erase(m_moments.begin());
   const auto& [bytes, operations, last_node, numbers, next] = m_guard->record()->contents();
-  m_moments.push_back({m_curve, m_flow->thickness(), bytes.size(),
-                       Record("", operations, last_node, numbers, next)});
+  m_moments.push_back({m_hand.released(m_curve), m_flow->thickness(), m_measured_thickness,
+                       bytes.size(), Record("", operations, last_node, numbers, next)});
 }
 
 void Live_curve::undo()
 {
   if(m_moments.empty()) return;
-  end_search();
+  m_search.reset();
   release();
   Moment moment = std::move(m_moments.back());
   m_moments.pop_back();
@@ -225,6 +230,7 @@ void Live_curve::undo()
   m_guard->start_recording();
   m_guard->record()->contents() = moment.record;
   begin_flow(moment.thickness);
+  m_measured_thickness = moment.measured_thickness;
 }
 
 } // namespace vfc_page

@@ -50,22 +50,23 @@ public:
   // small for the curve, as that of a ring between thin strands, is raised.
   bool step();
 
-  // Multiplies the thickness.
-  void change_thickness(double factor);
+  void set_thickness(double thickness);
+
+  // the thickness that suits the curve that was loaded or, later, found by a search
+  double measured_thickness() const { return m_measured_thickness; }
 
   // --- The search
 
   void begin_search(std::size_t seed);
   bool is_searching() const { return m_search != nullptr; }
 
-  // Searches for about this time, and returns whether the search goes on. At its end the curve
-  // adopts its result by certified moves.
+  // Searches for about this time, and returns whether the search goes on.
   bool search(double seconds);
 
   // the polygon that the search has found so far, which no guard has certified yet
   Curve searched_curve() const;
 
-  // Forgets the search.
+  // Ends the search: the curve adopts its result so far by certified moves.
   void end_search();
 
   // --- The hand
@@ -84,7 +85,6 @@ public:
   // whether all components are proved to be unknotted and unlinked
   bool is_proved_trivial() const { return m_proofs.is_proved(); }
 
-  std::size_t number_of_refusals() const { return m_guard->number_of_refused_changes(); }
   std::string certificate() const { return m_guard->certificate().bytes(); }
 
   // --- Undo
@@ -98,6 +98,7 @@ private:
   struct Moment;
   using Targets = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
+  void measure_and_begin_flow();
   void begin_flow(double thickness);
   void note_change();
   Targets targets(const Point& target) const;
@@ -106,6 +107,7 @@ private:
   Curve m_curve;
   std::unique_ptr<Guard> m_guard;
   std::unique_ptr<Flow> m_flow;
+  double m_measured_thickness = 0;
   std::unique_ptr<Live_search> m_search;
   VFC::internal::Unknot_proofs m_proofs;
   Hand m_hand;

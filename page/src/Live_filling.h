@@ -24,9 +24,9 @@ namespace VFC = CGAL::Volume_filling_curves;
 // What a user can choose, with lengths in the mesh's unit.
 struct Filling_settings
 {
-  double thickness = 0;   // 0: the default one of fill()
-  double bend_radius = 0; // 0: none is required
-  double ratio = 1;       // of the thicknesses at the ends of the longest side of the mesh's box
+  double thickness;   // in the middle of the mesh's box
+  double bend_radius; // 0: none is required
+  double ratio;       // of the thicknesses at the ends of the longest side of the mesh's box
 };
 
 // What a run calls while it lasts.

@@ -51,7 +51,14 @@ public:
   explicit Page_curve(const Curve& curve) : m_live(curve), m_units(curve.bbox()) {}
 
   bool step() { return m_live.step(); }
-  void change_thickness(double factor) { m_live.change_thickness(factor); }
+  // The thickness in units of the measured one.
+  double thickness_factor() const
+  {
+    return m_live.flow().thickness() / m_live.measured_thickness();
+  }
+
+  void set_thickness_factor(double f) { m_live.set_thickness(f * m_live.measured_thickness()); }
+
   void begin_search(unsigned int seed) { m_live.begin_search(seed); }
   bool is_searching() const { return m_live.is_searching(); }
   bool search(double seconds) { return m_live.search(seconds); }
@@ -95,22 +102,14 @@ public:
     picture.set("coordinates", m_units.coordinates(shown.points()));
     picture.set("strands", strands);
     picture.set("thickness", m_units.length(m_live.flow().thickness()));
+    picture.set("thicknessFactor", thickness_factor());
+    picture.set("unit", m_units.unit());
     return picture;
   }
 
   double length() const { return VFC::length(m_live.curve()); }
   double ropelength() const { return VFC::ropelength(m_live.curve()); }
   bool is_proved_trivial() const { return m_live.is_proved_trivial(); }
-  unsigned int number_of_refusals() const
-  {
-    return static_cast<unsigned int>(m_live.number_of_refusals());
-  }
-
-  // The linking number of two components, which no certified motion changes.
-  int linking_number(unsigned int c, unsigned int d) const
-  {
-    return VFC::linking_matrix(m_live.curve())[c][d];
-  }
 
   // Names the knot, in at most so many seconds.
   val identity(double seconds) const
@@ -176,7 +175,7 @@ EMSCRIPTEN_BINDINGS(live_page)
   emscripten::function("sentence", &sentence);
   emscripten::class_<Page_curve>("Curve")
       .function("step", &Page_curve::step)
-      .function("changeThickness", &Page_curve::change_thickness)
+      .function("setThicknessFactor", &Page_curve::set_thickness_factor)
       .function("beginSearch", &Page_curve::begin_search)
       .function("isSearching", &Page_curve::is_searching)
       .function("search", &Page_curve::search)
@@ -192,8 +191,6 @@ EMSCRIPTEN_BINDINGS(live_page)
       .function("length", &Page_curve::length)
       .function("ropelength", &Page_curve::ropelength)
       .function("isProvedTrivial", &Page_curve::is_proved_trivial)
-      .function("numberOfRefusals", &Page_curve::number_of_refusals)
-      .function("linkingNumber", &Page_curve::linking_number)
       .function("identity", &Page_curve::identity)
       .function("file", &Page_curve::file);
 }

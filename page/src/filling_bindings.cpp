@@ -82,16 +82,14 @@ public:
     val values = val::object();
     values.set("status", std::string(VFC::to_string(result.status)));
     values.set("reason", result.reason);
-    values.set("thickness", result.thickness);
     values.set("length", VFC::length(m_live.curve()));
     values.set("withinThickness", result.coverage.fraction_within_r);
     values.set("bendRadius", result.min_bend_radius);
     values.set("strandDistance", result.min_strand_distance);
-    values.set("iterations", static_cast<unsigned int>(result.statistics.iterations));
     return values;
   }
 
-  double unit() const { return 1 / m_units.length(1); }
+  double unit() const { return m_units.unit(); }
 
   val file(const std::string& name) const { return saved_file(m_live, name); }
 

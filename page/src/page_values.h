@@ -85,6 +85,9 @@ public:
         m_size(std::hypot(box.x_span(), box.y_span(), box.z_span()))
   {}
 
+  // one unit of the page, in the input's unit
+  double unit() const { return m_size; }
+
   double length(double input) const { return input / m_size; }
 
   Point in_input(double x, double y, double z) const

@@ -27,6 +27,7 @@ class Browser:
         os.close(commands)
         os.close(answers)
         self.number, self.rest, self.session, self.complaints = 0, b"", None, []
+        self.file_input = None  # for which the page has opened a file dialog
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
@@ -67,6 +68,8 @@ class Browser:
         method, parameters = event["method"], event.get("params", {})
         if method in ("Runtime.exceptionThrown", "Log.entryAdded"):
             self.complaints.append(json.dumps(parameters))
+        if method == "Page.fileChooserOpened":
+            self.file_input = parameters["backendNodeId"]
         if method == "Network.requestWillBeSent":
             url = parameters["request"]["url"]
             if not url.startswith(("file:", "blob:", "data:")):
@@ -96,17 +99,39 @@ class Browser:
     def click(self, name):
         self.value(f"element('{name}').click()")
 
+    def choose_file(self, button, file):
+        """Presses a button that opens a file dialog, and chooses a file there."""
+        self.ask("Page.setInterceptFileChooserDialog", enabled=True)
+        self.file_input = None
+        self.ask("Runtime.evaluate", expression=f"element('{button}').click()", userGesture=True)
+        end = time.monotonic() + 60
+        while self.file_input is None:
+            assert time.monotonic() < end, "no dialog is opened"
+            self.value("0")  # takes in what the browser reports
+        self.ask("DOM.setFileInputFiles", files=[str(file)], backendNodeId=self.file_input)
+
     def mouse(self, kind, x, y):
         self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1,
                  buttons=0 if kind == "mouseReleased" else 1)
+
+    def drag(self, *points):
+        self.mouse("mousePressed", *points[0])
+        for point in points[1:]:
+            self.mouse("mouseMoved", *point)
+        self.mouse("mouseReleased", *points[-1])
+
+    def wheel(self, x, y, down):
+        self.ask("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=down)
 
     def touch(self, kind, *points):
         self.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[
             {"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)])
 
-    def press(self, key):
-        self.ask("Input.dispatchKeyEvent", type="keyDown", key=key, text=key if len(key) == 1 else "")
-        self.ask("Input.dispatchKeyEvent", type="keyUp", key=key)
+    def press(self, key, modifier=None):
+        keys = {"key": key, "modifiers": {None: 0, "Alt": 1, "Ctrl": 2, "Meta": 4, "Shift": 8}[modifier]}
+        text = key if len(key) == 1 and modifier is None else ""
+        self.ask("Input.dispatchKeyEvent", type="keyDown", text=text, **keys)
+        self.ask("Input.dispatchKeyEvent", type="keyUp", **keys)
 
     def save_picture(self, file):
         data = self.ask("Page.captureScreenshot", format="png")["data"]

@@ -5,16 +5,20 @@
 // Author(s) : The Volume_filling_curves authors
 
 // The core of the live page, compiled natively, for its tests:
-//   native steps IN.obj N OUT.obj               makes N steps
-//   native fill IN.off THICKNESS RATIO OUT.obj  fills a domain
-//   native verify CERTIFICATE START END         succeeds if the certificate is valid
+//   native steps IN.obj N OUT.obj                    makes N steps
+//   native search IN.obj SEED OUT.obj                searches to the end
+//   native fill IN.off THICKNESS BEND RATIO OUT.obj  fills a domain
+//   native linking IN.obj                            writes the linking number of two rings
+//   native verify CERTIFICATE START END              succeeds if the certificate is valid
 
 #include "Live_curve.h"
 #include "Live_filling.h"
 
 #include <CGAL/Volume_filling_curves/IO/curve_network.h>
+#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
 
+#include <cstddef>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -39,12 +43,26 @@ int make_steps(const std::string& in, int n, const std::string& out)
   return CGAL::IO::write_curve_network(out, live.curve()) ? 0 : 1;
 }
 
-int fill(const std::string& in, double thickness, double ratio, const std::string& out)
+int search(const std::string& in, std::size_t seed, const std::string& out)
+{
+  vfc_page::Live_curve live(read(in));
+  live.begin_search(seed);
+  while(live.search(1)) {
+  }
+  return CGAL::IO::write_curve_network(out, live.curve()) ? 0 : 1;
+}
+
+int fill(const std::string& in, const vfc_page::Filling_settings& settings, const std::string& out)
 {
   vfc_page::Live_filling live(vfc_page::read_surface(in));
-  live.fill({thickness, 0, ratio},
-            {[] {}, [](const VFC::Run_progress&) {}, [](const VFC::Run_checkpoint&) {}});
+  live.fill(settings, {[] {}, [](const VFC::Run_progress&) {}, [](const VFC::Run_checkpoint&) {}});
   return CGAL::IO::write_curve_network(out, live.curve()) ? 0 : 1;
+}
+
+int write_linking_number(const std::string& in)
+{
+  std::cout << VFC::linking_matrix(read(in))[0][1] << '\n';
+  return 0;
 }
 
 int verify(const std::string& file, const std::string& start, const std::string& end)
@@ -63,8 +81,10 @@ int main(int argc, char** argv)
 {
   const std::string command = argc > 1 ? argv[1] : "";
   if(command == "steps" && argc == 5) return make_steps(argv[2], std::stoi(argv[3]), argv[4]);
-  if(command == "fill" && argc == 6)
-    return fill(argv[2], std::stod(argv[3]), std::stod(argv[4]), argv[5]);
+  if(command == "search" && argc == 5) return search(argv[2], std::stoul(argv[3]), argv[4]);
+  if(command == "fill" && argc == 7)
+    return fill(argv[2], {std::stod(argv[3]), std::stod(argv[4]), std::stod(argv[5])}, argv[6]);
+  if(command == "linking" && argc == 3) return write_linking_number(argv[2]);
   if(command == "verify" && argc == 5) return verify(argv[2], argv[3], argv[4]);
   return 1;
 }
