@@ -119,6 +119,7 @@ class Page(On_page):
     def test_toggles_once_while_space_is_held_down(self):
         self.open()
         self.choose("Prime knots/10_165")
+        self.slide("thickness", -2)  # which makes a long run
         self.browser.value("""[false, true].forEach((repeat) => scene.canvas.dispatchEvent(
           new KeyboardEvent("keydown", {key: " ", repeat, bubbles: true})))""")
         self.browser.wait("picture.isRunning")
