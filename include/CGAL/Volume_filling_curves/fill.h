@@ -79,10 +79,10 @@ auto fill(Curve_network_3<Traits>& curves,
  *
  * The curves never leave the domain and never pass through themselves or one another. Every change
  * is certified (see `Isotopy_guard_3`): the result is ambient isotopic to the start and lies
- * strictly inside, which is as reliable as the answers of the domain. Components of a curve grow side by side;
- * networks keep their graph, pinned nodes stay where they are, and sliding nodes stay on their sets
- * (see `Node_constraint`). A component all of whose nodes slide grows without fingers, which would
- * leave these sets; it needs `Filling_start::CIRCLE`.
+ * strictly inside, which is as reliable as the answers of the domain. Components of a curve grow
+ * side by side; networks keep their graph, pinned nodes stay where they are, and sliding nodes stay
+ * on their sets (see `Node_constraint`). A component all of whose nodes slide grows without
+ * fingers, which would leave these sets; it needs `Filling_start::CIRCLE`.
  *
  * If no curves are given, a small circle is placed at the widest point of each connected part of
  * the inside that is wide enough. A part is wide enough if it holds a ball whose radius is an

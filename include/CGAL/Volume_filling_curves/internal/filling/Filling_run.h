@@ -110,8 +110,8 @@ private:
     return result;
   }
 
-  // Whether there was time to survey the domain and to check the curves. A survey that was cut short
-  // may have placed other circles, so that no state is saved. A resumed run has its curve.
+  // Whether there was time to survey the domain and to check the curves. A survey that was cut
+  // short may have placed other circles, so that no state is saved. A resumed run has its curve.
   bool can_grow()
   {
     const bool is_surveyed = !m_watch.must_stop();

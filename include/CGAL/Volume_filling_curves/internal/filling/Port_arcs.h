@@ -192,9 +192,10 @@ private:
     throw std::invalid_argument(ports_from(k) + "no path was found between them");
   }
 
-  // Divides the edges of a path into equal parts that are no longer than the step. A guard that keeps
-  // a distance from the boundary decides by 1/64 of the size of a triangle: it let nobody divide an
-  // edge of 21 r, which came within 0.1 r of that distance, and the curve around it grew without end.
+  // Divides the edges of a path into equal parts that are no longer than the step. A guard that
+  // keeps a distance from the boundary decides by 1/64 of the size of a triangle: an edge of 21 r,
+  // which came within 0.1 r of that distance, could not be divided, and the curve around it grew
+  // without end.
   static std::vector<Vector> divided(Vector from, const std::vector<Vector>& path, double step)
   {
     std::vector<Vector> nodes;

@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// A thickness is a number or a function of the point. Throws std::invalid_argument, at once or for a
-// point, if it is not positive and finite.
+// A thickness is a number or a function of the point. Throws std::invalid_argument, at once or for
+// a point, if it is not positive and finite.
 template <typename Thickness>
 auto thickness_function(const Thickness& thickness)
 {

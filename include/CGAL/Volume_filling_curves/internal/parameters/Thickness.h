@@ -70,7 +70,8 @@ public:
   double number() const { return m_number; }
   void set_number(double number) { m_number = number; }
 
-  // Throws std::invalid_argument if the field is not positive and finite at the point, or too large.
+  // Throws std::invalid_argument if the field is not positive and finite at the point, or too
+  // large.
   double operator()(const Point_3& p) const
   {
     const double thickness = m_field ? m_factor * checked(m_field(p), p) : m_number;
