@@ -135,6 +135,7 @@ int fill_sector(Session& session,
   const Sector sector = sector_of(walls, whole, symmetry, options.parameters, name);
   Fill_options of_sector = options;
   of_sector.parameters.ports = sector.ports;
+  of_sector.parameters.wall_distance = sector.wall_distance;
   Curve arc;
   curves::Isotopy_certificate certificate;
   poll_interruptions();

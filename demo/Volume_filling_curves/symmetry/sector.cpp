@@ -38,16 +38,25 @@ constexpr double max_asymmetry = 0.01;
 // Beyond these sizes CGAL's corefinement divides by products that are 0 or infinite.
 constexpr double min_size = 1e-50, max_size = 1e50;
 
-// The distance of the cuts from the planes of the symmetry. Strands settle about 0.6 r from a wall,
-// and few come nearer than 0.3 r. For a distance of strands of 1.6 r, the cuts of a box and a torus
-// were moved from 0.2 r to 0.35, 0.5 and 0.7 r: of 16 fillings 5, 11, 14 and all had strands so far
-// apart at both sides of a cut, and 85, 83, 81 and 77 % of the volume were within r.
+// The distance that an arc keeps from the cuts, and therefore from the whole boundary of a sector.
+// With it and that of the cuts from the planes, strands of different images are as far apart as
+// required. Strands settle about 0.6 r from a wall, and few come nearer than this.
+double wall_distance_of_arc(const Filling_parameters& parameters, double thickness)
+{
+  constexpr double of_strands = 0.3; // in units of the thickness
+  const bool is_required = curves::internal::shape_goal(parameters).is_given();
+  return (std::max)(is_required ? of_strands * thickness : 0, parameters.wall_distance);
+}
+
+// For a distance of strands of 1.6 r, the cuts of a box and a torus were moved from 0.2 r to 0.35,
+// 0.5 and 0.7 r: 85, 83, 81 and 77 % of the volume were within r.
 double distance_of_cuts(const Filling_parameters& parameters, double thickness)
 {
-  constexpr double least = 0.2, between_wall_and_strand = 0.3; // in units of the thickness
+  constexpr double least = 0.2; // in units of the thickness
+  constexpr double rounding = 1 + 1e-6;
   const double distance = curves::internal::shape_goal(parameters).strand_distance.at(thickness);
-  const double between = (std::max)(between_wall_and_strand * thickness, parameters.wall_distance);
-  return (std::max)(least * thickness, distance / 2 - between);
+  return (std::max)(least * thickness,
+                    rounding * distance / 2 - wall_distance_of_arc(parameters, thickness));
 }
 
 Input_error fault(const std::string& file, const std::string& text, const std::string& expected)
@@ -217,7 +226,8 @@ Sector sector_of(const Mesh& mesh,
     throw fault(file, "strands have no room where --symmetry cuts the mesh",
                 "a mesh that --symmetry cuts where points lie " +
                     to_text(depth + parameters.wall_distance) + " below the surface");
-  Sector sector{mesh, ports_of(symmetry, places, distance)};
+  Sector sector{mesh, ports_of(symmetry, places, distance),
+                wall_distance_of_arc(parameters, thickness)};
   cut(sector.mesh, symmetry, distance, file);
   return sector;
 }
