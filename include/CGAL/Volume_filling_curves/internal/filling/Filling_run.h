@@ -13,38 +13,30 @@
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
-#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
-#include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Neck_search.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Start_curves.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_measures.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <iomanip>
 #include <limits>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -77,6 +69,7 @@ public:
         m_watch(survey.watch()),
         m_visitor(visitor),
         m_unit(unit),
+        m_start(curves, survey, unit),
         m_fit(m_survey.thickness_fit()),
         m_saver(m_parameters, curves, m_watch, [this] { return fingerprint(); })
   {}
@@ -98,13 +91,10 @@ private:
   {
     check_box();
     if(m_fit.thin_fraction > tolerated_unfilled_fraction) m_visitor.on_thin_domain(m_fit);
-    if(!m_parameters.ports.empty())
-      place_arcs();
-    else if(m_curves.number_of_nodes() == 0)
-      place_circles();
+    m_start.place();
     announce();
     Result result = can_grow() ? grow() : stopped(m_survey.thickness());
-    result.necks = m_necks;
+    result.necks = m_start.necks();
     check_necks(m_curves, result.necks);
     report_parts(result);
     return result;
@@ -115,7 +105,7 @@ private:
   bool can_grow()
   {
     const bool is_surveyed = !m_watch.must_stop();
-    return (is_start_checked() && is_surveyed) || m_saver.is_resuming();
+    return (m_start.are_checked() && is_surveyed) || m_saver.is_resuming();
   }
 
   void announce()
@@ -132,7 +122,7 @@ private:
     m_watch.report();
   }
 
-  // Distances may be estimates, since they only steer the curve: a radius may be twice too large.
+  // Distances that are up to twice too large are tolerated here.
   void check_box() const
   {
     const Bbox_3 box = m_domain.bbox();
@@ -141,93 +131,6 @@ private:
                             : (std::min)({box.x_span(), box.y_span(), box.z_span()});
     if(m_survey.widest_radius() > side)
       throw std::invalid_argument("the domain contradicts itself: it reaches beyond its box");
-  }
-
-  // Checks the curves at the start, and returns whether there was time for it.
-  bool is_start_checked()
-  {
-    try {
-      const Watched_scope scope(&m_watch);
-      check_start();
-      return true;
-    } catch(const Run_stopped&) {
-      return !m_circles.empty(); // a circle in a ball is embedded, and inside
-    }
-  }
-
-  void place_circles()
-  {
-    m_circles = m_survey.circles();
-    if(m_circles.empty() && m_watch.must_stop()) throw Run_stopped();
-    if(!(m_survey.widest_radius() > 0))
-      throw std::invalid_argument("the domain contradicts itself: points are inside, and all at "
-                                  "distance 0 from the boundary");
-    if(m_circles.empty())
-      refuse_wall_distance("no point was found that is farther from the boundary than ",
-                           m_survey.widest_radius());
-    m_curves = Network(m_circles, CGAL::parameters::default_values(), m_curves.traits());
-  }
-
-  // The nodes of necks are so near to one another that no edge between them is divided, also where
-  // the domain is thin.
-  void place_arcs()
-  {
-    constexpr double share_of_spacing = 0.5;
-    const Watched_scope scope(&m_watch);
-    if(m_curves.number_of_nodes() > 0)
-      throw std::invalid_argument("ports: there are curves, too, and their ends are the ports");
-    const Port_arcs<Domain, Traits> arcs(
-        m_domain, m_survey.thickness(), m_parameters.ports, m_parameters.wall_distance,
-        share_of_spacing * m_parameters.spacing, m_curves.traits());
-    check_wall_distance(arcs.paths());
-    m_curves = arcs.network();
-    m_necks = arcs.necks();
-    m_arcs = arcs.polylines();
-  }
-
-  [[noreturn]] void refuse_wall_distance(const std::string& complaint, double farthest) const
-  {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::setprecision(9) << complaint << m_unit * farthest;
-    refuse_value(internal_np::wall_distance_t(), m_unit * m_parameters.wall_distance, text.str());
-  }
-
-  // A circle is not checked against the wall distance: it lies in a ball that keeps it. Necks do
-  // not keep it, and the paths between them have been checked.
-  void check_start() const
-  {
-    check_number_of_shares(m_parameters.volume_shares, m_curves.number_of_components());
-    if(m_parameters.start == Filling_start::TREE) check_sliding();
-    check_embedded(m_curves);
-    try {
-      check_inside(m_curves, m_domain);
-    } catch(const std::invalid_argument& error) {
-      if(m_circles.empty()) throw;
-      throw std::invalid_argument("the domain contradicts itself: in the widest ball inside, " +
-                                  std::string(error.what()));
-    }
-    if(m_circles.empty() && m_arcs.empty()) check_wall_distance(m_curves);
-  }
-
-  void check_sliding() const
-  {
-    for(std::size_t c = 0; c < m_curves.number_of_components(); ++c)
-      if(slides_everywhere(m_curves, c))
-        throw std::invalid_argument(
-            "all nodes of component " + std::to_string(c) + ", from node " +
-            std::to_string(m_curves.first_node(c)) +
-            " on, slide or are pinned: fingers would leave the sets on which they slide; "
-            "Filling_start::CIRCLE grows without fingers");
-  }
-
-  void check_wall_distance(const Network& curves) const
-  {
-    if(m_parameters.wall_distance == 0) return;
-    const Least_depth<ConcurrencyTag, Network, Domain> depths(curves, m_domain);
-    const double distance = depths().distance;
-    if(!(distance > m_parameters.wall_distance))
-      refuse_wall_distance("the curve to start from comes as near to the boundary as ", distance);
   }
 
   // Fields enter by their values at the samples.
@@ -312,11 +215,11 @@ private:
   void report_parts(Result& result) const
   {
     result.parts = m_survey.number_of_wide_parts();
-    if(m_circles.empty()) // otherwise each of them has a circle
+    if(!m_start.are_circles()) // otherwise each of them has a circle
       result.unreachable_parts = m_survey.number_of_wide_parts_without(m_curves);
     result.thickness_fit = m_fit;
     result.default_thickness = m_survey.refused_thickness();
-    result.start = m_arcs.empty() ? m_circles : m_arcs;
+    result.start = m_start.placed();
     if(result.status == Filling_status::LENGTH_NOT_REACHED)
       result.reason = length_reason(m_unit * total_length(m_curves), m_unit * m_parameters.length);
     const bool has_ended_early = result.status != Filling_status::PARTIAL &&
@@ -353,11 +256,10 @@ private:
   Run_watch& m_watch;
   Visitor& m_visitor;
   const double m_unit;
+  Start_curves<Network, Survey, ConcurrencyTag> m_start;
   const Thickness_fit m_fit;
   Run_saver m_saver;
   Filling_state m_state;
-  std::vector<std::vector<Point_3>> m_circles, m_arcs; // if the run starts with them
-  std::vector<Port_neck<Point_3>> m_necks;             // of the arcs
 };
 
 } // namespace internal
