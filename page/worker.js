@@ -46,7 +46,7 @@ const actionsOnCurves = {
     isRunning = !isRunning;
   },
   step() {
-    if (curve.isSearching()) return; // which replays its changes of the curve that it began with
+    if (curve.isSearching()) return; // a search replays its changes on the curve that it began with
     curve.remember();
     isRunning = false;
     curve.step();

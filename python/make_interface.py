@@ -236,7 +236,7 @@ def main(folder):
         if not path.exists() or path.read_text() != text:
             path.write_text(text)
     if unused := set(IN_PYTHON) - used_phrases:
-        raise SystemExit(f"The headers say no longer: {unused}")
+        raise SystemExit(f"read_headers.py: no header contains these phrases any more: {unused}")
 
 
 if __name__ == "__main__":

@@ -90,7 +90,7 @@ def plain(text):
     text = re.sub(r"`(true|false)`", lambda m: f"`{m[1].title()}`", text)
     text = re.sub(r"[,;]? see `(\w+)\(\)`", lambda m: m[0] if m[1] in OPTIONS else "", text)
     text = re.sub(r"`(\w+)\(\)`", lambda m: f"`{RESULTS[MEASURES]}.{m[1]}`"
-                  if m[1] in dict.fromkeys(own_members(MEASURES)) else m[0], text)
+                  if m[1] in own_members(MEASURES) else m[0], text)
     text = re.sub(r"\\f\$(.*?)\\f\$", lambda m: re.sub(r"\\(left|right)?", "", m[1]), text)
     return re.sub(r" ?\\cgalCite{.*?}", "", text).replace("\\cgal", "CGAL").strip()
 

@@ -46,9 +46,9 @@ Doubles numbers_of(const py::object& given, const char* name)
 const Mesh& mesh_with_values(const Domain& domain)
 {
   if(!domain.mesh)
-    throw std::invalid_argument("an array of thicknesses or directions has a row per vertex of a "
-                                "mesh, but the domain is no "
-                                "mesh; a function of a point can be given");
+    throw std::invalid_argument(
+        "an array of thicknesses or directions has a row per vertex of a mesh, "
+        "but the domain is no mesh; a function of a point can be given");
   return *domain.mesh;
 }
 

@@ -17,7 +17,7 @@ BALL = vfc.Ball((0, 0, 0), 2)
 
 class Wrong_arguments(unittest.TestCase):
     def check(self, error, calls):
-        """Each call raises an error whose message begins with the name of the argument."""
+        """Each call raises an error whose message has the name of the argument."""
         for name, call in calls:
             with self.subTest(inspect.getsource(call).strip()):
                 with self.assertRaisesRegex(error, name) as raised:

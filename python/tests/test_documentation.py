@@ -26,7 +26,7 @@ def public():
 
 
 def documented():
-    """Each public name, and each class that one of them is derived from, with its docstring."""
+    """Each public name with its docstring."""
     for name, value in public().items():
         yield name, inspect.getdoc(value) or ""
 

@@ -21,9 +21,9 @@ from support import CUBE_FACES, CUBE_VERTICES, SQUARE, circle
 import vfc
 
 # What takes no longer than half a second for a million points.
-INSTANT = {"length", "write", "Ball", "Box", "Implicit", "Network"}
+INSTANT = {"length", "write", "Ball", "Box", "Implicit"}
 SECONDS_TO_THE_SIGNAL = 0.1
-SECONDS_TO_THE_END = 0.5  # of a processor: others may be busy
+SECONDS_TO_THE_END = 0.5 * (os.cpu_count() or 1)  # of all processors
 
 
 class Interrupted_call:
@@ -119,7 +119,7 @@ class Interruption(unittest.TestCase):
                 self.assertIsNotNone(ended.came_from, "the work went on to its end")
                 self.assertLess(ended.seconds, SECONDS_TO_THE_END)
             interrupted.add(name)
-        self.assertEqual(interrupted | INSTANT, callables() | {"Network"})
+        self.assertEqual(interrupted | INSTANT, callables())
 
     def test_ctrl_c_ends_the_threads_of_the_example(self):
         file = pathlib.Path(__file__).parents[1] / "examples/batch.py"
@@ -132,7 +132,7 @@ class Interruption(unittest.TestCase):
         with self.assertRaises(KeyboardInterrupt):
             timer.start()
             batch.untangled([tangle] * 8)
-        self.assertLess(time.process_time() - start, 5)  # 8 runs alone take minutes
+        self.assertLess(time.process_time() - start, 5 * (os.cpu_count() or 1))  # 8 runs take minutes
 
     def test_other_threads_go_on(self):
         polygon = vfc.random_polygon(20000)
@@ -144,9 +144,10 @@ class Interruption(unittest.TestCase):
         thread = threading.Thread(target=count)
         thread.start()
         try:
-            before = counted[0]
+            before, start = counted[0], time.monotonic()
             vfc.measure(polygon[:4000], closed=False)
-            self.assertGreater(counted[0], before + 20)
+            waits = (time.monotonic() - start) / 1e-3
+            self.assertGreater(counted[0] - before, waits / 20)  # a busy machine wakes threads late
         finally:
             is_over.set()
             thread.join()

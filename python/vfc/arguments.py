@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 INT_MAX = 2**31 - 1  # of int in C++
-SIZE_MAX = 2**63 - 1  # less than of std::size_t, and of an index in NumPy
+SIZE_MAX = 2**63 - 1  # the largest index in NumPy; std::size_t holds more
 
 
 def integer(value: Any, name: str, least: int = 0, most: int = SIZE_MAX) -> int:

@@ -104,20 +104,25 @@ int fill_domain(Session& session,
 
 // Returns the curve of an arc and its images. If there is none, writes the arc: it is certified,
 // and may have taken long.
-Curve closed_up_or_kept(const Session& session,
-                        const Fill_options& options,
-                        const Curve& arc,
-                        double thickness,
-                        const Ports& ports,
-                        const Symmetry& symmetry,
-                        const Domain& domain)
+Curve closed_up_or_arc_written(const Session& session,
+                               const Fill_options& options,
+                               const Curve& arc,
+                               double thickness,
+                               const Ports& ports,
+                               const Symmetry& symmetry,
+                               const Domain& domain)
 {
   try {
     return closed_up(arc, ports, symmetry, domain, options.mesh);
   } catch(const std::exception&) {
-    filling::write_result(options, arc, thickness);
-    if(!options.output.empty())
-      session.console().warn(options.output + ": holds the arc in its sector, without its images");
+    try {
+      filling::write_result(options, arc, thickness);
+      if(!options.output.empty())
+        session.console().warn(options.output +
+                               ": holds the arc in its sector, without its images");
+    } catch(const Usage_error& error) { // less important than why there are no images
+      session.console().warn(error.what());
+    }
     throw;
   }
 }
@@ -147,8 +152,8 @@ int fill_sector(Session& session,
     write_curve(files.end, arc);
     Output_files::write(files.domain, to_text(sector.mesh, ".off"));
   }
-  const Curve curve =
-      closed_up_or_kept(session, options, arc, result.thickness, sector.ports, symmetry, whole);
+  const Curve curve = closed_up_or_arc_written(session, options, arc, result.thickness,
+                                               sector.ports, symmetry, whole);
   filling::write(session, options, curve, result); // before measuring, which may be interrupted
   const Patience patience((std::max)(0., options.parameters.time_limit - session.seconds()));
   measure_again(result, curve, whole, options.parameters, patience);

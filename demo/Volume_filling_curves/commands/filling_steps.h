@@ -133,7 +133,7 @@ inline void write(Session& session,
   session.end_stage("writing");
 }
 
-// Measures and reports it, and returns the exit status.
+// Reports a curve that fills a domain, and returns the exit status.
 template <typename Domain>
 int report(Session& session,
            const Fill_options& options,

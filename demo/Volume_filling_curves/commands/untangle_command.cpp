@@ -88,15 +88,16 @@ void check_flow_thickness(const Curve& curve,
   constexpr double harmless_spacing = 0.01;
   const double spacing = parameters.spacing;
   check_thickness(parameters.thickness, curve);
-  const double requested =
-      (std::max)(parameters.thickness, curves::internal::min_thickness_for(parameters));
-  if(requested > 0)
-    check_number_of_nodes(requested, options_of_thickness(parameters), spacing, curve);
-  if(requested > 0 || spacing >= harmless_spacing) return;
+  const double asked = parameters.thickness,
+               least = curves::internal::min_thickness_for(parameters);
+  if(asked > 0)
+    check_number_of_nodes((std::max)(asked, least), options_of_thickness(parameters), spacing,
+                          curve);
+  if(asked > 0 || spacing >= harmless_spacing) return;
   try {
     const double found = curves::default_thickness<CGAL::Parallel_if_available_tag>(
         curve, parameters.number_of_directions, curves::parameters::progress(patience));
-    check_number_of_nodes(found, "", spacing, curve);
+    check_number_of_nodes((std::max)(found, least), "", spacing, curve);
   } catch(const curves::Run_interrupted&) {
     return;
   }

@@ -37,8 +37,8 @@ public:
                      const std::string& continued);
 
   // Checks a folder that is created when its first file is written. It may exist if it is empty, or
-  // if the files there that are replaced, `is_replaced(path)`, are nobody else's. Comes after all
-  // files, with which it is compared.
+  // if the files there that are replaced, `is_replaced(path)`, are nobody else's. Call it after
+  // all files have been added: it compares the folder with them.
   void add_folder(const std::string& option,
                   const std::string& path,
                   bool (*is_replaced)(const std::filesystem::path& file));

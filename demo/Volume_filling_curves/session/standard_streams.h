@@ -10,7 +10,7 @@
 namespace vfc {
 
 // A caller can close the standard streams, as 2>&- does in a shell. The next file to be opened
-// would then take the place of one, and contain the messages, too. Reserves these places; to write
+// would then take the place of one, and contain the messages, too. Reserves these places; writing
 // to them remains an error.
 void reserve_standard_streams();
 

@@ -250,7 +250,7 @@ template <typename ConcurrencyTag = Sequential_tag,
  * The curves are projected along 20 directions, and the diagram with the fewest crossings is
  * simplified. Every crossing rests on exact predicates, and every step of the simplification is a
  * sequence of Reidemeister moves; hence the result is certainly a diagram of the curves. The unknot
- * and 127 prime knots of up to 10 crossings, all tangled, reach their crossing number. Takes near-
+ * and 127 prime knots of up to 10 crossings, all tangled, reach their crossing number. Takes nearly
  * linear time in the number of nodes and crossings; calling `simplify_curves()` first makes it
  * faster.
  *

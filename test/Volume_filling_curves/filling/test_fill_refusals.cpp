@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -210,6 +211,25 @@ TEST(Fill, ends_with_distances_along_directions_that_make_no_sense)
     const std::string message = refusal_of_domain(domain);
     EXPECT_TRUE(message.empty() || contains(message, "the domain contradicts itself: ")) << message;
   }
+}
+
+// An empty state to resume from stands for none.
+TEST(Fill, is_not_sampled_to_the_end_if_the_time_is_over)
+{
+  Strange_domain domain;
+  std::size_t samples = 0;
+  domain.inside = [&](const Point& p) {
+    ++samples;
+    return domain.cube.is_inside(p);
+  };
+  const VFC::Run_state none;
+  VFC::Filling_parameters<Point> parameters;
+  parameters.thickness = 0.5;
+  parameters.time_limit = 0;
+  parameters.resume_from = &none;
+  Curve curve;
+  EXPECT_EQ(VFC::fill(curve, domain, parameters).status, VFC::Filling_status::LIMIT);
+  EXPECT_LT(samples, 5000u);
 }
 
 } // namespace test_fill_refusals

@@ -297,7 +297,6 @@ TEST(Fill_round, stops_polishing_where_the_limits_are_out_of_reach)
   EXPECT_EQ(result.statistics.iterations, 23u) << "to open, to bend, and one to polish";
 }
 
-// Nodes that the guard held at that distance held bends of 0.3 r next to them.
 // A tight helix, between nodes of which every sixth is pinned; bent on, it doubled its length in
 // each second step.
 TEST(Fill_round, stops_bending_a_curve_that_grows_without_end)
@@ -315,6 +314,7 @@ TEST(Fill_round, stops_bending_a_curve_that_grows_without_end)
   EXPECT_LT(result.statistics.iterations, 50u);
 }
 
+// Nodes that the guard held at that distance held bends of 0.3 r next to them.
 TEST(Fill_round, keeps_a_distance_from_the_boundary)
 {
   const Box cube({0, 0, 0}, {1, 1, 1});

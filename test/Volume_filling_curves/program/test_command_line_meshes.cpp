@@ -274,7 +274,7 @@ TEST_F(Command_line_meshes, the_time_limit_holds_for_obstacles_too)
   write("obstacle.obj", small_cube(1, 1));
   for(const std::string command : {"repair cube.obj -o x.obj", "fill cube.obj --repair -o x.obj"}) {
     const Finished late = run_after("rm -f late.obj && mkfifo late.obj && "
-                                    "{ (sleep 0.6; cat obstacle.obj >late.obj) & }",
+                                    "{ (exec 3>late.obj; sleep 0.6; cat obstacle.obj >&3) & }",
                                     command + " --obstacle late.obj --time-limit 0.5");
     EXPECT_EQ(late.status, 2) << late.err;
     EXPECT_NE(late.err.find("not mended within 0.5 s"), std::string::npos) << late.err;

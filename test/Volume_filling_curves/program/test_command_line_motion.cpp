@@ -216,20 +216,20 @@ TEST_F(Command_line_motion, limits_of_the_shape_are_kept_or_told)
   EXPECT_EQ(run(untangle + "x.obj --strategy tighten" + limits).status, 1);
 }
 
-// The thickness is the one that is given, or the least for the limits of the shape.
+// The thickness is the one that is given or measured, or the least for the limits of the shape.
 TEST_F(Command_line_motion, the_larger_of_two_thicknesses_decides_on_the_number_of_nodes)
 {
   make_trefoil();
   const std::string untangle = "untangle trefoil.obj --max-iterations 1 --force -o x.obj ";
   EXPECT_EQ(run(untangle + "--thickness 0.5 --bend-radius 1e-7").status, 2);
   EXPECT_EQ(run(untangle + "--thickness 1e-7 --bend-radius 0.3").status, 2);
-  const Finished dense = run(untangle + "--bend-radius 1e-7 --strand-distance 1e-8");
+  EXPECT_EQ(run(untangle + "--bend-radius 1e-7").status, 2);
+  const Finished dense = run(untangle + "--thickness 1e-7 --bend-radius 1e-8");
   EXPECT_EQ(dense.status, 1);
-  EXPECT_NE(dense.err.find("--bend-radius 1e-07, --strand-distance 1e-08 and --spacing 0.2 are too "
+  EXPECT_NE(dense.err.find("--thickness 1e-07, --bend-radius 1e-08 and --spacing 0.2 are too "
                            "small"),
             std::string::npos)
       << dense.err;
-  EXPECT_EQ(dense.err.find("--thickness"), std::string::npos) << dense.err;
 }
 
 TEST_F(Command_line_motion, signals_interrupt_and_save_the_curve)

@@ -21,6 +21,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
+#include <CGAL/Volume_filling_curves/internal/state/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
@@ -175,11 +176,13 @@ public:
   }
 
 private:
-  // States are those of all samples, which fields are compared by. A run that is to stop needs one.
+  // A state to save or to resume from depends on all samples: a run with states takes them even if
+  // it is to stop.
   bool goes_on_sampling() const
   {
-    const bool is_saving = m_parameters.checkpoint || m_parameters.resume_from;
-    return is_saving || !m_watch.must_stop();
+    const Run_state* const former = m_parameters.resume_from;
+    const bool has_state = m_parameters.checkpoint || (former && !former->is_empty());
+    return has_state || !m_watch.must_stop();
   }
 
   bool is_thickness_asked_for() const { return m_thickness.is_given() || m_parameters.length > 0; }

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -252,13 +253,16 @@ private:
   // A curve that nobody had time to measure has not reached its goal.
   Filling_status status_of_settled(const Result& result) const
   {
-    if(std::isnan(result.unfilled_fraction + result.crowded_fraction)) {
-      m_watch.checkpoint(Run_watch::Checkpoint::END);
+    if(!is_measured(result))
       return m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
-    }
     if(misses_length()) return Filling_status::LENGTH_NOT_REACHED;
     if(!result.shape_excesses.empty()) return Filling_status::CONSTRAINT_NOT_REACHED;
     return is_partial(result) ? Filling_status::PARTIAL : Filling_status::CONVERGED;
+  }
+
+  static bool is_measured(const Result& result)
+  {
+    return !std::isnan(result.unfilled_fraction) && !std::isnan(result.crowded_fraction);
   }
 
   Result result() const
@@ -268,7 +272,9 @@ private:
     if(m_shape.is_given())
       result.shape_excesses = shape_excesses<Point_3>(
           flow().check_shape(m_shape, m_thickness.at_each(curve().points())), curve().traits());
-    result.status = m_runner.end().value_or(status_of_settled(result));
+    const std::optional<Filling_status>& end = m_runner.end();
+    result.status = end ? *end : status_of_settled(result);
+    if(!end && !is_measured(result)) m_watch.checkpoint(Run_watch::Checkpoint::END);
     // the flow's may be that of a stage
     result.thickness = m_thickness.averaged_at(curve().points()).number();
     result.medial_radius =

@@ -105,7 +105,7 @@ private:
   bool can_grow()
   {
     const bool is_surveyed = !m_watch.must_stop();
-    return (m_start.are_checked() && is_surveyed) || m_saver.is_resuming();
+    return (m_start.check_in_time() && is_surveyed) || m_saver.is_resuming();
   }
 
   void announce()
@@ -115,7 +115,8 @@ private:
     progress.thickness = r;
     progress.default_thickness = m_survey.refused_thickness();
     progress.expected_length = m_survey.size().length(r);
-    constexpr double most = 1e18; // a survey that was cut short has not checked the number
+    // a survey that was cut short has not checked the number
+    constexpr double most = static_cast<double>(std::numeric_limits<std::size_t>::max() / 2);
     progress.expected_nodes =
         static_cast<std::size_t>((std::min)(m_survey.size().number_of_nodes(r), most));
     progress.expected_seconds = m_survey.size().seconds(r);

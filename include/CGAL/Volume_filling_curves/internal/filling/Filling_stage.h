@@ -154,7 +154,7 @@ private:
     stage.directions = directions;
     stage.window = 16;
     stage.change_of_length = any_change;
-    stage.max_growth = 2; // of one between nodes that cannot move; others grow by some 1.2
+    stage.max_growth = 2; // exceeded between pinned nodes without room; others grow by 1.2
     return stage;
   }
 };

@@ -64,7 +64,7 @@ public:
   }
 
   // Checks the curves, and returns whether there was time for it.
-  bool are_checked()
+  bool check_in_time()
   {
     try {
       const Watched_scope scope(&m_watch);

@@ -48,9 +48,8 @@ void measure_shape(Result& result,
   result.point_nearest_to_wall = point(nearest.point);
 }
 
-// Measures the coverage of a curve and its shape, as far as time allows. A run that is
-// to stop has a tenth of a second for that, enough for 50,000 nodes. A share that is not measured
-// is not a number.
+// Measures the coverage of a curve and its shape, as far as time allows. A run that is to stop has
+// a tenth of a second for that, enough for 50,000 nodes. A share that is not measured is NaN.
 template <typename Result, typename Unfilled, typename Network, typename Thickness>
 void measure_filling(Result& result,
                      const Unfilled& unfilled,

@@ -131,8 +131,9 @@ public:
 private:
   double checked(double value, const Point_3& p) const
   {
-    if(value > m_size) refuse_thickness(value, p, not_larger_than("the domain", m_size));
-    return checked_thickness(value, p);
+    if(checked_thickness(value, p) > m_size)
+      refuse_thickness(value, p, not_larger_than("the domain", m_size));
+    return value;
   }
 
   double m_number, m_factor = 1, m_min = 0, m_size;

@@ -58,7 +58,8 @@ inline std::ostream& operator<<(std::ostream& out, Untangling_strategy strategy)
  * \brief The parameters of `untangle()`.
  *
  * With `AUTO` the default thickness is measured on the resulting polygon of the search; if this is
- * a proved unknot, it is a fortieth of the polygon's length.
+ * a proved unknot, it is a fortieth of the polygon's length. With limits of the shape it is
+ * measured on the input.
  *
  * One parameter of the flow has a different default: `preconditioner` is `Preconditioner::CONTACT`.
  * It unties hard unknots in 0.3 times the iterations of the paper's `Preconditioner::MEDIAL`, and
