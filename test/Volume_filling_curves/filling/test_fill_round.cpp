@@ -278,7 +278,7 @@ constexpr std::size_t iterations_to_jam = 42; // to open, to bend, and to polish
 
 TEST(Long_fill_round, loosens_arcs_that_jam)
 {
-  for(const std::size_t seed : {3u, 11u, 17u}) { // twice, once, twice
+  for(const std::size_t seed : {0u, 19u, 21u}) { // once, once, twice
     Curve curve;
     const Result result =
         VFC::fill(curve, box_of_arcs, np::thickness(1).random_seed(seed).ports(two_ports));
@@ -297,14 +297,14 @@ TEST(Fill_round, stops_polishing_where_the_limits_are_out_of_reach)
   EXPECT_EQ(result.statistics.iterations, 23u) << "to open, to bend, and one to polish";
 }
 
-// A tight helix, between nodes of which every sixth is pinned; bent on, it doubled its length in
-// each second step.
+// A tight helix, of whose nodes every sixth is pinned. Bent on, it doubled its length in every
+// second step.
 TEST(Fill_round, stops_bending_a_curve_that_grows_without_end)
 {
-  const Box bar({-2, -0.5, -0.5}, {2, 0.5, 0.5});
+  const Box bar({-1, -0.5, -0.5}, {1, 0.5, 0.5});
   std::vector<Point> helix;
-  for(int k = 0; k < 900; ++k)
-    helix.push_back({-1.2 + 2.4 * k / 900, 0.25 * std::cos(0.2 * k), 0.25 * std::sin(0.2 * k)});
+  for(int k = 0; k < 300; ++k)
+    helix.push_back({-0.4 + 0.8 * k / 300, 0.25 * std::cos(0.2 * k), 0.25 * std::sin(0.2 * k)});
   Curve curve(std::vector<std::vector<Point>>{helix});
   for(std::size_t v = 0; v < curve.number_of_nodes(); v += 6) curve.set_pinned(v);
   const double former_length = VFC::length(curve);
