@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -30,13 +31,16 @@ namespace {
 namespace files = CGAL::Volume_filling_curves::internal;
 
 // Replaces backslashes at the ends of continued lines by blanks; all else keeps its position.
+// Blanks may follow: CGAL 6 continues such lines, too, and an assertion fails if they are empty.
 std::string with_continued_lines(std::string text)
 {
-  for(std::size_t i = text.find('\\'); i != std::string::npos; i = text.find('\\', i + 1)) {
-    const std::size_t end = text.compare(i + 1, 2, "\r\n") == 0 ? i + 3 : i + 2;
-    if(end <= text.size() && text[end - 1] == '\n')
-      std::fill(text.begin() + static_cast<std::ptrdiff_t>(i),
-                text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+  constexpr std::string_view blanks(" \t\r\v\f\0", 6);
+  // from the last one on, since backslashes may follow one another
+  for(std::size_t end = text.size(), i; end > 0 && (i = text.rfind('\\', end - 1)) < end; end = i) {
+    const std::size_t rest = (std::min)(text.find_first_not_of(blanks, i + 1), text.size());
+    if(rest < text.size() && text[rest] != '\n') continue;
+    std::fill(text.begin() + static_cast<std::ptrdiff_t>(i),
+              text.begin() + static_cast<std::ptrdiff_t>((std::min)(rest + 1, text.size())), ' ');
   }
   return text;
 }

@@ -220,6 +220,8 @@ TEST_F(Mesh_file, continues_lines_of_obj_files)
   EXPECT_FALSE(read("b.obj", "v 0 0 \\\n0\nhello\n"));
   ASSERT_EQ(kinds(), Kinds{"unreadable file"});
   EXPECT_EQ(defects[0].line, 3u) << "lines are counted as they are";
+  for(const std::string nothing : {"\\", "\\\\", "\\ \n", "\\\n\\\n", "v 0 0 0\n\\\t"})
+    EXPECT_FALSE(read("c.obj", nothing)) << nothing;
 }
 
 TEST_F(Mesh_file, says_what_of_a_ply_file_is_missing)
