@@ -64,6 +64,5 @@ function addChoices() {
   element("knot").append(ownChoice); // the first one is selected
 }
 
-
 // The list names what is shown, and nothing that was refused.
 function showChoice(ofLoaded) { element("knot").value = chosen[ofLoaded]; }

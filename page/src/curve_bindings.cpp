@@ -51,6 +51,7 @@ public:
   explicit Page_curve(const Curve& curve) : m_live(curve), m_units(curve.bbox()) {}
 
   bool step() { return m_live.step(); }
+
   // The thickness in units of the measured one.
   double thickness_factor() const
   {
