@@ -32,8 +32,10 @@ inline Knot_key computed_key(const Braid& braid)
 inline Knot_key computed_third_key(const Braid& braid)
 {
   namespace internal = CGAL::Volume_filling_curves::internal;
-  constexpr std::size_t work = 1'000'000'000;
-  return Knot_key::of(internal::colored_jones_polynomial(closure(braid), 3, work).value());
+  constexpr std::size_t operations = 1'000'000'000;
+  return Knot_key::of(internal::colored_jones_polynomial(
+                          closure(braid), 3, internal::Polynomial_work(nullptr, operations))
+                          .value());
 }
 
 } // namespace knot_test

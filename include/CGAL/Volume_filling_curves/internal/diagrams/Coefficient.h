@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <ostream>
@@ -27,9 +26,6 @@ struct Polynomial_limit : std::runtime_error
 {
   Polynomial_limit() : std::runtime_error("a polynomial exceeds the limits") {}
 };
-
-// Default limit of operations on terms for a polynomial: about a second.
-constexpr std::size_t default_work = 25'000'000;
 
 // half of the range: sums of two such numbers are in the range
 constexpr Coefficient max_coefficient = std::numeric_limits<Coefficient>::max() / 2;

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Laurent_polynomial_2.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
 
 #include <cstddef>
 #include <optional>
@@ -27,7 +28,7 @@ namespace internal {
 class Homfly_sweep
 {
 public:
-  explicit Homfly_sweep(std::size_t work) : m_work(work) {}
+  explicit Homfly_sweep(Polynomial_work& work) : m_work(work) {}
 
   Laurent_polynomial_2 operator()(const Planar_diagram& diagram)
   {
@@ -42,7 +43,7 @@ public:
 private:
   Laurent_polynomial_2 of_piece(const Planar_diagram& diagram)
   {
-    const Disk_sweep sweep(diagram);
+    const Disk_sweep sweep(diagram, m_work);
     const Diagram_strands strands(diagram);
     Homfly_skein skein(m_work);
     int writhe = 0;
@@ -54,7 +55,6 @@ private:
     }
     Laurent_polynomial_2 polynomial = skein.closed();
     polynomial.shift({writhe, 0});
-    m_work = skein.work_left();
     return polynomial;
   }
 
@@ -75,12 +75,13 @@ private:
     if(step.attached == 4) skein.join(0);
   }
 
-  std::size_t m_work;
+  Polynomial_work& m_work;
 };
 
-// Returns nothing if the computation exceeds the limit of operations on terms.
-inline std::optional<Laurent_polynomial_2> homfly_polynomial(const Planar_diagram& diagram,
-                                                             std::size_t work = default_work)
+// Returns nothing if the polynomial exceeds the limits.
+// \throws Run_stopped if a watch requests it
+inline std::optional<Laurent_polynomial_2> homfly_polynomial(
+    const Planar_diagram& diagram, Polynomial_work work = Polynomial_work())
 {
   try {
     return Homfly_sweep(work)(diagram);

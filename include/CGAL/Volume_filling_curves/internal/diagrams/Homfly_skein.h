@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/diagrams/Laurent_polynomial_2.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
 
 #include <CGAL/assertions.h>
 
@@ -36,14 +37,11 @@ namespace internal {
 class Homfly_skein
 {
 public:
-  // Makes an empty disk, and takes the number of operations on terms until Polynomial_limit is
-  // thrown.
-  explicit Homfly_skein(std::size_t work) : m_work(work)
+  // Makes an empty disk.
+  explicit Homfly_skein(Polynomial_work& work) : m_work(work)
   {
     m_tangles.push_back({0, Laurent_polynomial_2::monomial({0, 0})});
   }
-
-  std::size_t work_left() const { return m_work; }
 
   // The factor of a split loop.
   static Laurent_polynomial_2 loop()
@@ -178,9 +176,7 @@ private:
   // Adds a tangle to the terms, which are not yet sorted.
   void add(std::vector<Tangle>& tangles, Labels labels, Laurent_polynomial_2 factor)
   {
-    const std::size_t work = 1 + factor.terms().size();
-    if(work > m_work) throw Polynomial_limit();
-    m_work -= work;
+    m_work.use(1 + factor.terms().size());
     tangles.push_back({labels, std::move(factor)});
   }
 
@@ -307,7 +303,7 @@ private:
 
   std::vector<End> m_ends;
   std::vector<Tangle> m_tangles; // sorted by labels, none twice
-  std::size_t m_work;
+  Polynomial_work& m_work;
 };
 
 } // namespace internal

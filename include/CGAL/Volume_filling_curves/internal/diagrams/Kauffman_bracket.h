@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Disk_sweep.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Laurent_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
 
 #include <algorithm>
 #include <array>
@@ -31,16 +32,13 @@ namespace internal {
 class Kauffman_bracket
 {
 public:
-  // Takes the number of operations on coefficients until Polynomial_limit is thrown.
-  explicit Kauffman_bracket(std::size_t work) : m_work(work) {}
-
-  std::size_t work_left() const { return m_work; }
+  explicit Kauffman_bracket(Polynomial_work& work) : m_work(work) {}
 
   Laurent_polynomial operator()(const Planar_diagram& diagram)
   {
     m_states = {{Pairing{}, Laurent_polynomial::monomial(0)}};
     m_width = 0;
-    const Disk_sweep sweep(diagram);
+    const Disk_sweep sweep(diagram, m_work);
     for(const Sweep_step& step : sweep.steps()) take_in(step);
     const Laurent_polynomial sum = m_states.empty() ? Laurent_polynomial() : m_states[0].factor;
     Laurent_polynomial bracket; // the factors are in A^2, without 1/A for each crossing
@@ -138,7 +136,7 @@ private:
     for(const Change& c : changes) {
       if(states.empty() || states.back().pairing != c.pairing) states.push_back({c.pairing, {}});
       Laurent_polynomial p = m_states[c.state].factor;
-      use(1 + static_cast<std::size_t>(p.end() - p.low()));
+      m_work.use(1 + static_cast<std::size_t>(p.end() - p.low()));
       for(int i = 0; i < c.loops; ++i) p = times_loop(p);
       states.back().factor.add_multiple(p, c.exponent);
     }
@@ -153,15 +151,9 @@ private:
     return product;
   }
 
-  void use(std::size_t work)
-  {
-    if(work > m_work) throw Polynomial_limit();
-    m_work -= work;
-  }
-
   std::vector<State> m_states; // sorted by pairings, none twice
   std::size_t m_width = 0;     // arcs on the boundary
-  std::size_t m_work;
+  Polynomial_work& m_work;
 };
 
 } // namespace internal

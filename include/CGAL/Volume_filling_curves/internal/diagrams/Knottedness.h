@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>
@@ -88,7 +89,7 @@ inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch =
   for(const std::uint64_t t : alexander_arguments)
     if(matrix.squared_norm(t, field) != trivial)
       return Knottedness::KNOTTED_BY_ALEXANDER_POLYNOMIAL;
-  const auto homfly = homfly_polynomial(diagram);
+  const auto homfly = homfly_polynomial(diagram, Polynomial_work(watch));
   auto of_trivial_link = Laurent_polynomial_2::monomial({0, 0});
   for(std::size_t k = 1; k < components; ++k)
     of_trivial_link = of_trivial_link * Homfly_skein::loop();

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Knottedness.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identity.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Prime_knot.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Prime_link.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/colored_jones_polynomial.h>
@@ -74,8 +75,8 @@ private:
   void find_polynomials()
   {
     const Planar_diagram& diagram = m_identity.diagram;
-    m_homfly = homfly_polynomial(diagram);
-    const auto jones = colored_jones_polynomial(diagram, 1);
+    m_homfly = homfly_polynomial(diagram, Polynomial_work(m_watch));
+    const auto jones = colored_jones_polynomial(diagram, 1, Polynomial_work(m_watch));
     std::ostringstream homfly_text, jones_text;
     for(std::ostringstream* text : {&homfly_text, &jones_text}) text->imbue(std::locale::classic());
     if(m_homfly) m_homfly->write(homfly_text, {"v", "z"});
@@ -146,8 +147,8 @@ private:
 
   Piece_name piece_name(const Planar_diagram& piece)
   {
-    const auto homfly = homfly_polynomial(piece);
-    const auto jones = colored_jones_polynomial(piece, 2);
+    const auto homfly = homfly_polynomial(piece, Polynomial_work(m_watch));
+    const auto jones = colored_jones_polynomial(piece, 2, Polynomial_work(m_watch));
     const std::size_t crossings = piece.crossings.size();
     if(!homfly || !jones) {
       m_can_be_proved = true;
@@ -165,12 +166,12 @@ private:
 
   // Finds out, for a prime knot with a third key, which of the mirror images it is; returns whether
   // that is known of all factors.
-  static bool find_mirror_image(std::vector<Prime_knot>& factors, const Planar_diagram& piece)
+  bool find_mirror_image(std::vector<Prime_knot>& factors, const Planar_diagram& piece) const
   {
     for(Prime_knot& knot : factors) {
       const Third_knot_key* third = knot.third_key();
       if(!third) continue;
-      const auto jones = colored_jones_polynomial(piece, 3);
+      const auto jones = colored_jones_polynomial(piece, 3, Polynomial_work(m_watch));
       if(!jones || factors.size() > 1) return false;
       knot.is_mirror = Knot_key::of(*jones) == Knot_key(third->keys[1]);
       if(Knot_key::of(*jones) != Knot_key(third->keys[knot.is_mirror ? 1 : 0])) return false;

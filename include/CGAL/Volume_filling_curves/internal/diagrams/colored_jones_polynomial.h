@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Kauffman_bracket.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Laurent_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
 
 #include <array>
 #include <cstddef>
@@ -98,7 +99,7 @@ inline Planar_diagram cable(const Planar_diagram& diagram, std::size_t strands)
 class Colored_jones_sweep
 {
 public:
-  explicit Colored_jones_sweep(std::size_t work) : m_work(work) {}
+  explicit Colored_jones_sweep(Polynomial_work& work) : m_work(work) {}
 
   // in t of a knot; of a link, for color 1 only, in the square root of t
   Laurent_polynomial operator()(const Planar_diagram& diagram, int color)
@@ -134,20 +135,17 @@ private:
 
   Laurent_polynomial bracket_of_cable(const Planar_diagram& diagram, int strands)
   {
-    Kauffman_bracket bracket(m_work);
-    Laurent_polynomial result = bracket(cable(diagram, static_cast<std::size_t>(strands)));
-    m_work = bracket.work_left();
-    return result;
+    return Kauffman_bracket(m_work)(cable(diagram, static_cast<std::size_t>(strands)));
   }
 
-  std::size_t m_work;
+  Polynomial_work& m_work;
 };
 
-// Returns the Jones polynomial J_c of color c, from 1 to 3; nothing if it exceeds the limit of
-// operations on coefficients. \pre the diagram is that of a knot if c > 1
-inline std::optional<Laurent_polynomial> colored_jones_polynomial(const Planar_diagram& diagram,
-                                                                  int color,
-                                                                  std::size_t work = default_work)
+// Returns the Jones polynomial J_c of color c, from 1 to 3; nothing if it exceeds the limits.
+// \pre the diagram is that of a knot if c > 1
+// \throws Run_stopped if a watch requests it
+inline std::optional<Laurent_polynomial> colored_jones_polynomial(
+    const Planar_diagram& diagram, int color, Polynomial_work work = Polynomial_work())
 {
   try {
     return Colored_jones_sweep(work)(diagram, color);
