@@ -174,9 +174,9 @@ void add_options_of_films(CLI::App& command, Draw_options& options)
 void add_draw_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Draw_options>();
-  CLI::App& command =
-      command_line.add_command("draw", "draw a curve, also in a surface, or make a film of a run",
-                               [options](Session& session) { return draw(session, *options); });
+  CLI::App& command = command_line.add_command(
+      "draw", "draw a curve, alone or in a surface, or make a film of a run",
+      [options](Session& session) { return draw(session, *options); });
   add_curve(command, options->file).required(false);
   add_mesh(command, options->mesh)
       .description("a surface, drawn translucent around the curve, or polygons (.wkt)");

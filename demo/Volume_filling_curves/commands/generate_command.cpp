@@ -137,11 +137,11 @@ void add_generate_command(Command_line& command_line)
       ->check(CLI::IsMember(names_of_kinds()).description(""))
       ->type_name("");
   add_curve_output(command, options->output).required();
-  add_whole_number(command, "--nodes", options->nodes, "number of nodes of all components", 3,
-                   100000000)
+  add_whole_number(command, "--nodes", options->nodes, "number of nodes in all components together",
+                   3, 100000000)
       .capture_default_str();
   add_whole_number(command, "--seed", options->seed,
-                   "seed; for a knot, of its rotation in space, where 0 means none", 0)
+                   "seed; for a knot, that of its rotation in space, where 0 means none", 0)
       .capture_default_str();
   const int most = 10000;
   command.add_option("--p", options->p, "torus-knot: times around the axis, 1 or more")

@@ -145,7 +145,7 @@ void add_identify_command(Command_line& command_line)
                     command_line, false);
   command.footer(
       "Prints the name of the knot, (proved) or consistent with its polynomials; then keys of the\n"
-      "report, - for what is not known. All of them are exact: they are those of a diagram that\n"
+      "report, with - for unknown values. All values are exact: they are those of a diagram that\n"
       "was projected with exact predicates and simplified by Reidemeister moves.\n"
       "  name                  in Rolfsen's table, up to 10 crossings, for links up to 6;\n"
       "                        * for the mirror image\n"
@@ -153,15 +153,15 @@ void add_identify_command(Command_line& command_line)
       "  crossings             of the diagram; the knot has no more\n"
       "  signature             -2 for the right-handed trefoil\n"
       "  alexander_polynomial  coefficients from the lowest power on, of at most 300 crossings\n"
-      "  dt                    leaves the mirror image open; of a link it is an error, status 4\n"
+      "  dt                    does not determine the mirror image; an error for links, status 4\n"
       "\n"
       "An open chain is closed in many directions; the name is that of the most frequent knot:\n"
       "  share_of_NAME         of the closures, with the standard error of N random ones\n"
       "  direct                the knot if a segment joins the ends\n"
-      "  least_interfering     likewise, or paths out of the convex hull, if these are shorter\n"
+      "  least_interfering     the same or, if shorter, by paths out of the convex hull\n"
       "  core                  the first and the last node, counted along the chain from 1\n"
-      "  slipknot              section with another knot than the chain, in most closures\n"
-      "Of several CURVEs only the names are printed; the report has the list curves of reports.");
+      "  slipknot              section that forms another knot than the chain in most closures\n"
+      "For several CURVEs, only the names are printed; the report lists their reports in curves.");
 }
 
 } // namespace vfc

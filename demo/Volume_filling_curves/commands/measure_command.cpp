@@ -110,7 +110,7 @@ void add_measure_command(Command_line& command_line)
 {
   const auto options = std::make_shared<Measure_options>();
   CLI::App& command =
-      command_line.add_command("measure", "measure a curve, also inside a mesh",
+      command_line.add_command("measure", "measure a curve, and how it fills a mesh",
                                [options](Session& session) { return measure(session, *options); });
   add_curve(command, options->file);
   add_mesh(command, options->mesh)
@@ -119,7 +119,7 @@ void add_measure_command(Command_line& command_line)
              "r, in the input's unit: segments within pi r of each other along the curve do not "
              "count for min_clearance; needed for medial_radius and empty_regions")
       .type_name("R");
-  add_seed_option(command, options->seed, "of the samples in MESH");
+  add_seed_option(command, options->seed, "seed of the samples in MESH");
   add_reading_flags(command, options->reading);
   command.footer(
       "Prints the keys of the report, with - if a key does not apply. Lengths are in the input's "
@@ -130,8 +130,8 @@ void add_measure_command(Command_line& command_line)
       "  polygonal_thickness  radius of the thickest tube around the curve\n"
       "  ropelength           length / polygonal_thickness; 2 pi for a circle\n"
       "  min_clearance        least distance of two segments that are not neighbors\n"
-      "  min_strand_distance  likewise, between min_strand_points; only with --thickness\n"
-      "  crowded_fraction     share of the length that another strand comes nearer to than r\n"
+      "  min_strand_distance  the same, between min_strand_points; only with --thickness\n"
+      "  crowded_fraction     share of the length along which another strand is nearer than r\n"
       "  medial_radius        mean of the medial radii, capped at 2 r\n"
       "With MESH:\n"
       "  outside_segments     segments with a point on or beyond the surface, counted exactly\n"

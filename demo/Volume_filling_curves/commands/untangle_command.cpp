@@ -224,8 +224,8 @@ void add_untangle_command(Command_line& command_line)
                     command_line);
   command.footer(
       "The curve moves until it is proved unknotted, is tight, or stops making progress; it never\n"
-      "passes through itself. Curves with pinned ends only flow. SIGINT and SIGTERM stop the run\n"
-      "and write the current curve; a second one ends at once.\n"
+      "passes through itself. Curves with pinned ends use the strategy flow. SIGINT and SIGTERM\n"
+      "stop the run and write the current curve; a second signal ends the program.\n"
       "Exit status: 0 unknotted or converged, 2 limit reached or constraint not reached,\n"
       "3 stalled, 5 interrupted.");
 }

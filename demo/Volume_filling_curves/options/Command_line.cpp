@@ -206,7 +206,7 @@ CLI::Option& add_curve_output(CLI::App& command, std::string& file)
 {
   return add_file(
       command, "-o,--output", file,
-      "the result, in a format of curves other than .pdb and .cif; .ply and .vtp contain for "
+      "the result, in any format of curves except .pdb and .cif; .ply and .vtp contain for "
       "each node its origin, component, curvature and, if r is known, medial radius");
 }
 

@@ -60,9 +60,10 @@ void add_symmetry_option(CLI::App& command, Fill_options& options)
 {
   CLI::Option& symmetry = add_file(
       command, "--symmetry", options.symmetry,
-      "fill one sector of MESH with an arc, and add its images: mirror, half of MESH, at a plane; "
-      "rotation:K, a K-th of a turn about an axis; the numbers are a point and the normal of the "
-      "plane or the direction of the axis; default: the middle of the box, normal x, direction z");
+      "fill one sector of MESH with an arc, and add its images. The sector of mirror is half of "
+      "MESH, at a plane; that of rotation:K is a K-th of a turn about an axis. The numbers are a "
+      "point and the normal of the plane or the direction of the axis; default: the middle of the "
+      "box, normal x, direction z");
   symmetry.type_name("mirror|rotation:K[:X,Y,Z,NX,NY,NZ]")->needs("--thickness");
   for(const char* other : {"--curve", "--port", "--volume-shares"})
     symmetry.excludes(command.get_option(other));
@@ -72,7 +73,7 @@ void add_direction_options(CLI::App& command, Fill_options& options)
 {
   CLI::Option& field = add_file(
       command, "--direction-field", options.direction_field,
-      "direction for strands to follow: a vector x,y,z, a PLY file with the vertex properties "
+      "direction that strands follow: a vector x,y,z, a PLY file with the vertex properties "
       "direction_x, direction_y and direction_z, or a CSV file with a vector per vertex of MESH; "
       "sign and length do not matter, and zero means no preference");
   field.type_name("FILE|X,Y,Z");
@@ -104,8 +105,8 @@ void add_start_options(CLI::App& command, Fill_options& options)
           [&shares = options.parameters.volume_shares](const std::string& text) {
             shares = read_volume_shares(text);
           },
-          "shares of the volume for the components of CURVE, or for the arcs between ports, "
-          "of which only the ratios matter; default: equal shares")
+          "shares of the volume for the components of CURVE, or for the arcs between ports; only "
+          "their ratios matter; default: equal shares")
       ->type_name("A,B,...");
   add_curve_options(command, options.curve);
   for(const char* option : {"--network", "--closed", "--open", "--pin", "--free-ends"})
@@ -134,7 +135,7 @@ void add_fill_options(CLI::App& command, Fill_options& options)
       command, "--certificate", options.certificate,
       "record of all certified changes, for vfc check --certificate with MESH for --domain and the "
       "same obstacles; without --curve the start is written to FILE.start.obj; with --symmetry "
-      "FILE.end.obj and FILE.domain.off have the arc and its sector");
+      "the arc and its sector are written to FILE.end.obj and FILE.domain.off");
   add_film_options(command, options.film);
   add_checkpoint_options(command, options.saving);
   add_start_options(command, options);
@@ -147,7 +148,7 @@ void add_fill_options(CLI::App& command, Fill_options& options)
              "cover: the curve covers the boundary; keep-clear: it keeps as far from the boundary "
              "as from itself");
   add_number(command, "--wall-distance", options.parameters.wall_distance,
-             "the distance from MESH and obstacles that the curve keeps, apart from the necks of "
+             "the distance from MESH and obstacles that the curve keeps, except in the necks of "
              "ports, in the input's unit")
       .type_name("C");
   add_stop_options(command, options.parameters);
@@ -156,7 +157,8 @@ void add_fill_options(CLI::App& command, Fill_options& options)
   add_flow_options(command, options.parameters);
   command.get_option("--lambda")
       ->description(
-          "locality of the flow, in units of 1/r^2; 30 times that while the curve opens or grows");
+          "locality of the flow, in units of 1/r^2; 30 times this value while the curve opens or "
+          "grows");
 }
 
 } // namespace vfc

@@ -23,7 +23,7 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
            "with .txt");
   add_file(command, "--domain", options.domain,
            "closed triangle mesh in which the curve stays; shells within it are obstacles. The "
-           "curve only flows, since the search ignores meshes");
+           "strategy is then flow, since the search ignores meshes");
   add_film_options(command, options.film);
   add_checkpoint_options(command, options.saving);
   add_curve_options(command, options.curve);
@@ -40,8 +40,8 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
   add_stop_options(command, parameters);
   command.get_option("--max-iterations")
       ->description(
-          "the largest number of iterations of the flow; with search, of sweeps, 100 attempted "
-          "moves per edge");
+          "the largest number of iterations of the flow or, with --strategy search, of sweeps of "
+          "100 attempted moves per edge");
   add_number(command, "--tolerance", parameters.tolerance,
              "converged if gradient_norm is less; dimensionless", not_negative)
       .capture_default_str();
@@ -54,23 +54,22 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       "flow: continuous motion, for a film; search, or tighten: a random search for a polygon "
       "with few edges; auto: the search first, then the flow to an even, smooth shape");
   command
-      .add_option(
-          "--chains", parameters.number_of_chains,
-          "independent random searches, which share the threads; the result is that of the one "
-          "with the fewest moves")
+      .add_option("--chains", parameters.number_of_chains,
+                  "independent random searches, which share the threads; that with the fewest "
+                  "moves gives the result")
       ->check(CLI::Range(std::size_t(1), max_chains).description(""))
       ->capture_default_str()
       ->type_name("N");
   add_seed_option(command, parameters.random_seed, "seed of the random search");
   add_number(command, "--thickness", parameters.thickness,
-             "r, the distance at which the strands of a tight curve end, in the input's unit; "
-             "default: the 25th percentile of the medial radii")
+             "r, about the distance of strands in the tight curve, in the input's unit; default: "
+             "the 25th percentile of the medial radii")
       .type_name("R");
   add_number(command, "--bend-radius", parameters.bend_radius,
-             "least radius of bends of the result; r grows to R / 0.75")
+             "least radius of bends in the result; r grows to R / 0.75")
       .type_name("R");
   add_number(command, "--strand-distance", parameters.strand_distance,
-             "least distance of strands of the result; r grows to D / 0.95")
+             "least distance of strands in the result; r grows to D / 0.95")
       .type_name("D");
   add_flow_options(command, parameters);
 }

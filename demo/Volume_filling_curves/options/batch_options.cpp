@@ -43,11 +43,11 @@ void add_batch_options(CLI::App& command,
   };
   CLI::Option& batch = *command.add_option_function<std::string>(
       "--batch", start_batch,
-      "many runs: a file with the name of a " + argument +
-          " per line. The output is then a folder for " +
+      "a file with the name of one " + argument +
+          " per line, for many runs. The output is then a folder for " +
           (writes_curves ? "NAME.obj of each of them and " : "") +
-          "results.jsonl, with a report per line; runs listed there are not repeated. The names "
-          "given for other files are extensions of the input's NAME");
+          "results.jsonl, with a report per line; runs listed there are not repeated. Options for "
+          "other files then take an extension, which is appended to the input's NAME");
   batch.type_name("LIST")->excludes(&input);
   for(const char* one_for_all : {"--report", "--checkpoint", "--resume"})
     if(CLI::Option* const other = command.get_option_no_throw(one_for_all)) batch.excludes(other);

@@ -16,7 +16,7 @@ using CGAL::Volume_filling_curves::Preconditioner;
 void add_film_options(CLI::App& command, Film_options& options)
 {
   add_file(command, "--map", options.map,
-           "for each node of the result, a line with its number in CURVE, 0 if it is new");
+           "for each node of the result, a line with its number in CURVE, 0 for a new node");
   CLI::Option& frames =
       add_file(command, "--frames", options.frames, "folder for the curve of every K-th iteration");
   frames.type_name("DIR");
@@ -25,8 +25,8 @@ void add_film_options(CLI::App& command, Film_options& options)
       ->needs(&frames);
   command
       .add_option("--frame-format", options.frame_format,
-                  "obj, or vtp: with origin, component and curvature of each node, and a list "
-                  "frames.pvd that ParaView plays as a film")
+                  "obj; or vtp, with origin, component and curvature of each node and a list "
+                  "frames.pvd, which ParaView plays as a film")
       ->check(CLI::IsMember({"obj", "vtp"}).description(""))
       ->capture_default_str()
       ->type_name("NAME")
