@@ -6,7 +6,7 @@
 
 /* global CORE, createCore, fill, openDomain, restore */
 
-const SECONDS_OF_SEARCH = 0.05, SECONDS_TO_NAME = 5;
+const SECONDS_OF_SEARCH = 0.05, SECONDS_TO_NAME = 1;
 const MILLISECONDS_BETWEEN_ROPELENGTHS = 500;
 
 let core = null, curve = null, filling = null; // either a curve or a filling

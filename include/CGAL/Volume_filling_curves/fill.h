@@ -97,8 +97,8 @@ auto fill(Curve_network_3<Traits>& curves,
  * 99 % within 1.2 r to 1.45 r. If nearly every point must lie within d of the curve, use
  * r = d / 1.4. If the status is `Filling_status::CONVERGED` or `Filling_status::PARTIAL`, strands
  * are at least 1.6 r apart; without `round_bends`, about 80 % are within r, and strands come
- * closer. The result has the least distances, the tightest bend, and the share of the length that
- * another strand comes nearer to than r. With ports, the least distance from the boundary is that
+ * closer. The result has the least distances, the tightest bend, and the share of the length along
+ * which another strand is nearer than r. With ports, the least distance from the boundary is that
  * of their necks.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and

@@ -43,9 +43,9 @@ namespace Volume_filling_curves {
  * curves are then tightened further. If the closed input was tighter than the outcome, and no
  * thickness is given, the input is returned.
  *
- * With `FLOW` the curves only flow, until they are proved to be unknots, are tight, or stop making
- * progress. With `SEARCH` the result is the polygon of the search: at most 5 edges per component
- * for unknots, otherwise as few edges as the search found.
+ * With `FLOW` there is no search: the curves flow until they are proved to be unknots, are tight,
+ * or stop making progress. With `SEARCH` the result is the polygon of the search: at most 5 edges
+ * per component for unknots, otherwise as few edges as the search found.
  *
  * Every change is certified with exact predicates; hence the result is ambient isotopic to the
  * input, whatever the status. Nodes are inserted and removed; `Curve_network_3::origin()` returns

@@ -40,7 +40,7 @@ inline double thickness_of_planar_filling(double area, double length)
 // Largest share of the volume that may be farther than 2 r from the curve in a filled domain.
 constexpr double tolerated_unfilled_fraction = 0.01;
 
-// The largest share of the length that another strand comes nearer to than r with which a domain
+// The largest share of the length along which another strand may be nearer than r in a domain that
 // counts as filled.
 constexpr double tolerated_crowded_fraction = 0.05;
 

@@ -80,7 +80,7 @@ public:
     return {distance, edges, {Vector(a + s * (b - a)), Vector(c + t * (d - c))}};
   }
 
-  // returns the share of the length, by whole edges, that another strand comes nearer to than r
+  // returns the share of the length, by whole edges, along which another strand is nearer than r
   template <typename ConcurrencyTag>
   double fraction(Run_watch* watch = nullptr) const
   {

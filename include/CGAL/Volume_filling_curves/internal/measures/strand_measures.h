@@ -158,9 +158,9 @@ template <typename Traits,
 }
 
 /*!
- * returns the share of the length that another strand comes nearer to than r, by whole edges: 0 for
- * a curve that keeps its thickness. Strands are those of `min_strand_distance()`. Near linear in
- * the number of nodes and of pairs of edges nearer than r.
+ * returns the share of the length, by whole edges, along which another strand is nearer than r: 0
+ * for a curve that keeps its thickness. Strands are those of `min_strand_distance()`. Near linear
+ * in the number of nodes and of pairs of edges nearer than r.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`

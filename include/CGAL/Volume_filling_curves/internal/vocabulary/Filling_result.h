@@ -142,7 +142,7 @@ struct Filling_result
   double min_wall_distance = std::numeric_limits<double>::quiet_NaN();
   Point_3 point_nearest_to_wall = Point_3(0, 0, 0); ///< the point of the curve that has it
 
-  /// the share of the length that another strand comes nearer to than r, see `crowded_fraction()`
+  /// the share of the length along which another strand is nearer than r, see `crowded_fraction()`
   double crowded_fraction = std::numeric_limits<double>::quiet_NaN();
 
   /// the number of connected parts of the inside that are wide enough for a curve, see `fill()`
