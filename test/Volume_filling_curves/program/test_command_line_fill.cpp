@@ -377,6 +377,25 @@ TEST_F(Command_line_fill, nonsense_is_refused_before_it_eats_the_memory)
       << "the bends need a thickness of 0.6";
 }
 
+TEST_F(Command_line_fill, options_with_too_small_or_too_large_lengths_are_named_as_given)
+{
+  make_cube();
+  const auto expect_named = [&](const std::string& options, const std::string& named) {
+    const Finished fill = run("fill cube.off -o c.obj " + options);
+    EXPECT_EQ(fill.status, 1) << options;
+    EXPECT_NE(fill.err.find(": " + named), std::string::npos) << fill.err;
+  };
+  expect_named("--thickness 1e-6", "--thickness 1e-06 and --spacing 0.2: there would be more than");
+  expect_named("--thickness 1e-6 --bend-radius 1e-5",
+               "--thickness 1e-06, --bend-radius 1e-05 and --spacing");
+  expect_named("--thickness 1e-5 --strand-distance 1e-6",
+               "--thickness 1e-05, --strand-distance 1e-06 and --spacing");
+  expect_named("--length 1e30 --bend-radius 1e-5", "--length 1e+30 and --spacing");
+  expect_named("--thickness 7 --bend-radius 1", "--thickness 7 is larger than the mesh");
+  expect_named("--thickness 1 --bend-radius 7", "--bend-radius 7 is larger than the mesh");
+  expect_named("--strand-distance 7", "--strand-distance 7 is larger than the mesh");
+}
+
 TEST_F(Command_line_fill, the_mesh_is_never_replaced)
 {
   make_cube();
