@@ -8,7 +8,7 @@
 
 #include "formats/curve_formats.h"
 #include "meshes/read_mesh_soup.h"
-#include "options/Command_line.h"
+#include "options/option_kinds.h"
 #include "session/errors.h"
 
 namespace vfc {

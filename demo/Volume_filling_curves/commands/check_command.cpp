@@ -13,6 +13,7 @@
 #include "files/polygon_files.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
+#include "options/option_kinds.h"
 #include "repair/obstacles.h"
 #include "reports/containment.h"
 #include "reports/shape.h"

@@ -17,6 +17,7 @@
 #include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
+#include "options/option_kinds.h"
 #include "resampling/resample.h"
 #include "session/Exit_status.h"
 

@@ -14,6 +14,7 @@
 #include "film/frame_files.h"
 #include "meshes/flat_mesh.h"
 #include "options/Command_line.h"
+#include "options/option_kinds.h"
 #include "options/picture_option_texts.h"
 #include "pictures/curve_pictures.h"
 #include "session/Exit_status.h"

@@ -10,6 +10,7 @@
 #include "files/curve_files.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
+#include "options/option_kinds.h"
 #include "reports/shape.h"
 #include "session/Exit_status.h"
 #include "session/errors.h"

@@ -10,6 +10,7 @@
 #include "files/curve_files.h"
 #include "identification/identify_curves.h"
 #include "options/Command_line.h"
+#include "options/option_kinds.h"
 #include "options/shared_options.h"
 #include "reports/chain_report.h"
 #include "reports/report_rows.h"

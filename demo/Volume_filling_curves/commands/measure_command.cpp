@@ -11,6 +11,7 @@
 #include "files/polygon_files.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
+#include "options/option_kinds.h"
 #include "options/shared_options.h"
 #include "reports/containment.h"
 #include "reports/coverage_report.h"

@@ -11,6 +11,7 @@
 #include "meshes/mesh_to_text.h"
 #include "meshes/read_mesh_soup.h"
 #include "options/Command_line.h"
+#include "options/option_kinds.h"
 #include "repair/obstacles.h"
 #include "repair/read_mended_mesh.h"
 #include "session/Exit_status.h"

@@ -11,6 +11,7 @@
 #include "files/curve_files.h"
 #include "options/Command_line.h"
 #include "options/numbers.h"
+#include "options/option_kinds.h"
 #include "options/pins.h"
 #include "options/shared_options.h"
 #include "reports/shape.h"

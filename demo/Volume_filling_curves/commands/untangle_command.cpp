@@ -66,19 +66,6 @@ void pin(Curve& curve, const Untangle_options& options)
                         " is pinned, so the result cannot be scaled");
 }
 
-// Returns the options that decide on the thickness, with their values.
-std::string options_of_thickness(const curves::Untangling_parameters& parameters)
-{
-  std::string text;
-  const auto add = [&](const char* option, double value) {
-    if(value > 0) text += (text.empty() ? "" : ", ") + std::string(option) + ' ' + to_text(value);
-  };
-  add("--thickness", parameters.thickness);
-  add("--bend-radius", parameters.bend_radius);
-  add("--strand-distance", parameters.strand_distance);
-  return text;
-}
-
 // Checks whether the requested thickness makes sense. The default is measured later, and may grow
 // on the way; only a small spacing can ask for too many nodes then, if there is time to find out.
 void check_flow_thickness(const Curve& curve,

@@ -80,6 +80,13 @@ bool Output_files::offer(const std::string& option, const std::string& path)
   return !path.empty();
 }
 
+void Output_files::check_unused(const std::string& option, const fs::path& path) const
+{
+  for(const Output& output : m_outputs)
+    if(are_same_file(path, output.path))
+      refuse(option, path.string(), "is also the file of " + output.option);
+}
+
 void Output_files::add(const std::string& option, const std::string& path)
 {
   add(option, path, m_may_overwrite);
@@ -99,9 +106,7 @@ void Output_files::add(const std::string& option, const std::string& path, bool 
   for(const Input& input : m_inputs)
     if(option != input.replaced_by && are_same_file(path, input.path))
       refuse(option, path, "is the input " + input.path);
-  for(const Output& output : m_outputs)
-    if(are_same_file(path, output.path))
-      refuse(option, path, "is also the file of " + output.option);
+  check_unused(option, path);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if(fs::is_directory(status)) refuse(option, path, "is a folder");
@@ -119,9 +124,7 @@ void Output_files::add_folder(const std::string& option,
   std::error_code error;
   const fs::path given(path), folder = given.has_filename() ? given : given.parent_path();
   const fs::file_status status = fs::status(folder, error);
-  for(const Output& output : m_outputs)
-    if(are_same_file(folder, output.path))
-      refuse(option, path, "is also the file of " + output.option);
+  check_unused(option, folder);
   if(!fs::exists(status)) return check_writable(option, folder);
   if(!fs::is_directory(status)) refuse(option, path, "is not a folder");
   const auto is_there = [&](const std::string& file) {

@@ -65,6 +65,7 @@ private:
 
   void add(const std::string& option, const std::string& path, bool may_overwrite);
   bool offer(const std::string& option, const std::string& path);
+  void check_unused(const std::string& option, const std::filesystem::path& path) const;
 
   bool m_may_overwrite;
   bool m_is_any_named = false;

@@ -6,8 +6,9 @@
 
 #include "options/Fill_options.h"
 
-#include "options/Command_line.h"
+#include "options/lists.h"
 #include "options/numbers.h"
+#include "options/option_kinds.h"
 #include "options/ports.h"
 
 namespace vfc {
@@ -58,7 +59,7 @@ void add_shape_options(CLI::App& command, Fill_options& options)
 // A curve with the symmetry of its domain.
 void add_symmetry_option(CLI::App& command, Fill_options& options)
 {
-  CLI::Option& symmetry = add_file(
+  CLI::Option& symmetry = add_text(
       command, "--symmetry", options.symmetry,
       "fill one sector of MESH with an arc, and add its images. The sector of mirror is half of "
       "MESH, at a plane; that of rotation:K is a K-th of a turn about an axis. The numbers are a "
@@ -71,7 +72,7 @@ void add_symmetry_option(CLI::App& command, Fill_options& options)
 
 void add_direction_options(CLI::App& command, Fill_options& options)
 {
-  CLI::Option& field = add_file(
+  CLI::Option& field = add_text(
       command, "--direction-field", options.direction_field,
       "direction that strands follow: a vector x,y,z, a PLY file with the vertex properties "
       "direction_x, direction_y and direction_z, or a CSV file with a vector per vertex of MESH; "

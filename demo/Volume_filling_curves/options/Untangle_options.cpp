@@ -6,7 +6,7 @@
 
 #include "options/Untangle_options.h"
 
-#include "options/Command_line.h"
+#include "options/option_kinds.h"
 
 namespace vfc {
 

@@ -39,22 +39,4 @@ bool parse(const std::string& text, unsigned long long& number)
   return internal::parse_all(text, number);
 }
 
-std::vector<std::string> items_of_list(const std::string& list)
-{
-  std::vector<std::string> items(1);
-  for(const char c : list)
-    if(c == ',')
-      items.emplace_back();
-    else
-      items.back() += c;
-  return items;
-}
-
-std::size_t find_comma(const std::string& text, int n)
-{
-  std::size_t k = text.find(',');
-  while(--n > 0 && k != std::string::npos) k = text.find(',', k + 1);
-  return k;
-}
-
 } // namespace vfc

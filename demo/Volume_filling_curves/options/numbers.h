@@ -9,9 +9,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/text/number_text.h>
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace vfc {
 
@@ -28,13 +26,6 @@ std::string with_all_digits(double number);
 // Each reads a number, finite or a nonnegative integer. Returns whether it is the whole text.
 bool parse(const std::string& text, double& number);
 bool parse(const std::string& text, unsigned long long& number);
-
-// Returns the items of a list with commas, also the empty ones: a list that ends with a comma may
-// have lost an item.
-std::vector<std::string> items_of_list(const std::string& list);
-
-// Returns the place of the n-th comma, or npos.
-std::size_t find_comma(const std::string& text, int n);
 
 } // namespace vfc
 

@@ -6,6 +6,7 @@
 
 #include "options/picture_option_texts.h"
 
+#include "options/lists.h"
 #include "options/numbers.h"
 
 #include <CGAL/number_type_config.h>

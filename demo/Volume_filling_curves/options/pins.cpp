@@ -6,6 +6,7 @@
 
 #include "options/pins.h"
 
+#include "options/lists.h"
 #include "options/numbers.h"
 
 #include <cstddef>

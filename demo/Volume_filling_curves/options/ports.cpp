@@ -7,7 +7,7 @@
 #include "options/ports.h"
 
 #include "meshes/vertex_values.h"
-#include "options/numbers.h"
+#include "options/lists.h"
 #include "session/errors.h"
 
 #include <CLI/CLI.hpp>

@@ -6,7 +6,7 @@
 
 #include "options/shared_options.h"
 
-#include "options/Command_line.h"
+#include "options/option_kinds.h"
 
 namespace vfc {
 using CGAL::Volume_filling_curves::Curve_flow_parameters;
@@ -51,7 +51,7 @@ void add_checkpoint_options(CLI::App& command, Checkpoint_options& options)
 void add_curve_options(CLI::App& command, Curve_options& options)
 {
   add_reading_flags(command, options.reading);
-  add_file(command, "--pin", options.pin,
+  add_text(command, "--pin", options.pin,
            "pinned nodes: ends, or numbers i,j,k in file order from 1, in addition to OBJ lines "
            "'fixed i j k'")
       .type_name("NODES");

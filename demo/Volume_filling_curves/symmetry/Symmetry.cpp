@@ -7,7 +7,7 @@
 #include "symmetry/Symmetry.h"
 
 #include "meshes/vertex_values.h"
-#include "options/numbers.h"
+#include "options/lists.h"
 #include "session/errors.h"
 
 #include <algorithm>

@@ -10,11 +10,11 @@
 #include "session/interruption.h"
 
 #include <CGAL/Volume_filling_curves/coverage.h>
-#include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Boundary_distances.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
+#include <CGAL/Volume_filling_curves/internal/filling/filling_measures.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
@@ -71,24 +71,6 @@ void measure_coverage(Filling_result& result,
   result.uncovered_fraction = curves::unfilled_fraction(samples, distances, result.thickness);
   result.unfilled_fraction =
       unfilled_fraction_of_whole(samples, distances, result.thickness, parameters);
-}
-
-template <typename NamedParameters>
-void measure_shape(Filling_result& result,
-                   const Curve& curve,
-                   const Domain& domain,
-                   const NamedParameters& np)
-{
-  const auto bend = curves::tightest_bend(curve);
-  result.min_bend_radius = bend.radius;
-  result.tightest_node = bend.node;
-  const auto strands = curves::min_strand_distance(curve, result.thickness, np);
-  result.min_strand_distance = strands.distance;
-  result.closest_points = strands.points;
-  const auto wall = curves::min_wall_distance<Concurrency>(curve, domain, np);
-  result.min_wall_distance = wall.distance;
-  result.point_nearest_to_wall = wall.point;
-  result.crowded_fraction = curves::crowded_fraction<Concurrency>(curve, result.thickness, np);
 }
 
 // Those of the arc do not hold for the curve.
@@ -185,7 +167,7 @@ void measure_again(Filling_result& result,
     curves::internal::measured(np, [&](curves::internal::Run_watch* watch) {
       const curves::internal::Watched_scope scope(watch);
       measure_coverage(result, curve, domain, parameters, *watch);
-      measure_shape(result, curve, domain, np);
+      curves::internal::measure_shape<Concurrency>(result, curve, domain, result.thickness);
       compare_with_tolerances(result);
       compare_with_limits(result, curve, parameters);
     });

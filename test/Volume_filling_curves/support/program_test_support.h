@@ -107,6 +107,10 @@ private:
   std::filesystem::path m_folder;
 };
 
+// Tests of what all commands have in common.
+class Command_line : public Program_test
+{};
+
 // The program, running at the same time as the test.
 class Background_program
 {
