@@ -43,8 +43,8 @@ namespace Volume_filling_curves {
  * the core. Its crossings are positive if `q` is: T(2, 3) is the right-handed trefoil, T(2, -3) the
  * left-handed one, and T(2, 2) the Hopf link.
  *
- * \param p the number of turns around the axis, at least 1
- * \param q the number of turns around the core, not 0
+ * \param p the number of turns around the axis, from 1 to 10,000
+ * \param q the number of turns around the core, from -10,000 to 10,000, not 0
  * \param number_of_nodes the number of nodes, which are spaced equally
  * \param random_seed the seed of a random rotation; 0 for none
  * \param traits the traits object

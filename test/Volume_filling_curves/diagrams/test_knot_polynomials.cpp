@@ -253,6 +253,8 @@ TEST(Knot_polynomials, A_run_that_is_to_stop_ends_them)
   Run_watch over(0);
   EXPECT_THROW((void)homfly_polynomial(diagram, Polynomial_work(&over)), Run_stopped);
   EXPECT_THROW((void)colored_jones_polynomial(diagram, 2, Polynomial_work(&over)), Run_stopped);
+  const Planar_diagram sum = closure(connected_sum({2, {1, 1, 1}}, {2, {1, 1, 1}}));
+  EXPECT_THROW((void)diagram_pieces(sum, &over), Run_stopped);
   const auto spend = [](Polynomial_work& work) {
     for(int i = 0; i < 1000; ++i) work.use(1);
   };

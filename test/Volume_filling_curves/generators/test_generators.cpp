@@ -17,9 +17,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_generators {
@@ -162,6 +164,14 @@ TEST(Generators, space_nodes_evenly)
       for(std::size_t i = 0; i < polygon.size(); ++i)
         EXPECT_NEAR((polygon[(i + 1) % polygon.size()] - polygon[i]).norm(), mean, 0.02 * mean);
     }
+}
+
+// At once: nobody could hold the samples of such a knot.
+TEST(Torus_knot, refuses_more_turns_than_it_could_have_nodes)
+{
+  constexpr int most = std::numeric_limits<int>::max();
+  for(const auto& [p, q] : {std::pair(1000001, 2), {2, most}, {most, -most - 1}, {2, -10001}})
+    EXPECT_THROW(generators::torus_knot(p, q, 100), std::invalid_argument) << p << ' ' << q;
 }
 
 TEST(Torus_knot, keeps_its_type_with_the_fewest_nodes)

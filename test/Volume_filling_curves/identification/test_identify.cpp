@@ -248,4 +248,15 @@ TEST(Identify, A_progress_function_can_interrupt)
                VFC::Run_interrupted);
 }
 
+// Whose polynomials exceed 64 bits.
+TEST(Identify, Links_of_many_components_have_no_name)
+{
+  Planar_diagram diagram = closure(knot("3_1"));
+  diagram.number_of_free_loops = 70;
+  EXPECT_EQ(VFC::knottedness(diagram), VFC::Knottedness::UNKNOWN);
+  const auto identity = VFC::identify(diagram);
+  EXPECT_EQ(identity.number_of_components, 71u);
+  EXPECT_EQ(identity.name, "");
+}
+
 } // namespace test_identify

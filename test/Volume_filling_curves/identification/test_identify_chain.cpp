@@ -285,4 +285,17 @@ TEST_F(Long_identify_chain, proteins_have_their_published_knots)
   }
 }
 
+// As of a closed curve whose last point misses the first one by rounding.
+TEST(Identify_chain, takes_ends_that_nearly_meet)
+{
+  for(const double shift : {0., 10.}) {
+    Chain chain;
+    for(const Point_3& p : opened_braid({1, 1, 1}, 100))
+      chain.push_back(Point_3(p.x() + shift, p.y() + shift, p.z() + shift));
+    const Point_3 first = chain.front();
+    chain.push_back(Point_3(first.x(), std::nextafter(first.y(), 1e9), first.z()));
+    EXPECT_EQ(VFC::identify_chain(chain).name, "3_1") << shift;
+  }
+}
+
 } // namespace test_identify_chain

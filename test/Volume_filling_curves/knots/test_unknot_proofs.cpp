@@ -116,7 +116,7 @@ using Points = internal::Separating_plane<Traits>::Points;
 bool are_separated(const Points& p, const Points& q)
 {
   const Traits traits;
-  const internal::Separating_plane<Traits> find(traits);
+  internal::Separating_plane<Traits> find(traits);
   EXPECT_EQ(find(p, q), find(q, p));
   return find(p, q);
 }
@@ -197,6 +197,16 @@ TEST(Link_triviality, takes_triangles_away)
   hook[0] = {0, 0.1, 2};
   hook.insert(hook.begin() + 1, {{0, 0.1, -2}, {0.01, -0.1, -2}, {0.02, -0.1, 2}});
   EXPECT_EQ(triviality(internal::closed_network({hook, triangle})), Link_status::UNDECIDED);
+}
+
+// Boxes tell most of them apart, and searches for planes are limited: nested circles have none.
+TEST(Link_triviality, of_thousands_of_unknots)
+{
+  std::vector<Polygon> polygons;
+  for(int k = 0; k < 2000; ++k) polygons.push_back(circle(8, 1, {5. * (k % 50), 5. * (k / 50), 0}));
+  EXPECT_EQ(triviality(internal::closed_network(polygons)), Link_status::TRIVIAL);
+  for(int k = 0; k < 2000; ++k) polygons.push_back(circle(8, 2, {5. * (k % 50), 5. * (k / 50), 0}));
+  EXPECT_EQ(triviality(internal::closed_network(polygons)), Link_status::UNDECIDED);
 }
 
 TEST(Link_triviality, is_decided_exactly_where_a_node_touches_the_disk)

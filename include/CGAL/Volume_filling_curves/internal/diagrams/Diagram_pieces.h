@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/diagrams/Diagram_faces.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,9 @@ struct Diagram_pieces
 class Diagram_divider
 {
 public:
-  explicit Diagram_divider(const Planar_diagram& diagram) : m_diagram(diagram) {}
+  Diagram_divider(const Planar_diagram& diagram, Run_watch* watch)
+      : m_diagram(diagram), m_watch(watch)
+  {}
 
   Diagram_pieces operator()()
   {
@@ -47,8 +50,7 @@ public:
     const Diagram_faces faces(m_diagram);
     const std::size_t parts = faces.number_of_parts() + m_diagram.number_of_free_loops;
     pieces.number_of_splits = parts == 0 ? 0 : parts - 1;
-    while(smooth_nugatory_crossing() || cut_connected_sum()) {
-    }
+    while(smooth_nugatory_crossing() || cut_connected_sum()) check(m_watch);
     add_parts(pieces.diagrams);
     return pieces;
   }
@@ -155,11 +157,13 @@ private:
   }
 
   Planar_diagram m_diagram;
+  Run_watch* m_watch; // none if null
 };
 
-inline Diagram_pieces diagram_pieces(const Planar_diagram& diagram)
+// \throws Run_stopped if a watch requests it
+inline Diagram_pieces diagram_pieces(const Planar_diagram& diagram, Run_watch* watch = nullptr)
 {
-  return Diagram_divider(diagram)();
+  return Diagram_divider(diagram, watch)();
 }
 
 } // namespace internal

@@ -11,7 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/diagrams/Coefficient.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/assertions.h>
 
@@ -49,12 +49,12 @@ public:
   // \pre the diagram was returned by diagram_pieces(), or is a cable of such a diagram
   // \throws Polynomial_limit if all orders that were tried are wider than max_boundary
   // \throws Run_stopped if a watch requests it
-  Disk_sweep(const Planar_diagram& diagram, const Polynomial_work& work)
+  explicit Disk_sweep(const Planar_diagram& diagram, Run_watch* watch = nullptr)
       : m_diagram(diagram), m_strands(diagram)
   {
     const std::size_t n = m_diagram.crossings.size();
     for(std::size_t c = 0; c < n; c += 1 + n / max_starts) {
-      work.check();
+      check(watch);
       const double cost = sweep_from(c);
       if(cost >= m_cost) continue;
       m_cost = cost;

@@ -32,7 +32,7 @@ public:
 
   Laurent_polynomial_2 operator()(const Planar_diagram& diagram)
   {
-    const Diagram_pieces pieces = diagram_pieces(diagram);
+    const Diagram_pieces pieces = diagram_pieces(diagram, m_work.watch());
     auto product = Laurent_polynomial_2::monomial({0, 0});
     for(const Planar_diagram& piece : pieces.diagrams) product = product * of_piece(piece);
     for(std::size_t i = 0; i < pieces.number_of_splits; ++i)
@@ -43,7 +43,7 @@ public:
 private:
   Laurent_polynomial_2 of_piece(const Planar_diagram& diagram)
   {
-    const Disk_sweep sweep(diagram, m_work);
+    const Disk_sweep sweep(diagram, m_work.watch());
     const Diagram_strands strands(diagram);
     Homfly_skein skein(m_work);
     int writhe = 0;

@@ -90,11 +90,12 @@ inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch =
     if(matrix.squared_norm(t, field) != trivial)
       return Knottedness::KNOTTED_BY_ALEXANDER_POLYNOMIAL;
   const auto homfly = homfly_polynomial(diagram, Polynomial_work(watch));
+  if(!homfly) return Knottedness::UNKNOWN;
   auto of_trivial_link = Laurent_polynomial_2::monomial({0, 0});
   for(std::size_t k = 1; k < components; ++k)
     of_trivial_link = of_trivial_link * Homfly_skein::loop();
-  if(homfly && !(*homfly == of_trivial_link)) return Knottedness::KNOTTED_BY_HOMFLY_POLYNOMIAL;
-  return Knottedness::UNKNOWN;
+  return *homfly == of_trivial_link ? Knottedness::UNKNOWN
+                                    : Knottedness::KNOTTED_BY_HOMFLY_POLYNOMIAL;
 }
 
 } // namespace internal

@@ -98,7 +98,7 @@ private:
   {
     std::vector<Prime_knot> factors;
     bool are_named = true, are_oriented = true, are_proved = true;
-    for(const Planar_diagram& piece : diagram_pieces(m_identity.diagram).diagrams) {
+    for(const Planar_diagram& piece : diagram_pieces(m_identity.diagram, m_watch).diagrams) {
       const Piece_name name = piece_name(piece);
       are_named = are_named && name.is_known;
       are_oriented = are_oriented && name.is_oriented;
@@ -123,7 +123,7 @@ private:
   void name_link()
   {
     const std::size_t crossings = m_identity.diagram.crossings.size();
-    const auto pieces = diagram_pieces(m_identity.diagram);
+    const auto pieces = diagram_pieces(m_identity.diagram, m_watch);
     if(!m_homfly || pieces.diagrams.size() > 1 || pieces.number_of_splits > 0) return;
     const auto link = Prime_link::of(Knot_key::of(*m_homfly));
     if(!link || link->components != m_identity.number_of_components || link->crossings > crossings)

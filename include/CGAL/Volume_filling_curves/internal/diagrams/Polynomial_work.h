@@ -41,11 +41,10 @@ public:
     check_sometimes(m_watch, m_steps);
   }
 
-  // \throws Run_stopped if a watch requests it
-  void check() const { internal::check(m_watch); }
+  Run_watch* watch() const { return m_watch; } // none if null
 
 private:
-  Run_watch* m_watch; // none if null
+  Run_watch* m_watch;
   std::size_t m_left;
   unsigned m_steps = 0;
 };

@@ -104,7 +104,7 @@ public:
   // in t of a knot; of a link, for color 1 only, in the square root of t
   Laurent_polynomial operator()(const Planar_diagram& diagram, int color)
   {
-    const Diagram_pieces pieces = diagram_pieces(diagram);
+    const Diagram_pieces pieces = diagram_pieces(diagram, m_work.watch());
     auto product = Laurent_polynomial::monomial(0);
     for(const Planar_diagram& piece : pieces.diagrams) product = product * of_piece(piece, color);
     for(std::size_t i = 0; i < pieces.number_of_splits; ++i) product = product * bracket_of_loop(1);

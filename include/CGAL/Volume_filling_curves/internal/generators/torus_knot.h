@@ -22,6 +22,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -31,11 +32,15 @@ namespace internal {
  * the radii 2 and 1 it runs p times around the axis and |q| times around the core. Its crossings
  * are positive if q is, so that T(2, 3) is the right-handed trefoil and T(2, -3) the left-handed
  * one.
- * \throws std::invalid_argument if p < 1 or q = 0, or if the nodes are too few for the knot
+ * \throws std::invalid_argument if p < 1 or q = 0, if p or |q| exceeds 10,000, or if the nodes are
+ * too few for the knot
  */
 inline Polygons torus_knot(int p, int q, std::size_t number_of_nodes, std::uint64_t seed = 0)
 {
   if(p < 1 || q == 0) throw std::invalid_argument("a torus knot needs p > 0 and q other than 0");
+  constexpr int most = 10000; // such a knot needs hundreds of millions of nodes
+  if(p > most || q > most || q < -most)
+    throw std::invalid_argument("p and q of a torus knot are at most " + std::to_string(most));
   constexpr double core_radius = 2, tube_radius = 1;
   constexpr std::size_t samples_per_turn = 96;
   const int components = std::gcd(p, q), turns = p / components;

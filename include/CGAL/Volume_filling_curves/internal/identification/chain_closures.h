@@ -83,7 +83,9 @@ inline Planar_diagram diagram_closed_at_infinity(std::vector<Vector> chain,
   constexpr int max_refused = 20; // as in find_diagram()
   const std::size_t last = chain.size() - 1;
   const Vector middle = (chain.front() + chain.back()) / 2;
-  const double length = (chain.front() - chain.back()).norm();
+  // of a gap, or of the first edge if the ends nearly meet: no corner may be rounded to an end
+  const double length =
+      (std::max)((chain.front() - chain.back()).norm(), 1e-3 * (chain[1] - chain.front()).norm());
   chain.emplace_back();
   Closed_polygons polygon = closed_polygon(std::move(chain));
   for(int k = 0; k < max_refused; ++k) {
