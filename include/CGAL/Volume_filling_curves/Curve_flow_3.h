@@ -133,7 +133,7 @@ public:
                const Thickness& thickness,
                bool is_under_way = false)
       : m_guard(guard),
-        m_parameters(parameters),
+        m_parameters(checked(parameters, thickness)),
         m_state{guard.number_of_certified_changes(),
                 guard.number_of_refused_changes(),
                 {},
@@ -185,7 +185,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   void set_parameters(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
-    m_parameters = parameters;
+    m_parameters = checked(parameters, thickness);
     m_motion.set_thickness(thickness);
     m_motion.start_anew();
     start();
@@ -346,11 +346,16 @@ public:
   /// @}
 
 private:
+  static Curve_flow_parameters checked(Curve_flow_parameters parameters, const Thickness& thickness)
+  {
+    parameters.thickness = thickness.number();
+    internal::check_parameters(parameters);
+    return parameters;
+  }
+
   void start()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
-    m_parameters.thickness = m_motion.thickness().number();
-    internal::check_parameters(m_parameters);
     internal::check_constraints<typename Guard::Boundary>(curve());
     if(!m_motion.thickness().is_given()) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(

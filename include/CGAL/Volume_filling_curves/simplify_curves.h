@@ -14,6 +14,8 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Polylines_in_place.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Curve_simplifier.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/signatures.h>
@@ -119,13 +121,18 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
   internal::check_parameters(parameters);
   internal::Run_watch watch(internal::Run_watch::never, parameters.progress);
   watch.begin(Run_stage::SIMPLIFYING);
-  if(!internal::does_in_time(watch, [&] { internal::check_embedded(curves); })) return 0;
+  if(!internal::does_in_time(watch, [&] { internal::check_embedded(curves); })) {
+    internal::certify_no_change(curves, parameters.certificate);
+    return 0;
+  }
   Isotopy_guard_3<Traits> guard(curves);
   if(parameters.certificate) guard.start_recording();
   guard.set_clearance(parameters.clearance);
-  internal::Curve_simplifier<Isotopy_guard_3<Traits>> simplifier(guard, parameters.max_distance);
-  const std::size_t count = simplifier.run(&watch);
-  guard.collect_garbage();
+  const std::size_t count = [&] {
+    const internal::Garbage_scope scope(guard);
+    internal::Curve_simplifier<Isotopy_guard_3<Traits>> simplifier(guard, parameters.max_distance);
+    return simplifier.run(&watch);
+  }();
   if(parameters.certificate) *parameters.certificate = guard.certificate();
   return count;
 }

@@ -5,11 +5,13 @@
 // Author(s) : The Volume_filling_curves authors
 
 #include "support/fill_test_support.h"
+#include "support/polygon_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>
+#include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 
 #include <gtest/gtest.h>
 
@@ -60,8 +62,8 @@ struct Strange_domain
 };
 
 // Fills and returns the message of the exception, or "" if the result is valid.
-template <typename NamedParameters>
-std::string refusal(const Strange_domain& domain, const NamedParameters& np)
+template <typename Domain, typename NamedParameters>
+std::string refusal(const Domain& domain, const NamedParameters& np)
 {
   Curve curve;
   try {
@@ -200,6 +202,14 @@ TEST(Fill, refuses_domains_without_an_inside)
   Strange_domain endless;
   endless.box = [] { return CGAL::Bbox_3(-infinity, -1, -1, infinity, 1, 1); };
   EXPECT_EQ(refusal_of_domain(endless), "the domain is unbounded");
+}
+
+TEST(Fill, refuses_coordinates_that_are_too_large_for_the_thickness)
+{
+  const double far = std::ldexp(1., 52);
+  const VFC::Polygon_domain_3<Traits> plate(polygons::polygon(polygons::rectangle(far, 0, 20, 12)));
+  EXPECT_TRUE(
+      contains(refusal(plate, VFC::parameters::thickness(.6)), "too large for the thickness"));
 }
 
 // Distances along directions only steer.

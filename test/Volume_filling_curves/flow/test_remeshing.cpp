@@ -165,6 +165,18 @@ TEST(Curve_flow_3, refuses_a_thickness_that_is_not_positive_everywhere)
         std::invalid_argument);
 }
 
+TEST(Curve_flow_3, keeps_its_parameters_if_others_are_refused)
+{
+  Network ring = internal::closed_network({circle(20)});
+  Guard guard(ring);
+  Flow flow(guard);
+  Curve_flow_parameters bad;
+  bad.number_of_directions = 0;
+  EXPECT_THROW(flow.set_parameters(bad), std::invalid_argument);
+  EXPECT_EQ(flow.parameters().number_of_directions, Curve_flow_parameters().number_of_directions);
+  EXPECT_TRUE(flow.step());
+}
+
 TEST(Curve_flow_3, keeps_edges_even)
 {
   Network ring = make_hard_unknot(200, 2000, 5);

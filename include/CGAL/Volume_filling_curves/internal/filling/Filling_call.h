@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_run.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Visitor_in_unit.h>
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -147,6 +148,7 @@ private:
     result.medial_radius = result.gradient_norm = result.unfilled_fraction =
         result.uncovered_fraction = result.thickness_fit.thin_fraction =
             result.thickness_fit.fitting_thickness = std::numeric_limits<double>::quiet_NaN();
+    certify_no_change(m_curves, m_parameters.certificate);
     return result;
   }
 

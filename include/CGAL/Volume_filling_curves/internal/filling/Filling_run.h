@@ -27,6 +27,8 @@
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -93,7 +95,7 @@ private:
     if(m_fit.thin_fraction > tolerated_unfilled_fraction) m_visitor.on_thin_domain(m_fit);
     m_start.place();
     announce();
-    Result result = can_grow() ? grow() : stopped(m_survey.thickness());
+    Result result = can_grow() ? grow() : stopped_at_start();
     result.necks = m_start.necks();
     check_necks(m_curves, result.necks);
     report_parts(result);
@@ -165,6 +167,7 @@ private:
     m_saver.resume_curve(m_curves,
                          [this](const Network& curves) { check_inside(curves, m_domain); });
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
+    const Garbage_scope scope(guard);
     guard.set_wall_distance(m_parameters.wall_distance, layer());
     if(m_parameters.certificate) guard.start_recording();
     m_saver.resume(m_curves, guard, m_state);
@@ -196,6 +199,12 @@ private:
       if(m_curves.has_garbage()) guard.collect_garbage();
       return stopped(filler ? filler->thickness() : m_survey.thickness());
     }
+  }
+
+  Result stopped_at_start() const
+  {
+    certify_no_change(m_curves, m_parameters.certificate);
+    return stopped(m_survey.thickness());
   }
 
   // The result of a run that was stopped within a step, or before the first one.

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
 
@@ -108,14 +109,15 @@ public:
   void on_thin_domain(Thickness_fit fit)
   {
     scale(fit, m_unit);
-    m_visitor.on_thin_domain(fit);
+    Watched_scope::outside([&] { m_visitor.on_thin_domain(fit); });
   }
 
 private:
   template <typename Flow, typename Show>
   auto show(const Flow& flow, const Show& show) const
   {
-    return m_unit == 1 ? show(flow) : show(Flow_in_unit<Flow>(flow, m_unit));
+    return Watched_scope::outside(
+        [&] { return m_unit == 1 ? show(flow) : show(Flow_in_unit<Flow>(flow, m_unit)); });
   }
 
   Visitor& m_visitor;

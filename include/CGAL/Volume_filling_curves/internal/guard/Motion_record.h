@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/certificate/Canonical_curve.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Certificate_writer.h>
+#include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_observer_3.h>
 
 #include <cstddef>
@@ -138,6 +139,14 @@ private:
   std::vector<std::uint64_t> m_numbers; // of the nodes in the record
   std::uint64_t m_next_number = 0;
 };
+
+// Writes the certificate of curves that have not changed, if one is wanted.
+// \pre the network has no garbage
+template <typename Network>
+void certify_no_change(const Network& curves, Isotopy_certificate* certificate)
+{
+  if(certificate) *certificate = Isotopy_certificate(Motion_record<Network>(curves).certificate());
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves

@@ -28,6 +28,39 @@ namespace internal {
 struct Run_stopped
 {};
 
+class Run_watch;
+
+// The watch of the run that a thread is in: as long as the scope exists, loops over blocks that the
+// thread begins, in whatever thread they run then, and those that call check_run(), end with
+// Run_stopped once the run is to stop. A null watch suspends an outer scope.
+class Watched_scope
+{
+public:
+  explicit Watched_scope(Run_watch* watch) : m_outer(std::exchange(current(), watch)) {}
+  ~Watched_scope() { current() = m_outer; }
+
+  Watched_scope(const Watched_scope&) = delete;
+  Watched_scope& operator=(const Watched_scope&) = delete;
+
+  // Calls a function of the user outside of the scope: what it calls of the library is none of the
+  // run, and would report to it, and call itself, otherwise.
+  template <typename Function>
+  static auto outside(const Function& f)
+  {
+    const Watched_scope scope(nullptr);
+    return f();
+  }
+
+  static Run_watch*& current()
+  {
+    thread_local Run_watch* watch = nullptr;
+    return watch;
+  }
+
+private:
+  Run_watch* m_outer;
+};
+
 // Clock of a run, its time limit, the function that reports progress and may end the run, and the
 // one that saves its state. Every loop that can last longer than some milliseconds calls
 // must_stop(), in any thread, which takes some 25 ns to read the clock. A run that is to stop never
@@ -158,7 +191,8 @@ public:
   {
     if(!m_report || m_is_interrupted) return;
     m_progress.seconds = seconds();
-    if(!m_report(m_progress)) interrupt();
+    m_next_report = never; // meanwhile
+    if(!Watched_scope::outside([this] { return m_report(m_progress); })) interrupt();
     m_next_report = seconds() + seconds_between_reports;
   }
 
@@ -186,28 +220,6 @@ private:
   std::function<void(Checkpoint)> m_save;
   double m_next_report = 0; // in the seconds of the clock; of the own thread
   Run_progress m_progress;  // likewise
-};
-
-// The watch of the run that a thread is in: as long as the scope exists, loops over blocks that the
-// thread begins, in whatever thread they run then, and those that call check_run(), end with
-// Run_stopped once the run is to stop. A null watch suspends an outer scope.
-class Watched_scope
-{
-public:
-  explicit Watched_scope(Run_watch* watch) : m_outer(std::exchange(current(), watch)) {}
-  ~Watched_scope() { current() = m_outer; }
-
-  Watched_scope(const Watched_scope&) = delete;
-  Watched_scope& operator=(const Watched_scope&) = delete;
-
-  static Run_watch*& current()
-  {
-    thread_local Run_watch* watch = nullptr;
-    return watch;
-  }
-
-private:
-  Run_watch* m_outer;
 };
 
 // Throws Run_stopped if the thread is in a run that is to stop.

@@ -17,6 +17,8 @@
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
@@ -121,6 +123,7 @@ private:
         m_watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
     result.proofs.assign(m_curves.number_of_components(), Unknot_proof::NONE);
     result.gradient_norm = std::numeric_limits<double>::quiet_NaN();
+    certify_no_change(m_curves, m_parameters.certificate);
     return result;
   }
 
@@ -130,6 +133,7 @@ private:
     saver.resume_curve(
         m_curves, [this](const Network& curves) { m_surroundings.check(curves, m_parameters); });
     Guard guard = m_surroundings.guard(m_curves);
+    const Garbage_scope scope(guard);
     guard.set_watch(&m_watch);
     if(m_parameters.certificate) guard.start_recording();
     Untangling_state state;
@@ -237,10 +241,7 @@ private:
     result.is_ropelength_lowered = false;
     result.thickness = 2 * tube_radius(m_curves); // the distance that strands keep
     if(result.status == Untangling_status::UNKNOTTED) result.proofs = unknot_proofs(m_curves);
-    if(!m_parameters.certificate) return;
-    Guard guard = m_surroundings.guard(m_curves);
-    guard.start_recording();
-    *m_parameters.certificate = guard.certificate();
+    certify_no_change(m_curves, m_parameters.certificate);
   }
 
   static bool are_unknots(const std::vector<Unknot_proof>& proofs)
