@@ -57,9 +57,9 @@ namespace Volume_filling_curves {
  * On request the guard also keeps a clearance, since curves in contact can hardly move again. It
  * refuses a change that brings two edges without a common node closer than a given distance and
  * also closer than half their former distance. It refuses a change that narrows the angle between
- * edges with a common node below 20 degrees and also below about half its former value. Repeated
- * changes can therefore wear a clearance down; `Bend_limits` hold. The clearance is not part of the
- * certificate.
+ * edges with a common node below 20 degrees and also below about half its former value. Hence
+ * repeated changes can wear a clearance down, but not `Bend_limits`. The clearance is not part of
+ * the certificate.
  *
  * Inserting and removing nodes leaves gaps in the numbering, which `collect_garbage()` closes.
  * Positions are rounded to `double` before they are certified; positions that are not finite, or

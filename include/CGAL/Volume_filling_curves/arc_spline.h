@@ -47,8 +47,8 @@ namespace Volume_filling_curves {
  * \f$\cos(\theta/2)\f$, 1 at a corner with the turning angle \f$\theta\f$. Points on the arcs, such
  * as `middle`, are rounded.
  *
- * Strands farther apart than the longest edge are never in conflict. Otherwise
- * `Arc_spline::conflicts` lists the nodes; shorter edges there help, at the cost of smaller radii.
+ * Strands farther apart than the longest edge are never in conflict. `Arc_spline::conflicts` lists
+ * conflicting nodes; shorter edges there help, at the cost of smaller radii.
  *
  * Takes near-linear time for evenly spaced nodes.
  *

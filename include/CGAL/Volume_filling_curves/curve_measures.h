@@ -225,7 +225,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 }
 
 /*!
- * returns the linking number of every two components, 0 if one of them is not closed. The diagonal
+ * returns the linking number of each pair of components, 0 if one is not closed. The diagonal
  * is 0.
  *
  * Crossings and their signs are decided with exact predicates. A crossing is positive if the upper

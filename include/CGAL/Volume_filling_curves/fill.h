@@ -96,8 +96,8 @@ auto fill(Curve_network_3<Traits>& curves,
  * `Wall::KEEP_CLEAR`. On nine domains, 86 to 92 % of the volume ended within r of the curve, and
  * 99 % within 1.2 r to 1.45 r. If nearly every point must lie within d of the curve, use
  * r = d / 1.4. If the status is `Filling_status::CONVERGED` or `Filling_status::PARTIAL`, strands
- * are at least 1.6 r apart; without `round_bends`, about 80 % are within r, and strands come
- * closer. The result has the least distances, the tightest bend, and the share of the length along
+ * are at least 1.6 r apart; without `round_bends` they are closer, with 80 % of the volume within
+ * r. The result has the least distances, the tightest bend, and the share of the length along
  * which another strand is nearer than r. With ports, the least distance from the boundary is that
  * of their necks.
  *
