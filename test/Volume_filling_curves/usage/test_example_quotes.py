@@ -36,7 +36,7 @@ class Quotes(unittest.TestCase):
         lines = self.output(EXAMPLES / "tour").splitlines()
         self.assertEqual(len(lines), 2)
         for page in PACKAGE / "README.md", MANUAL / "Volume_filling_curves.txt":
-            [sentence] = re.findall(r"It prints (`.*?`)\. ", page.read_text())
+            [sentence] = re.findall(r"prints (`.*?`)\. ", page.read_text(), re.DOTALL)
             quotes = re.findall("`(.*?)`", sentence)
             self.assertEqual(len(quotes), len(lines), page)
             for quote, line in zip(quotes, lines):
