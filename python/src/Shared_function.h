@@ -10,6 +10,8 @@
 #include "arrays.h"
 
 #include <memory>
+#include <string>
+#include <type_traits>
 
 namespace vfc_python {
 
@@ -30,7 +32,15 @@ public:
     const py::gil_scoped_acquire lock;
     const py::object point =
         py::module_::import("numpy").attr("array")(py::make_tuple(p.x(), p.y(), p.z()));
-    return (*m_function)(point).template cast<Result>();
+    const py::object answer = (*m_function)(point);
+    try {
+      return answer.template cast<Result>();
+    } catch(const py::cast_error&) {
+      constexpr bool is_number = std::is_same_v<Result, double>;
+      throw py::type_error("the function returned " + py::repr(answer).cast<std::string>() +
+                           " at " + py::repr(point).cast<std::string>() + ", but must return " +
+                           (is_number ? "a number" : "three numbers"));
+    }
   }
 
 private:

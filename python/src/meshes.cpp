@@ -16,6 +16,7 @@
 #include <pybind11/stl.h>
 
 #include <exception>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -91,14 +92,31 @@ vfc::Mesh_findings examined(const vfc::Mesh_soup& soup, const py::object& progre
       progress);
 }
 
+// What the program mends as it reads a mesh, without a word; here only repair() does.
+const std::map<std::string, const char*> mended_in_reading = {
+    {"coincident vertices", "merged vertices at the same place"},
+    {"mixed orientation", "turned faces"},
+    {"non-manifold vertex", "split vertices between surfaces"}};
+
+bool is_closed_surface(const Triangles& triangles)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  if(!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces)) return false;
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(triangles.points, triangles.faces, mesh);
+  return CGAL::is_closed(mesh);
+}
+
 py::list check(const Doubles& vertices, const Integers& faces, const py::object& progress)
 {
-  const vfc::Mesh_findings findings = examined(soup_of(triangles_of(vertices, faces)), progress);
+  const Triangles triangles = triangles_of(vertices, faces);
+  const vfc::Mesh_findings findings = examined(soup_of(triangles), progress);
+  const bool is_taken = is_closed_surface(triangles);
   py::list result;
   for(const vfc::Defect& defect : findings.list()) {
     py::dict d;
     d["kind"] = defect.kind;
-    d["is_error"] = defect.is_error;
+    d["is_error"] = defect.is_error || (!is_taken && mended_in_reading.count(defect.kind) > 0);
     d["message"] = defect.message;
     d["vertices"] = rows_of(defect.nodes);
     d["faces"] = rows_of(defect.faces);
@@ -124,8 +142,15 @@ py::dict repair(const Doubles& vertices,
                 const py::object& progress)
 {
   if(!(alpha >= 0)) throw std::invalid_argument("alpha must not be negative");
-  const vfc::Mesh_soup soup = soup_of(triangles_of(vertices, faces));
-  require_mendable(examined(soup, progress));
+  const Triangles triangles = triangles_of(vertices, faces);
+  const vfc::Mesh_soup soup = soup_of(triangles);
+  const vfc::Mesh_findings findings = examined(soup, progress);
+  require_mendable(findings);
+  std::vector<std::string> steps;
+  if(!is_closed_surface(triangles))
+    for(const vfc::Defect& defect : findings.list())
+      if(const auto found = mended_in_reading.find(defect.kind); found != mended_in_reading.end())
+        steps.emplace_back(found->second);
   vfc::Mesh mesh;
   const auto [mending, is_sound] = watched(
       [&](vfc::Work_watch& watch) {
@@ -138,7 +163,8 @@ py::dict repair(const Doubles& vertices,
   py::dict d;
   d["vertices"] = arrays[0];
   d["faces"] = arrays[1];
-  d["steps"] = mending.steps;
+  steps.insert(steps.end(), mending.steps.begin(), mending.steps.end());
+  d["steps"] = steps;
   d["distance_from_input"] = mending.from_file;
   d["distance_to_result"] = mending.to_mended;
   return d;

@@ -37,6 +37,21 @@ class Meshes(unittest.TestCase):
             self.assertAlmostEqual(np.einsum("ij,ij", a, np.cross(b, c)) / 6, volume)
             vfc.Mesh(mended.vertices, mended.faces)
 
+    def test_what_fill_refuses_is_an_error_and_repair_tells_what_it_did(self):
+        turned = np.vstack([CUBE_FACES[:1, ::-1], CUBE_FACES[1:]])
+        soup = CUBE_VERTICES[CUBE_FACES].reshape(-1, 3), np.arange(36).reshape(-1, 3)
+        joined = np.where(CUBE_FACES == 0, 7, CUBE_FACES + 7)
+        pair = np.vstack([CUBE_VERTICES, CUBE_VERTICES[1:] + 1]), np.vstack([CUBE_FACES, joined])
+        for (vertices, faces), step in [((CUBE_VERTICES, turned), "turned faces"),
+                                        (soup, "merged vertices at the same place"),
+                                        (pair, "split vertices between surfaces")]:
+            with self.assertRaises(ValueError):
+                vfc.Mesh(vertices, faces)
+            self.assertTrue(any(defect.is_error for defect in vfc.check_mesh(vertices, faces)), step)
+            mended = vfc.repair(vertices, faces)
+            self.assertIn(step, mended.steps)
+            vfc.Mesh(mended.vertices, mended.faces)
+
     def test_what_cannot_be_mended_is_a_value_error(self):
         for vertices, faces, message in [(CUBE_VERTICES * np.nan, CUBE_FACES, "not finite, vertex 0"),
                                          (CUBE_VERTICES, [[0, 1, 9]], "row 0 has the index 9"),

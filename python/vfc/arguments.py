@@ -33,6 +33,8 @@ def number(value: Any, name: str) -> float:
         if isinstance(value, (str, bytes)):
             raise TypeError
         return float(value)
+    except OverflowError:
+        raise ValueError(f"{name} is {reprlib.repr(value)}, which is too large") from None
     except (TypeError, ValueError):
         raise TypeError(f"{name} is {reprlib.repr(value)}, but must be a number") from None
 
@@ -60,7 +62,15 @@ def vector(value: Any, name: str) -> np.ndarray:
     return coordinates
 
 
+def unmasked(value: Any, name: str) -> Any:
+    """The value; the compiled module does not see the mask of an array."""
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name} has masked values")
+    return value
+
+
 def _array(value: Any, name: str) -> np.ndarray:
+    value = unmasked(value, name)
     try:
         return np.asarray(value)
     except ValueError:  # of lists of different lengths

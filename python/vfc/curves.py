@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from dataclasses import dataclass
 from os import PathLike
 from typing import Any, Sequence, Union
@@ -45,6 +46,8 @@ def _flags(closed: Closed, count: int) -> list[bool]:
         raise TypeError(f"closed is {closed!r}, but must be True, False, or a list of such values")
     if flags.ndim == 0:
         return [bool(flags)] * count
+    if flags.ndim > 1:
+        raise ValueError(f"closed has the shape {flags.shape}, but must be a list")
     if len(flags) != count:
         raise ValueError(f"closed has {len(flags)} values, but there are {count} curves")
     return flags.astype(bool).tolist()
@@ -64,6 +67,11 @@ def flat(curves: Curves, closed: Closed = True) -> tuple:
         return numbers(curves.points, "points"), integers(curves.edges, "edges")
     if isinstance(curves, (str, PathLike)):
         raise TypeError(f"the curve is the name '{curves}', but must be an array; read() reads a file")
+    is_scalar = isinstance(curves, np.ndarray) and curves.ndim == 0
+    if not hasattr(curves, "__getitem__") or isinstance(curves, (dict, memoryview)) or is_scalar:
+        hint = "; pass its member curves" if hasattr(curves, "curves") else ""
+        raise TypeError(f"the curves are {reprlib.repr(curves)}, but must be an array of points, a list of such "
+                        f"arrays, or a Network{hint}")
     parts = [curves] if _is_one(curves) else list(curves)
     flags = _flags(closed, len(parts))
     rows = [_rows(part) for part in parts]
@@ -91,6 +99,11 @@ def _indices(pin: Any) -> list[int]:
     if np.any(points < 0):
         raise ValueError(f"pin: there is no point {points.min()}")
     return points.tolist()
+
+
+def kept(curves: Curves) -> Curves:
+    """The curves, whatever becomes of the list that holds them while a run lasts."""
+    return list(curves) if isinstance(curves, list) else curves
 
 
 def split(array: np.ndarray, core: _vfc.Curve) -> list[np.ndarray]:

@@ -64,6 +64,9 @@ class Polygons(Domain):
     """
 
     def __init__(self, *polygons: Any):
+        for polygon in polygons:
+            if not hasattr(polygon, "__getitem__") or len(polygon) == 0:
+                raise TypeError(f"a polygon is {polygon!r}, but must be an array of corners, or a list of such arrays")
         rings = [[polygon] if np.ndim(polygon[0]) == 1 else list(polygon) for polygon in polygons]
         super().__init__(
             _vfc.inside_of_polygons([[numbers(ring, "corners") for ring in part] for part in rings]),

@@ -49,4 +49,6 @@ def write(file: Any, curves: Curves, *, closed: Closed = True) -> None:
         OSError: if the file cannot be written
         ValueError: if the name has no extension of these
     """
+    if b"\0" in os.fsencode(file):
+        raise ValueError("the name of the file has a null character")
     _vfc.write(os.fspath(file), to_core(curves, closed))

@@ -10,7 +10,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _results, _vfc
-from .arguments import integer, number
+from .arguments import integer, number, unmasked
 from .curves import Closed, Curves, to_core
 from .domains import Domain, core_of, core_or_none
 from .runs import Progress
@@ -53,7 +53,7 @@ def coverage(curves: Curves, domain: Domain, thickness: Any, *, closed: Closed =
     """
     core = to_core(curves, closed)
     return _results.Coverage(
-        **_vfc.coverage(core, core_of(domain), thickness, integer(samples, "samples"),
+        **_vfc.coverage(core, core_of(domain), unmasked(thickness, "thickness"), integer(samples, "samples"),
                         integer(random_seed, "random_seed"), progress))
 
 
@@ -76,5 +76,11 @@ def arc_spline(curves: Curves, domain: Optional[Domain] = None, *, closed: Close
 
 def tube(curves: Curves, radius: float, *, closed: Closed = True,
          sides: int = 12) -> tuple[np.ndarray, np.ndarray]:
-    """The surface of the tube around curves: vertices (n, 3) and faces (m, 3), oriented outwards."""
-    return _vfc.tube(to_core(curves, closed), number(radius, "radius"), integer(sides, "sides"))
+    """The surface of the tube around curves: vertices (n, 3) and faces (m, 3), oriented outwards.
+
+    At each point, a regular polygon of so many sides has its corners at the distance `radius`, in
+    the plane that bisects the bend. The tube lies within `radius` of the curve; so its volume is
+    some per cent less than pi radius^2 length. It does not meet itself if the radius is less than
+    the `polygonal_thickness` of `measure()`.
+    """
+    return _vfc.tube(to_core(curves, closed), number(radius, "radius"), integer(sides, "sides", least=3))

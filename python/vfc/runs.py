@@ -12,7 +12,8 @@ from math import isnan
 from typing import Any, Callable, Optional
 
 from . import _options, _results, _vfc
-from .curves import Closed, Curves, from_core, origins, size, to_core
+from .arguments import unmasked
+from .curves import Closed, Curves, from_core, kept, origins, size, to_core
 from .domains import Domain, Mesh, core_of, core_or_none
 
 Progress = Optional[Callable[[dict], Any]]
@@ -85,6 +86,7 @@ def _bytes(record: Optional[_vfc.Certificate]) -> Optional[bytes]:
 def untangle(curves: Curves, *, domain: Optional[Domain] = None, closed: Closed = True,
              pin: Any = None, certificate: bool = False, progress: Progress = None,
              **options: Any) -> Untangled:
+    curves = kept(curves)
     core = to_core(curves, closed, pin)
     record = _record(certificate)
     result = _vfc.untangle(core, core_or_none(domain), options, record, progress)
@@ -102,7 +104,9 @@ def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, clo
         raise TypeError("fill() takes vertices and faces, or a Domain")
     if curves is None and (pin is not None or closed is not True):
         raise TypeError("closed and pin are about curves, but no curves are given")
-    given = [] if curves is None else curves
+    for name in ("thickness", "direction_field"):
+        unmasked(options.get(name), name)
+    given = [] if curves is None else kept(curves)
     core = to_core(given, closed, pin)
     record = _record(certificate)
     result = _vfc.fill(core, core_of(domain), options, record, progress)
@@ -113,6 +117,7 @@ def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, clo
 
 def simplify(curves: Curves, *, closed: Closed = True, pin: Any = None, certificate: bool = False,
              progress: Progress = None, **options: Any) -> Simplified:
+    curves = kept(curves)
     core = to_core(curves, closed, pin)
     record = _record(certificate)
     removed = _vfc.simplify(core, options, record, progress)

@@ -102,7 +102,9 @@ void add_simplify_command(Command_line& command_line)
              not_negative)
       .type_name("D");
   add_number(command, "--clearance", options->parameters.clearance,
-             "distance that edges without a common node keep, in the input's unit", not_negative)
+             "no removal brings edges without a common node nearer than that, in the input's unit, "
+             "unless it leaves at least half of their distance",
+             not_negative)
       .capture_default_str()
       ->type_name("C");
   add_curve_options(command, options->curve);

@@ -117,11 +117,11 @@ public:
   /// returns the guarded network.
   const Curve_network& curve() const { return m_curve; }
 
-  /// sets the distance that edges without a common node keep, in the input's unit; 0 (default)
-  /// stands for no clearance. Edges that are already closer may halve their distance.
+  /// sets the clearance, in the input's unit; 0 (default) stands for none. A change brings edges
+  /// without a common node nearer than that only if it leaves at least half of their distance.
   void set_clearance(double distance) { m_clearance = internal::Clearance_rule(distance); }
 
-  /// returns the distance that edges without a common node keep.
+  /// returns the clearance.
   double clearance() const { return m_clearance.distance(); }
 
   /// sets the distance from the boundary of the domain that the curve keeps, in the input's unit; 0

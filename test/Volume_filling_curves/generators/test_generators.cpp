@@ -166,6 +166,12 @@ TEST(Generators, space_nodes_evenly)
     }
 }
 
+TEST(Braid_closure, refuses_letters_that_are_none)
+{
+  for(const int letter : {0, 1001, -1001, std::numeric_limits<int>::min()})
+    EXPECT_THROW(generators::braid_closure({1, letter}, 100), std::invalid_argument) << letter;
+}
+
 // At once: nobody could hold the samples of such a knot.
 TEST(Torus_knot, refuses_more_turns_than_it_could_have_nodes)
 {

@@ -29,20 +29,25 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
+constexpr int max_letter = 1000; // of a braid word
+
+inline bool is_letter(int letter)
+{
+  return letter != 0 && letter >= -max_letter && letter <= max_letter;
+}
+
 /* returns the letters of a braid word such as "1 -2 1 -2": i exchanges the strands i and i + 1, -i
  * does so the other way round.
  * \throws std::invalid_argument if a letter is not an integer other than 0
  */
 inline std::vector<int> parse_braid_word(const std::string& text)
 {
-  constexpr int max_letter = 1000;
   std::vector<int> word;
   std::istringstream stream(text);
   for(std::string token; stream >> token;) {
     std::istringstream letter_stream(token);
     int letter = 0;
-    if(!(letter_stream >> letter) || !letter_stream.eof() || letter == 0 ||
-       std::abs(letter) > max_letter)
+    if(!(letter_stream >> letter) || !letter_stream.eof() || !is_letter(letter))
       throw std::invalid_argument("letter '" + token + "' of the braid word is not an integer in " +
                                   "1, ..., 1000 or its negative");
     word.push_back(letter);
@@ -60,7 +65,12 @@ public:
   Braid_closure(std::vector<int> word, std::size_t number_of_strands)
       : m_word(std::move(word)), m_strands(number_of_strands)
   {
-    for(int letter : m_word) m_strands = (std::max)(m_strands, upper_strand(letter) + 1);
+    for(int letter : m_word) {
+      if(!is_letter(letter))
+        throw std::invalid_argument("the letter " + std::to_string(letter) + " of the braid is " +
+                                    "not an integer in 1, ..., 1000 or its negative");
+      m_strands = (std::max)(m_strands, upper_strand(letter) + 1);
+    }
     m_strands = (std::max)(m_strands, std::size_t(1));
     assign_sectors();
   }

@@ -33,8 +33,9 @@ struct Simplification_parameters
   /// it replaces, in the input's unit. Infinite by default.
   double max_distance = std::numeric_limits<double>::infinity();
 
-  /// The distance that edges without a common node keep, see `Isotopy_guard_3::set_clearance()`, in
-  /// the input's unit. 0 (default) for none.
+  /// The clearance, in the input's unit, see `Isotopy_guard_3::set_clearance()`: a removal brings
+  /// edges without a common node nearer than that only if it leaves at least half of their
+  /// distance. 0 (default) for none.
   double clearance = 0;
 
   /// Receives the record of the run, like `Curve_run_parameters::certificate`.
