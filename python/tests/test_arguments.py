@@ -73,6 +73,8 @@ class Wrong_arguments(unittest.TestCase):
             ("random_seed is -1", lambda: vfc.torus_knot(2, 3, random_seed=-1)),
             ("p is 10+, but must be at most", lambda: vfc.torus_knot(10**20, 3)),
             ("samples is -1", lambda: vfc.coverage(circle(), BALL, 0.1, samples=-1)),
+            ("thickness is -1.0, but must not", lambda: vfc.measure(circle(), thickness=-1)),
+            ("thickness is nan, but must not", lambda: vfc.measure(circle(), thickness=np.nan)),
             ("sides is -1", lambda: vfc.tube(circle(), 0.1, sides=-1)),
             ("pin: there is no point -1", lambda: vfc.untangle(circle(), pin=[-1])),
             ("pin: there is no point 16", lambda: vfc.untangle(circle(), pin=[16])),

@@ -32,8 +32,10 @@ def measure(curves: Curves, *, closed: Closed = True, thickness: float = 0,
             count for `min_clearance`; with 0, those with a common point
         progress: a function of a dictionary; if it returns `False`, `Interrupted` is raised
     """
-    return _results.CurveMeasures(
-        **_vfc.measure(to_core(curves, closed), number(thickness, "thickness"), progress))
+    r = number(thickness, "thickness")
+    if not r >= 0:
+        raise ValueError(f"thickness is {r}, but must not be negative")
+    return _results.CurveMeasures(**_vfc.measure(to_core(curves, closed), r, progress))
 
 
 def coverage(curves: Curves, domain: Domain, thickness: Any, *, closed: Closed = True,

@@ -267,7 +267,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param r as for `min_clearance()`
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \throws std::invalid_argument as `linking_matrix()`
+ * \throws std::invalid_argument as `linking_matrix()` and `min_clearance()`
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,

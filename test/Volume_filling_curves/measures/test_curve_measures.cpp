@@ -221,6 +221,8 @@ TEST(Min_clearance, leaves_out_less_than_pi_r_along_a_component)
   EXPECT_EQ(vfc::min_clearance(hairpin), 1);
   EXPECT_EQ(vfc::min_clearance(hairpin, 1.9 / pi), 2);
   EXPECT_EQ(vfc::min_clearance(hairpin, 2.1 / pi), infinity);
+  for(const double bad : {-1., std::nan("")})
+    EXPECT_THROW((void)vfc::min_clearance(hairpin, bad), std::invalid_argument) << bad;
 }
 
 TEST(Min_clearance, of_components_counts_whatever_r_is)

@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -110,6 +111,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * share a node are neighbors
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \throws std::invalid_argument if `r` is negative or NaN
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -117,6 +119,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
                                    double r = 0,
                                    const NamedParameters& np = parameters::default_values())
 {
+  if(!(r >= 0)) throw std::invalid_argument("the radius of a clearance must not be negative");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::Least_clearance<Curve_network_3<Traits>>(curve, CGAL_PI * r)(watch);
   });
