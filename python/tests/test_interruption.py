@@ -22,7 +22,7 @@ import vfc
 
 # What takes no longer than half a second for a million points.
 INSTANT = {"length", "write", "Ball", "Box", "Implicit"}
-SECONDS_TO_THE_SIGNAL = 0.1
+SECONDS_TO_THE_SIGNAL = 0.05
 SECONDS_TO_THE_END = 0.5 * (os.cpu_count() or 1)  # of all processors
 
 
