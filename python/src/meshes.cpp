@@ -13,6 +13,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
 
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <pybind11/stl.h>
 
 #include <exception>
@@ -100,6 +102,7 @@ const std::map<std::string, const char*> mended_in_reading = {
 
 bool is_closed_surface(const Triangles& triangles)
 {
+  const py::gil_scoped_release unlock;
   namespace PMP = CGAL::Polygon_mesh_processing;
   if(!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces)) return false;
   Mesh mesh;

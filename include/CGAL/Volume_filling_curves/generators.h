@@ -71,14 +71,14 @@ template <typename Traits = Curve_flow_traits_3<>>
  * negative one: the word 1 1 1 is the right-handed trefoil, 1 -2 1 -2 the figure-eight knot, and 1
  * -2 1 -2 1 -2 the Borromean rings.
  *
- * \param word the letters, other than 0; see also `parse_braid_word()`
+ * \param word the letters, 1 to 1000 or their negatives; see also `parse_braid_word()`
  * \param number_of_nodes the number of nodes, which are spaced equally
  * \param random_seed the seed of a random rotation; 0 for none
  * \param number_of_strands the least number of strands; with an empty word, the number of unlinked
  * circles
  * \param traits the traits object
  *
- * \throws std::invalid_argument if there are too few nodes
+ * \throws std::invalid_argument if a letter is out of range, or if there are too few nodes
  */
 template <typename Traits = Curve_flow_traits_3<>>
 [[nodiscard]] Curve_network_3<Traits> make_closed_braid(const std::vector<int>& word,

@@ -131,7 +131,9 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
   const std::size_t count = [&] {
     const internal::Garbage_scope scope(guard);
     internal::Curve_simplifier<Isotopy_guard_3<Traits>> simplifier(guard, parameters.max_distance);
-    return simplifier.run(&watch);
+    const std::size_t number = simplifier.run(&watch);
+    guard.collect_garbage();
+    return number;
   }();
   if(parameters.certificate) *parameters.certificate = guard.certificate();
   return count;

@@ -131,14 +131,11 @@ private:
   {
     check_number_of_shares(m_parameters.volume_shares, m_curves.number_of_components());
     if(m_parameters.start == Filling_start::TREE) check_sliding();
-    try {
-      check_embedded(m_curves);
-    } catch(const std::invalid_argument&) {
-      if(m_circles.empty()) throw;
+    if(!m_circles.empty() && !first_contact(m_curves).empty())
       throw std::invalid_argument(
           "the coordinates of the domain are too large for the thickness: rounded to double, a "
           "circle of that size meets itself; move the domain nearer to the origin");
-    }
+    if(m_circles.empty()) check_embedded(m_curves);
     try {
       check_inside(m_curves, m_domain);
     } catch(const std::invalid_argument& error) {

@@ -40,7 +40,7 @@ inline Polygons torus_knot(int p, int q, std::size_t number_of_nodes, std::uint6
   if(p < 1 || q == 0) throw std::invalid_argument("a torus knot needs p > 0 and q other than 0");
   constexpr int most = 10000; // such a knot needs hundreds of millions of nodes
   if(p > most || q > most || q < -most)
-    throw std::invalid_argument("p and q of a torus knot are at most " + std::to_string(most));
+    throw std::invalid_argument("p and |q| of a torus knot are at most " + std::to_string(most));
   constexpr double core_radius = 2, tube_radius = 1;
   constexpr std::size_t samples_per_turn = 96;
   const int components = std::gcd(p, q), turns = p / components;

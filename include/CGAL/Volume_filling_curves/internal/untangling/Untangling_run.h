@@ -133,7 +133,6 @@ private:
     saver.resume_curve(
         m_curves, [this](const Network& curves) { m_surroundings.check(curves, m_parameters); });
     Guard guard = m_surroundings.guard(m_curves);
-    const Garbage_scope scope(guard);
     guard.set_watch(&m_watch);
     if(m_parameters.certificate) guard.start_recording();
     Untangling_state state;
@@ -152,6 +151,7 @@ private:
   {
     Untangling_parameters parameters = m_parameters; // adding rays sets the thickness
     Closing_rays<Guard> rays(guard);
+    const Garbage_scope scope(guard); // ends before the rays, which are found among the last nodes
     if(is_resuming) {
       rays.set_sphere(state.sphere);
       parameters.thickness = state.thickness_of_rays;
