@@ -200,6 +200,13 @@ class Indices(unittest.TestCase):
 
 
 class Nothing(unittest.TestCase):
+    def test_a_list_that_changes_during_the_run_keeps_its_form(self):
+        curves = [circle(), circle(at=(5, 0, 0))]
+
+        def change(progress):
+            curves[:] = [[0.0, 0.0, 0.0]]
+        self.assertEqual(len(vfc.simplify(curves, progress=change).curves), 2)
+
     def test_no_curves_are_an_empty_list(self):
         result = vfc.simplify([])
         self.assertEqual((result.curves, result.origin), ([], []))

@@ -128,13 +128,10 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
   Isotopy_guard_3<Traits> guard(curves);
   if(parameters.certificate) guard.start_recording();
   guard.set_clearance(parameters.clearance);
-  const std::size_t count = [&] {
-    const internal::Garbage_scope scope(guard);
-    internal::Curve_simplifier<Isotopy_guard_3<Traits>> simplifier(guard, parameters.max_distance);
-    const std::size_t number = simplifier.run(&watch);
-    guard.collect_garbage();
-    return number;
-  }();
+  const internal::Garbage_scope scope(guard);
+  internal::Curve_simplifier<Isotopy_guard_3<Traits>> simplifier(guard, parameters.max_distance);
+  const std::size_t count = simplifier.run(&watch);
+  guard.collect_garbage();
   if(parameters.certificate) *parameters.certificate = guard.certificate();
   return count;
 }

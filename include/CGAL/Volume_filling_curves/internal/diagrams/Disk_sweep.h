@@ -49,7 +49,7 @@ public:
   // \pre the diagram was returned by diagram_pieces(), or is a cable of such a diagram
   // \throws Polynomial_limit if all orders that were tried are wider than max_boundary
   // \throws Run_stopped if a watch requests it
-  explicit Disk_sweep(const Planar_diagram& diagram, Run_watch* watch = nullptr)
+  Disk_sweep(const Planar_diagram& diagram, Run_watch* watch)
       : m_diagram(diagram), m_strands(diagram)
   {
     const std::size_t n = m_diagram.crossings.size();

@@ -131,11 +131,12 @@ private:
   {
     check_number_of_shares(m_parameters.volume_shares, m_curves.number_of_components());
     if(m_parameters.start == Filling_start::TREE) check_sliding();
-    if(!m_circles.empty() && !first_contact(m_curves).empty())
+    if(m_circles.empty())
+      check_embedded(m_curves);
+    else if(!first_contact(m_curves).empty())
       throw std::invalid_argument(
           "the coordinates of the domain are too large for the thickness: rounded to double, a "
           "circle of that size meets itself; move the domain nearer to the origin");
-    if(m_circles.empty()) check_embedded(m_curves);
     try {
       check_inside(m_curves, m_domain);
     } catch(const std::invalid_argument& error) {
