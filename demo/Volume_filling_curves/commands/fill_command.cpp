@@ -237,7 +237,7 @@ void add_fill_command(Command_line& command_line)
                      }},
                     command_line);
   command.footer(
-      "About 90 % of the inside ends within r of the curve, with --preview 80 %, and 99 %\n"
+      "About 93 % of the inside ends within r of the curve, with --preview 80 %, and 99 %\n"
       "within 1.5 r. The curve never leaves MESH and never passes through itself. SIGINT and\n"
       "SIGTERM stop the run and write the current curve; a second signal ends the program.\n"
       "If MESH is a .wkt file, with POLYGON or MULTIPOLYGON, the curve lies in the plane z = 0,\n"

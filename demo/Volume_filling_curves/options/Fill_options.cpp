@@ -43,7 +43,7 @@ void add_shape_options(CLI::App& command, Fill_options& options)
 {
   CLI::Option& preview = *command.add_flag_callback(
       "--preview", [&options] { options.parameters.round_bends = false; },
-      "without rounding, in 0.4 to 0.8 of the time: bends of 0.15 r, and strands 0.7 r apart in "
+      "without rounding, in 0.2 to 0.6 of the time: bends of 0.15 r, and strands 0.7 r apart in "
       "places");
   command.add_flag("--finish", "with rounding; the default")->group("Shape of the result");
   add_number(command, "--bend-radius", options.parameters.bend_radius,

@@ -35,12 +35,13 @@ Curve projected(const Curve& curve,
                 double strand_distance,
                 int sweeps,
                 bool is_tense,
-                const Wall_planes& walls = Wall_planes())
+                const Wall_planes& walls = Wall_planes(),
+                double relaxation = 1)
 {
   const Shape_limits shape = limits(curve, bend_radius, strand_distance);
   const Strand_pairs pairs(sequential, curve, shape, 1);
   std::vector<Vector> x = positions(curve);
-  internal::Shape_projection(curve, shape, pairs, walls)(x, sweeps, is_tense);
+  internal::Shape_projection(curve, shape, pairs, walls)(x, sweeps, is_tense, relaxation);
   Curve result = curve;
   for(std::size_t v = 0; v < x.size(); ++v)
     internal::Network_editor<Curve>(result).move_node(v, Point(x[v].x(), x[v].y(), x[v].z()));
@@ -83,7 +84,10 @@ TEST(Shape_projection, opens_a_corner)
   angle.insert(angle.end(), leg.begin() + 1, leg.end());
   const Curve curve = curve_of({angle});
   EXPECT_LT(check(curve, 1, 0.1).bend.value, 0.2);
-  EXPECT_TRUE(check(projected(curve, 1, 0.1, 400, false), 1, 0.1).bend.is_kept());
+  for(const double relaxation : {1., 1.6}) {
+    const Curve opened = projected(curve, 1, 0.1, 400, false, Wall_planes(), relaxation);
+    EXPECT_TRUE(check(opened, 1, 0.1).bend.is_kept()) << relaxation;
+  }
 }
 
 TEST(Shape_projection, pushes_strands_apart)
@@ -91,6 +95,15 @@ TEST(Shape_projection, pushes_strands_apart)
   const Curve curve =
       curve_of({segment(9, {-1, 0, 0}, {1, 0, 0}), segment(7, {0, -1, 0.1}, {0, 1, 0.1})});
   EXPECT_TRUE(check(projected(curve, 0.2, 0.5, 100, false), 0.2, 0.5).is_passed());
+}
+
+// Strands that were relaxed like corners would crumple.
+TEST(Shape_projection, pushes_a_stack_apart_if_over_relaxed)
+{
+  std::vector<std::vector<Point>> stack;
+  for(int k = 0; k < 12; ++k) stack.push_back(segment(5, {0, 0, 0.3 * k}, {2, 0, 0.3 * k}));
+  const Curve pushed = projected(curve_of(stack), 0.2, 0.5, 100, true, Wall_planes(), 1.6);
+  EXPECT_TRUE(check(pushed, 0.2, 0.5).is_passed());
 }
 
 TEST(Shape_projection, leaves_pinned_nodes_and_coordinate_planes)

@@ -151,11 +151,11 @@ TEST(Fill_round, bends_behind_the_necks_of_ports)
 // The arcs between two ports of this box jam with a few seeds.
 const Box box_of_arcs({0, 0, 0}, {8, 8, 8});
 const std::vector<VFC::Port<Point>> two_ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
-constexpr std::size_t iterations_to_jam = 42; // to open, to bend, and to polish in vain
+constexpr std::size_t iterations_to_jam = 38; // to open, to bend, and to polish in vain
 
 TEST(Long_fill_round, loosens_arcs_that_jam)
 {
-  for(const std::size_t seed : {0u, 19u, 21u}) { // once, once, twice
+  for(const std::size_t seed : {15u, 43u, 21u}) { // once, once, twice
     Curve curve;
     const Result result =
         VFC::fill(curve, box_of_arcs, np::thickness(1).random_seed(seed).ports(two_ports));

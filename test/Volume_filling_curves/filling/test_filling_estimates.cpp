@@ -54,9 +54,9 @@ TEST(Filling_estimates, tell_a_round_filling_from_another)
       round(volume, {}, 0.2, 3, true);
   EXPECT_NEAR(plain.number_of_nodes(r) / 36420, 1, 0.1);
   EXPECT_NEAR(plain.seconds(r) / 5.8, 1, 0.2);
-  EXPECT_NEAR(round.number_of_nodes(r) / 27160, 1, 0.1);
-  EXPECT_NEAR(round.seconds(r) / 18.5, 1, 0.2);
-  EXPECT_NEAR(round.length(r) / plain.length(r), 0.33 / 0.28, 1e-9);
+  EXPECT_NEAR(round.number_of_nodes(r) / 30703, 1, 0.1);
+  EXPECT_NEAR(round.seconds(r) / 14.5, 1, 0.2);
+  EXPECT_NEAR(round.length(r) / plain.length(r), 0.38 / 0.28, 1e-9);
   EXPECT_EQ(round.thickness_with(1e5), plain.thickness_with(1e5)); // as many on the way
 }
 

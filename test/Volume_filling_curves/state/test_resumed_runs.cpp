@@ -159,7 +159,7 @@ TEST(Long_resumed_runs, curves_are_loosened)
   const Box_domain_3<> box(Point(0, 0, 0), Point(8, 8, 8));
   Filling parameters;
   parameters.thickness = 1;
-  parameters.random_seed = 19;
+  parameters.random_seed = 15;
   parameters.ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
   const std::size_t n = iterations_of(filling(box), Network(), parameters);
   expect_resumed(filling(box), Network(), parameters, {20, n - 10, n - 1});

@@ -46,26 +46,28 @@ public:
             nodes.moving_ranges(path, path.is_closed ? path.end : path.end - 2 * apart, 2 * apart);
   }
 
-  void operator()(std::vector<Vector>& x) const
+  // Opens corners, by a factor of their excess.
+  void operator()(std::vector<Vector>& x, double relaxation) const
   {
     if(is_too_short(x)) return widen(x);
-    open_corners<4>(x);
-    open_corners<2>(x);
-    open_corners<1>(x);
+    open_corners<4>(x, relaxation);
+    open_corners<2>(x, relaxation);
+    open_corners<1>(x, relaxation);
   }
 
 private:
   // Opens the corners of nodes that are `apart` nodes apart.
   template <std::size_t apart>
-  void open_corners(std::vector<Vector>& x) const
+  void open_corners(std::vector<Vector>& x, double relaxation) const
   {
     for(const auto& [begin, end] : m_ranges[apart]) {
       std::size_t i = begin;
-      for(; i < end && i + 2 * apart < m_path.end; ++i) open_corner<apart>(x, m_nodes.nodes() + i);
+      for(; i < end && i + 2 * apart < m_path.end; ++i)
+        open_corner<apart>(x, m_nodes.nodes() + i, relaxation);
       for(; i < end; ++i) { // around the end of a closed path
         Index corner[2 * apart + 1];
         for(std::size_t k = 0; k <= 2 * apart; ++k) corner[k] = static_cast<Index>(node(i + k));
-        open_corner<apart>(x, corner);
+        open_corner<apart>(x, corner, relaxation);
       }
     }
   }
@@ -77,7 +79,7 @@ private:
   // that, and the mean of all stays: otherwise even bends would move to their inner side, and rings
   // would shrink to points.
   template <std::size_t apart>
-  void open_corner(std::vector<Vector>& x, const Index* nodes) const
+  void open_corner(std::vector<Vector>& x, const Index* nodes, double relaxation) const
   {
     const std::size_t v = nodes[apart];
     if(m_nodes.are_held({nodes[0], v, nodes[2 * apart]})) return;
@@ -94,7 +96,7 @@ private:
     if(!(size > most)) return;
     if(apart == 1 && m_nodes.is_held(v))
       return turn_neighbors(x, nodes, (size - most) / (size * edge) * bend);
-    const Vector sixth = (size - most) / (6 * size) * bend;
+    const Vector sixth = relaxation * (size - most) / (6 * size) * bend;
     constexpr double n = apart, mean = (n - 1) / (2 * n + 1);
     m_nodes.move(x, v, (2 - mean) * sixth);
     for(std::size_t k = 1; k <= apart; ++k) {

@@ -51,6 +51,15 @@ struct Shape_goal
     goal.strand_distance.in_thickness /= factor;
     return goal;
   }
+
+  // returns the same goal with a share of the bend radius
+  Shape_goal with_bends_of(double share) const
+  {
+    Shape_goal goal = *this;
+    goal.bend_radius.length *= share;
+    goal.bend_radius.in_thickness *= share;
+    return goal;
+  }
 };
 
 // Limits of a shape at each node. Closing rays have none, and turn at any angle from the curve.

@@ -46,8 +46,10 @@ public:
   // Holds the other nodes where they are.
   void move_only(const std::vector<bool>& moving) { m_nodes.move_only(moving); }
 
-  // Sweeps over nodes at x. A tense curve keeps its length; otherwise its edges are evened.
-  void operator()(std::vector<Vector>& x, int sweeps, bool is_tense) const
+  // Sweeps over nodes at x. A tense curve keeps its length; otherwise its edges are evened. Corners
+  // open by a multiple of their excess (successive over-relaxation) but in the last quarter of the
+  // sweeps: where limits conflict, they would keep oscillating.
+  void operator()(std::vector<Vector>& x, int sweeps, bool is_tense, double relaxation = 1) const
   {
     std::vector<Length_projection> lengths;
     std::vector<Corner_projection> corners;
@@ -59,10 +61,11 @@ public:
     for(int k = 0; k < sweeps; ++k) {
       check_run();
       if(k % sweeps_per_search == 0) strands.find_contacts(x);
+      const double factor = 4 * k < 3 * sweeps ? relaxation : 1;
       for(const Length_projection& project : lengths) project(x);
       strands(x);
       m_walls.push_inside(x, m_nodes.mobility());
-      for(const Corner_projection& project : corners) project(x);
+      for(const Corner_projection& project : corners) project(x, factor);
     }
   }
 

@@ -118,7 +118,7 @@ private:
 
   // In units of the shortest: on the domains of run_filling there are 3.6 to 3.7 nodes per r with
   // edges of at least 0.2 r.
-  static constexpr double mean_edge = 1.37, mean_round_edge = 1.47;
+  static constexpr double mean_edge = 1.37, mean_round_edge = 1.5;
   // The bunny with 949,000 nodes takes 131 s and 1.3 GB.
   static constexpr double gigabytes_per_node = 1.4e-6;
   // Fitted to the CPU time of 11 fillings, and of 10 round ones, of nine domains with 2,000 to

@@ -120,7 +120,8 @@ public:
     if(m_end || ++m_state.stage < m_resumed_stage) return;
     m_flow.set_direction_field(m_parameters.direction_field,
                                stage.direction_weight * m_parameters.direction_weight);
-    m_flow.set_shape(m_shape.in_units_of(stage.thickness), stage.phase);
+    m_flow.set_shape(m_shape.in_units_of(stage.thickness).with_bends_of(stage.roundness),
+                     stage.phase);
     if(m_state.stage == m_resumed_stage)
       resume(stage, thickness);
     else
@@ -160,10 +161,10 @@ private:
   }
 
   // A tree of fingers opens, settles and is refined in 21 steps, or opens, bends and is polished in
-  // 23, unless it is loosened, which is rare; a circle grows in 150 to 500.
+  // 19 or 20, unless it is loosened, which is rare; a circle grows in 150 to 500.
   double expected_iterations() const
   {
-    const double of_tree = m_shape.is_given() ? 23 : 21;
+    const double of_tree = m_shape.is_given() ? 20 : 21;
     const double all = m_parameters.start == Filling_start::TREE ? of_tree : 300;
     return (std::min)(all, static_cast<double>(m_parameters.number_of_iterations));
   }

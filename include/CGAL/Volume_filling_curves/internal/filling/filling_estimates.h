@@ -19,9 +19,9 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Length of a curve that fills a volume V with thickness r, as a multiple of V / r^2. On five
-// domains of run_filling round fillings have 0.330 to 0.344, and others 0.277 to 0.283
-// (2026-11-26).
-constexpr double filling_density = 0.28, round_filling_density = 0.33;
+// domains of run_filling round fillings have 0.377 to 0.387, and others 0.277 to 0.283
+// (2026-11-28).
+constexpr double filling_density = 0.28, round_filling_density = 0.38;
 
 // Length of a curve that fills an area A with thickness r, as a multiple of A / r: 0.48 to 0.52 on
 // plates, an L-shape and a star.
@@ -50,10 +50,10 @@ constexpr double tolerated_crowded_fraction = 0.05;
  * \ingroup PkgVolumeFillingCurvesRef
  * \headerfile CGAL/Volume_filling_curves/fill.h
  *
- * \brief returns an estimate of the length of a curve that fills a volume, \f$0.33\, V / r^2\f$, or
+ * \brief returns an estimate of the length of a curve that fills a volume, \f$0.38\, V / r^2\f$, or
  * \f$0.28\, V / r^2\f$ without round bends, to plan time and material before calling `fill()`.
  *
- * The factor was 0.330 to 0.344, and 0.277 to 0.283, on five domains; where these are narrow
+ * The factor was 0.377 to 0.387, and 0.277 to 0.283, on five domains; where these are narrow
  * compared with the thickness the curve is shorter.
  *
  * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
@@ -76,7 +76,7 @@ constexpr double tolerated_crowded_fraction = 0.05;
  * \headerfile CGAL/Volume_filling_curves/fill.h
  *
  * \brief returns an estimate of the thickness of a curve that fills a volume and has a given
- * length, \f$\sqrt{0.33\, V / L}\f$, or \f$\sqrt{0.28\, V / L}\f$ without round bends, see
+ * length, \f$\sqrt{0.38\, V / L}\f$, or \f$\sqrt{0.28\, V / L}\f$ without round bends, see
  * `length_of_filling()`. `fill()` starts from this thickness if a length is required.
  *
  * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit

@@ -148,7 +148,7 @@ struct Filling_parameters : Curve_run_parameters
 
   /// Whether the curve keeps a bend radius and a distance of strands, with edges of at least 0.3 r;
   /// `true` by default. Where it cannot, the run ends as `Filling_status::CONSTRAINT_NOT_REACHED`.
-  /// `false` is for previews: bends have about 0.15 r, and a run takes 0.4 to 0.8 of the time; a
+  /// `false` is for previews: bends have about 0.15 r, and a run takes 0.2 to 0.6 of the time; a
   /// `bend_radius` or `strand_distance` that is given holds nevertheless.
   bool round_bends = true;
 };
