@@ -82,7 +82,7 @@ TEST(Fill_round, reaches_lengths_with_few_nodes)
   }
 }
 
-// The strands are farther apart than the plate is thick: r is about 3.5.
+// The strands are farther apart than the plate is thick: r is about 3.1.
 TEST(Fill_round, reaches_a_length_in_a_plate_that_is_thinner_than_r)
 {
   const Box plate({0, 0, 0}, {20, 20, 1});
@@ -91,7 +91,7 @@ TEST(Fill_round, reaches_a_length_in_a_plate_that_is_thinner_than_r)
     const Result result = VFC::fill(curve, plate, np::length(61).random_seed(seed));
     EXPECT_EQ(result.status, Filling_status::CONVERGED) << seed << ": " << result.reason;
     EXPECT_NEAR(VFC::length(curve), 61, 0.02 * 61);
-    EXPECT_NEAR(result.thickness, 3.5, 0.2);
+    EXPECT_NEAR(result.thickness, 3.1, 0.2);
     expect_inside(curve, plate);
   }
 }
@@ -126,7 +126,7 @@ TEST(Fill_round, stops_polishing_where_the_limits_are_out_of_reach)
   Curve curve;
   const Result result = VFC::fill(curve, rod, np::thickness(1));
   EXPECT_EQ(result.status, Filling_status::CONSTRAINT_NOT_REACHED);
-  EXPECT_EQ(result.statistics.iterations, 19u) << "to open, to bend, and one to polish";
+  EXPECT_EQ(result.statistics.iterations, 23u) << "to open, to bend, and one to polish";
 }
 
 // A tight helix, of whose nodes every sixth is pinned. Bent on, it doubled its length in every
