@@ -25,7 +25,7 @@ class Filling(unittest.TestCase):
         sphere = vfc.Implicit(lambda p: np.linalg.norm(p) - 1, (-1, -1, -1), (1, 1, 1))
         for domain, thickness in [(vfc.Mesh(CUBE_VERTICES, CUBE_FACES), 0.2),
                                   (vfc.Box((0, 0, 0), (1, 1, 2)), 0.3),
-                                  (vfc.Ball((0, 0, 5), 1), 0.3), (sphere, 0.4),
+                                  (vfc.Ball((0, 0, 5), 1), 0.3), (sphere, 0.35),
                                   (vfc.Polygons([SQUARE, 0.4 + 0.2 * SQUARE], SQUARE + 2), 0.1)]:
             result = vfc.fill(domain, thickness=thickness, certificate=True)
             self.assertIn(result.status, ("converged", "partial"), domain)
