@@ -19,7 +19,7 @@ namespace Volume_filling_curves {
 namespace internal {
 
 // Length of a curve that fills a volume V with thickness r, as a multiple of V / r^2. On five
-// domains of run_filling round fillings have 0.377 to 0.387, and others 0.277 to 0.283
+// domains of run_filling round fillings have 0.380 to 0.385, and others 0.277 to 0.283
 // (2026-11-28).
 constexpr double filling_density = 0.28, round_filling_density = 0.38;
 
@@ -53,7 +53,7 @@ constexpr double tolerated_crowded_fraction = 0.05;
  * \brief returns an estimate of the length of a curve that fills a volume, \f$0.38\, V / r^2\f$, or
  * \f$0.28\, V / r^2\f$ without round bends, to plan time and material before calling `fill()`.
  *
- * The factor was 0.377 to 0.387, and 0.277 to 0.283, on five domains; where these are narrow
+ * The factor was 0.380 to 0.385, and 0.277 to 0.283, on five domains; where these are narrow
  * compared with the thickness the curve is shorter.
  *
  * \param volume the volume \f$V\f$ of the domain, in the cube of the input's unit
