@@ -43,14 +43,15 @@ void add_shape_options(CLI::App& command, Fill_options& options)
 {
   CLI::Option& preview = *command.add_flag_callback(
       "--preview", [&options] { options.parameters.round_bends = false; },
-      "without rounding, in 0.2 to 0.6 of the time: bends of 0.15 r, and strands 0.7 r apart in "
+      "without rounding, in 0.3 to 0.7 of the time: bends of 0.15 r, and strands 0.7 r apart in "
       "places");
   command.add_flag("--finish", "with rounding; the default")->group("Shape of the result");
   add_number(command, "--bend-radius", options.parameters.bend_radius,
              "least radius of bends; default: 0.85 r; if R exceeds r, r becomes R")
       .type_name("R");
-  add_number(command, "--strand-distance", options.parameters.strand_distance,
-             "least distance of strands; default: 1.6 r; if D exceeds 1.8 r, r becomes D / 1.8")
+  add_number(
+      command, "--strand-distance", options.parameters.strand_distance,
+      "least distance between strands; default: 1.6 r; if D exceeds 1.8 r, r becomes D / 1.8")
       .type_name("D");
   for(const char* rounding : {"--finish", "--bend-radius", "--strand-distance"})
     preview.excludes(command.get_option(rounding));

@@ -27,7 +27,7 @@ void report_shape(
 
 Report::Json coordinates(const Curve::Point_3& p);
 
-// Reports the least distance of two strands, and of the curve to a mesh, with their places. A
+// Reports the least distance between two strands, and of the curve to a mesh, with their places. A
 // number that was not measured is null.
 void report_strands(Report& report, double distance, const std::array<Curve::Point_3, 2>& points);
 void report_wall(Report& report, double distance, const Curve::Point_3& point);

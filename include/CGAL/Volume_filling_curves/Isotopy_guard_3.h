@@ -130,11 +130,11 @@ public:
   /// \pre the curve is farther than that from the boundary, see `min_wall_distance()`
   void set_wall_distance(double distance) { set_wall_distance(distance, 0); }
 
-  /// sets the bend radius and the distance of strands that changes keep, in addition to the
+  /// sets the bend radius and the distance between strands that changes keep, in addition to the
   /// clearance; none by default. Rays are exempt.
   void set_bend_limits(const Bend_limits<Point_3>& limits) { m_bends = limits; }
 
-  /// returns the bend radius and the distance of strands that changes keep.
+  /// returns the bend radius and the distance between strands that changes keep.
   const Bend_limits<Point_3>& bend_limits() const { return m_bends; }
 
   /// \name Certified Operations

@@ -93,16 +93,16 @@ auto fill(Curve_network_3<Traits>& curves,
  * domain is too thin for r, the visitor's `on_thin_domain()` is called first.
  *
  * The curve settles at about r from the boundary with `Wall::COVER` and at about 2 r with
- * `Wall::KEEP_CLEAR`. On nine domains, 86 to 92 % of the volume ended within r of the curve, and
- * 99 % within 1.2 r to 1.45 r. If nearly every point must lie within d of the curve, use
- * r = d / 1.4. If the status is `Filling_status::CONVERGED` or `Filling_status::PARTIAL`, strands
- * are at least 1.6 r apart; without `round_bends` they are closer, with 80 % of the volume within
- * r. The result has the least distances, the tightest bend, and the share of the length along
- * which another strand is nearer than r. With ports, the least distance from the boundary is that
- * of their necks.
+ * `Wall::KEEP_CLEAR`. On nine domains, with `Wall::COVER`, 90 to 95 % of the volume lies within r
+ * of the curve, and 99 % within 1.1 r to 1.4 r. If nearly every point must lie within d of the
+ * curve, use r = d / 1.4. If the status is `Filling_status::CONVERGED` or
+ * `Filling_status::PARTIAL`, strands are at least 1.6 r apart; without `round_bends` they are
+ * closer, with 80 % of the volume within r. The result has the least distances, the tightest bend,
+ * and the share of the length along which another strand is nearer than r. With ports, the least
+ * distance from the boundary is that of their necks.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
- * areas replace volumes; 97 % of a plate ended within r of the curve, and 99 % within 1.1 r.
+ * areas replace volumes; 98 % of a plate lies within r of the curve, and 99 % within 1.1 r.
  *
  * The run ends when the curve has settled within the limits of its shape. Without `round_bends` it
  * has also been pushed into every empty region. With `round_bends`, spikes and gaps that are too

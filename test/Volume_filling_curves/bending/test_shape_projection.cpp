@@ -102,7 +102,7 @@ TEST(Shape_projection, pushes_a_stack_apart_if_over_relaxed)
 {
   std::vector<std::vector<Point>> stack;
   for(int k = 0; k < 12; ++k) stack.push_back(segment(5, {0, 0, 0.3 * k}, {2, 0, 0.3 * k}));
-  const Curve pushed = projected(curve_of(stack), 0.2, 0.5, 100, true, Wall_planes(), 1.6);
+  const Curve pushed = projected(curve_of(stack), 0.2, 0.5, 150, true, Wall_planes(), 1.6);
   EXPECT_TRUE(check(pushed, 0.2, 0.5).is_passed());
 }
 

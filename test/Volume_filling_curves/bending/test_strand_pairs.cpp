@@ -57,6 +57,18 @@ TEST(Strand_pairs, are_those_nearer_than_the_mean_of_their_limits)
   EXPECT_GT(far, 100u);
 }
 
+// Half of the distance was required there, and a strand was pushed off a ray for ever.
+TEST(Strand_pairs, have_no_limit_next_to_closing_rays)
+{
+  const Curve curve =
+      curve_of({segment(9, {0, 0, 0}, {1, 0, 0}), segment(9, {0, 0.1, 0}, {1, 0.1, 0})});
+  Shape_limits shape = limits(curve, 0, 0.5);
+  for(const std::size_t v : curve.nodes())
+    if(curve.point(v).y() > 0) shape.strand_distance[v] = 0; // as in a ray
+  const Strand_pairs pairs(sequential, curve, shape, 0);
+  EXPECT_TRUE(Shape_check(curve, shape, pairs).is_passed());
+}
+
 TEST(Strand_paths, go_once_along_every_edge)
 {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, -1, 0}, {3, 0, 0}};

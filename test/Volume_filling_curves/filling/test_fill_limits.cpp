@@ -229,7 +229,8 @@ TEST(Fill_limits, a_run_that_reaches_its_goal_at_the_limit_has_converged)
   EXPECT_EQ(VFC::fill(limited, ball, below).status, Filling_status::LIMIT);
 }
 
-TEST(Fill_limits, a_curve_that_nobody_had_time_to_measure_has_not_converged)
+// With round bends, the result of the settled curve was lost, and all was measured again.
+void expect_unmeasured(bool has_round_bends)
 {
   std::atomic<bool> is_measuring{false};
   const auto slow = [&](const Point&) {
@@ -241,10 +242,17 @@ TEST(Fill_limits, a_curve_that_nobody_had_time_to_measure_has_not_converged)
     return !is_measuring;
   };
   Curve curve;
-  const auto result =
-      VFC::fill(curve, ball, np::thickness(slow).round_bends(false).progress(stop_measuring));
+  const auto result = VFC::fill(
+      curve, ball, np::thickness(slow).round_bends(has_round_bends).progress(stop_measuring));
   EXPECT_TRUE(std::isnan(result.crowded_fraction));
+  EXPECT_NEAR(result.medial_radius, 0.3, 0.05);
   EXPECT_EQ(result.status, Filling_status::INTERRUPTED);
+}
+
+TEST(Fill_limits, a_curve_that_nobody_had_time_to_measure_has_not_converged)
+{
+  expect_unmeasured(false);
+  expect_unmeasured(true);
 }
 
 // Stops a run at the given report of the flow, which can be within a step.

@@ -23,7 +23,7 @@
 #include <limits>
 #include <vector>
 
-// Fillings keep a bend radius and a distance of strands. All is measured anew.
+// Fillings keep a bend radius and a distance between strands. All is measured anew.
 namespace test_fill_round {
 
 using namespace fill_round_test;
@@ -148,14 +148,14 @@ TEST(Fill_round, bends_behind_the_necks_of_ports)
                              {{Point(-1.5, 0, 0)}, {Point(0.2, 1, 0)}}, 0.9);
 }
 
-// The arcs between two ports of this box jam with a few seeds.
+// The arcs between two ports of this box jam with 8 of the seeds 0 to 149.
 const Box box_of_arcs({0, 0, 0}, {8, 8, 8});
 const std::vector<VFC::Port<Point>> two_ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
 constexpr std::size_t iterations_to_jam = 38; // to open, to bend, and to polish in vain
 
 TEST(Long_fill_round, loosens_arcs_that_jam)
 {
-  for(const std::size_t seed : {15u, 43u, 21u}) { // once, once, twice
+  for(const std::size_t seed : {11u, 21u, 129u}) {
     Curve curve;
     const Result result =
         VFC::fill(curve, box_of_arcs, np::thickness(1).random_seed(seed).ports(two_ports));

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-// Bend radii and distances of strands that conflict with a thickness, a length or the domain.
+// Bend radii and distances between strands that conflict with a thickness, a length or the domain.
 namespace test_fill_round_conflicts {
 
 using namespace fill_round_test;

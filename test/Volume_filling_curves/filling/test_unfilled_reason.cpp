@@ -123,7 +123,7 @@ TEST(Empty_regions, are_unknown_if_there_was_no_time_to_search)
   const auto measured = [&](const auto& unfilled) {
     VFC::internal::Run_watch watch;
     VFC::Filling_result<Point> result;
-    VFC::internal::measure_filling(result, unfilled, small_triangle, thickness, watch);
+    VFC::internal::measure_filling(result, unfilled, small_triangle, thickness, watch, [] {});
     return result;
   };
   const auto known = measured(Unfilled(samples, boundary_distances, VFC::Wall::COVER));

@@ -108,7 +108,7 @@ TEST(Film, does_not_depend_on_size_and_place)
   }
 }
 
-// Half of the distance of strands is the radius at which they touch.
+// Half of the distance between strands is the radius at which they touch.
 TEST(Film, has_a_tube_that_suits_it)
 {
   Film film("", Mesh());

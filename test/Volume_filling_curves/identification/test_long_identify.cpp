@@ -54,7 +54,7 @@ std::string name_of_knotted(const Network& curve)
   return is_knotted && identity.is_proved ? identity.name : "";
 }
 
-// Moves nodes by at most 5 % of the distance of strands: no strand passes through another one.
+// Moves nodes by at most 5 % of the distance between strands: no strand passes through another one.
 Network jittered(const Network& curve, unsigned seed)
 {
   flow_test::Random random(seed);

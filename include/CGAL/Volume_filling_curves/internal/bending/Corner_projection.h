@@ -38,7 +38,7 @@ public:
                     const Shape_limits& limits,
                     const Path& path,
                     double margin)
-      : m_nodes(nodes), m_limits(limits), m_path(path), m_margin(margin)
+      : m_nodes(nodes), m_limits(limits), m_path(path), m_margin(margin), m_ring(ring())
   {
     for(const std::size_t apart : {1u, 2u, 4u})
       if(path.size() > 2 * apart)
@@ -119,20 +119,26 @@ private:
     m_nodes.move(x, w, -out / number * excess);
   }
 
-  // Whether a closed curve is shorter than a ring with the limit for its radius. Its stiffness
-  // would shrink it to a point; therefore it is widened, and its corners are not opened. Most
-  // curves are far longer, which some of their edges already show.
+  // the length of a ring of as many edges, with the mean limit for its radius
+  double ring() const
+  {
+    double length = 0;
+    const auto [cosine, sine] = cos_sin(0.5 / static_cast<double>(m_path.size()));
+    for(std::size_t i = m_path.begin; i < m_path.end; ++i)
+      length += 2 * m_margin * m_limits.bend_radius[node(i)] * sine / cosine;
+    return length;
+  }
+
+  // Whether a closed curve is shorter than this ring. Its stiffness would shrink it to a point;
+  // therefore it is widened, and its corners are not opened. Most curves are far longer, which some
+  // of their edges already show.
   bool is_too_short(const std::vector<Vector>& x) const
   {
     if(!m_path.is_closed) return false;
-    const double n = static_cast<double>(m_path.size());
-    const auto [cosine, sine] = cos_sin(0.5 / n);
-    const double radius = m_margin * m_limits.bend_radius[node(m_path.begin)];
-    const double ring = 2 * n * radius * sine / cosine; // of n edges
     double length = 0;
-    for(std::size_t i = m_path.begin; i < m_path.end && length < ring; ++i)
+    for(std::size_t i = m_path.begin; i < m_path.end && length < m_ring; ++i)
       length += (x[node(i + 1)] - x[node(i)]).norm();
-    return length < ring;
+    return length < m_ring;
   }
 
   // Moves the nodes away from their center.
@@ -154,6 +160,7 @@ private:
   const Shape_limits& m_limits;
   const Path& m_path;
   const double m_margin;
+  const double m_ring;                        // the least length of a closed path
   std::array<std::vector<Range>, 5> m_ranges; // of corners that can move, by `apart`
 };
 

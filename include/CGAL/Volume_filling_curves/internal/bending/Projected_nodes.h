@@ -40,14 +40,14 @@ public:
 
   // \pre there is no garbage
   template <typename Network>
-  explicit Strand_paths(const Network& curve) : m_is_done(curve.number_of_edges(), false)
+  explicit Strand_paths(const Network& curve)
   {
+    std::vector<char> is_done(curve.number_of_edges(), false);
     m_nodes.reserve(curve.number_of_nodes());
     for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-      if(curve.degree(v) != 2) walk_from(curve, v);
+      if(curve.degree(v) != 2) walk_from(curve, v, is_done);
     for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
-      if(curve.degree(v) == 2) walk_from(curve, v); // only closed curves are left
-    m_is_done = {};
+      if(curve.degree(v) == 2) walk_from(curve, v, is_done); // only closed curves are left
   }
 
   const std::vector<Path>& paths() const { return m_paths; }
@@ -55,21 +55,21 @@ public:
 
 private:
   template <typename Network>
-  void walk_from(const Network& curve, std::size_t start)
+  void walk_from(const Network& curve, std::size_t start, std::vector<char>& is_done)
   {
     for(std::size_t k = 0; k < curve.degree(start); ++k)
-      if(!m_is_done[curve.incident_edge(start, k)]) walk(curve, start, k);
+      if(!is_done[curve.incident_edge(start, k)]) walk(curve, start, k, is_done);
   }
 
-  // along the k-th edge at a node
+  // Walks along the k-th edge at a node, and marks the edges.
   template <typename Network>
-  void walk(const Network& curve, std::size_t start, std::size_t k)
+  void walk(const Network& curve, std::size_t start, std::size_t k, std::vector<char>& is_done)
   {
     const std::size_t begin = m_nodes.size();
     std::size_t v = start, e = curve.incident_edge(v, k);
     do {
       m_nodes.push_back(static_cast<Index>(v));
-      m_is_done[e] = true;
+      is_done[e] = true;
       v = curve.neighbor(v, k);
       if(curve.degree(v) != 2) break;
       k = curve.incident_edge(v, 0) == e ? 1 : 0;
@@ -82,7 +82,6 @@ private:
 
   std::vector<Path> m_paths;
   std::vector<Index> m_nodes;
-  std::vector<char> m_is_done; // of the edges
 };
 
 // Nodes that a projection moves along the paths of a curve. Some are held, and loops over a path

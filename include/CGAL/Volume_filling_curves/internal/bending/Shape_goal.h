@@ -33,10 +33,10 @@ struct Shape_length
   double at(double thickness) const { return length + in_thickness * thickness; }
 };
 
-// Goal of a shape: the least bend radius, by Rawdon's MinRad, and the least distance of strands.
-// Two edges belong to different strands if the curve between them is at least as long as half a
-// turn of the tightest bend, or of one around a strand; with less curve in between, the bend radius
-// keeps them apart (Schur's comparison theorem).
+// Goal of a shape: the least bend radius, by Rawdon's MinRad, and the least distance between
+// strands. Two edges belong to different strands if the curve between them is at least as long as
+// half a turn of the tightest bend, or of one around a strand; with less curve in between, the bend
+// radius keeps them apart (Schur's comparison theorem).
 struct Shape_goal
 {
   Shape_length bend_radius, strand_distance;

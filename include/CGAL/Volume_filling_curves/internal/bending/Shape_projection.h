@@ -59,11 +59,13 @@ public:
     }
     Strand_projection strands(m_nodes, m_pairs, margin);
     for(int k = 0; k < sweeps; ++k) {
-      check_run();
       if(k % sweeps_per_search == 0) strands.find_contacts(x);
       const double factor = 4 * k < 3 * sweeps ? relaxation : 1;
+      check_run();
       for(const Length_projection& project : lengths) project(x);
+      check_run();
       strands(x);
+      check_run();
       m_walls.push_inside(x, m_nodes.mobility());
       for(const Corner_projection& project : corners) project(x, factor);
     }

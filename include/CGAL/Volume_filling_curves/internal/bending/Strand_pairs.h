@@ -41,7 +41,8 @@ public:
   Strand_pairs(ConcurrencyTag, const Network& curve, const Shape_limits& limits, double slack)
   {
     const Vector_field x = coordinates(curve);
-    const Strand_neighbors<Network> neighbors(curve, take_edges(curve, limits));
+    take_edges(curve, limits);
+    const Strand_neighbors<Network> neighbors(curve, half_turns(limits));
     std::vector<double> margins = m_distances;
     for(double& margin : margins) margin *= 1 + slack;
     const auto can_touch = [&](std::size_t e, std::size_t f) {
@@ -59,10 +60,10 @@ public:
   // the nodes of an edge
   const Pair& ends(std::size_t e) const { return m_ends[e]; }
 
-  // the distance that two edges must keep
+  // the distance that two edges must keep, 0 next to a closing ray
   double distance(std::size_t e, std::size_t f) const
   {
-    return (m_distances[e] + m_distances[f]) / 2;
+    return mean_of_limits(m_distances[e], m_distances[f]);
   }
 
   // Returns whether the extents of the edges ab and cd, along the line through their middles, show
@@ -79,19 +80,29 @@ public:
   }
 
 private:
-  // Returns for each edge the length of curve beyond which edges belong to different strands.
+  // A limit of 0 stands for none.
+  static double mean_of_limits(double a, double b) { return a > 0 && b > 0 ? (a + b) / 2 : 0; }
+
   template <typename Network>
-  std::vector<double> take_edges(const Network& curve, const Shape_limits& limits)
+  void take_edges(const Network& curve, const Shape_limits& limits)
   {
-    std::vector<double> half_turns;
     for(std::size_t e = 0; e < curve.number_of_edges(); ++e) {
       const std::size_t v = curve.source(e), w = curve.target(e);
-      const double radius = (limits.bend_radius[v] + limits.bend_radius[w]) / 2;
       m_ends.push_back({static_cast<Index>(v), static_cast<Index>(w)});
-      m_distances.push_back((limits.strand_distance[v] + limits.strand_distance[w]) / 2);
-      half_turns.push_back(CGAL_PI * (std::max)(radius, m_distances.back() / 2));
+      m_distances.push_back(mean_of_limits(limits.strand_distance[v], limits.strand_distance[w]));
     }
-    return half_turns;
+  }
+
+  // Returns for each edge the length of curve beyond which edges belong to different strands.
+  std::vector<double> half_turns(const Shape_limits& limits) const
+  {
+    std::vector<double> lengths;
+    for(std::size_t e = 0; e < m_ends.size(); ++e) {
+      const auto [v, w] = m_ends[e];
+      const double radius = (limits.bend_radius[v] + limits.bend_radius[w]) / 2;
+      lengths.push_back(CGAL_PI * (std::max)(radius, m_distances[e] / 2));
+    }
+    return lengths;
   }
 
   std::vector<Pair> m_ends;

@@ -31,23 +31,24 @@ namespace internal {
 class Wall_planes
 {
 public:
-  // Takes the distance that nodes and the middles of edges must keep, in addition to that of the
-  // boundary itself.
+  // Takes the margin that nodes and the middles of edges must keep, in addition to the distance
+  // of the boundary itself.
   template <typename Network, typename Boundary>
-  void find(const Network& curve, const Boundary& boundary, const std::vector<double>& distances)
+  void find(const Network& curve, const Boundary& boundary, const std::vector<double>& margins)
   {
     m_planes.clear();
     if constexpr(Boundary::is_bounded) {
       const Vector_field x = coordinates(curve);
       take_axes(x);
-      unsigned counter = 0;
       const auto add_if_close = [&](const Vector& p, std::size_t v, std::size_t w) {
-        check_sometimes(nullptr, counter);
-        const double distance = boundary.wall_distance() + (std::min)(distances[v], distances[w]);
-        if(curve.is_free(v) && curve.is_free(w) && !boundary.is_farther(p, reach * distance))
-          add(p, boundary.domain(), {v, w}, distance, curve.traits());
+        check_run();
+        const double margin = (std::min)(margins[v], margins[w]);
+        const double distance = boundary.wall_distance() + margin;
+        const double most = boundary.wall_distance() + reach * margin;
+        if(curve.is_free(v) && curve.is_free(w) && !boundary.is_farther(p, most))
+          add(p, boundary.domain(), {v, w}, distance, most, curve.traits());
       };
-      for(std::size_t v = 0; v < distances.size(); ++v) add_if_close(row(x, v), v, v);
+      for(std::size_t v = 0; v < margins.size(); ++v) add_if_close(row(x, v), v, v);
       for(const std::size_t e : curve.edges()) {
         const std::size_t v = curve.source(e), w = curve.target(e);
         add_if_close((row(x, v) + row(x, w)) / 2, v, w);
@@ -70,7 +71,7 @@ public:
 private:
   using Ends = std::array<std::size_t, 2>;
 
-  static constexpr double reach = 3; // of planes, in units of the distance to keep
+  static constexpr double reach = 3; // of planes, in margins beyond the distance of the boundary
 
   struct Plane
   {
@@ -92,10 +93,11 @@ private:
            const Domain& domain,
            const Ends& ends,
            double distance,
+           double most,
            const Traits& traits)
   {
-    const double depth = depth_up_to(domain, to_point(p, traits), reach * distance);
-    if(!(depth < reach * distance)) return;
+    const double depth = depth_up_to(domain, to_point(p, traits), most);
+    if(!(depth < most)) return;
     const double step = (std::min)(distance, depth) / 2; // stays inside
     const Vector gradient = depth_differences(domain, p, step, m_is_axis, traits);
     const double norm = gradient.norm(); // 2 steps at a plane

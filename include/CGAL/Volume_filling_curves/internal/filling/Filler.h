@@ -18,7 +18,6 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Thinned_paths.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Unfilled_space.h>
-#include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_measures.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
@@ -28,8 +27,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
-#include <optional>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -107,7 +106,7 @@ private:
   // With eight, 9 of 16 fillings of a plate thinner than r reached their length, now all do, in a
   // tenth more iterations (2026-11-28).
   static constexpr int max_corrections_of_thickness = 14;
-  static constexpr int max_loosenings = 3;
+  static constexpr int max_loosenings = 2;
   static constexpr double kept_thinness = 0.5;
   // In units of the thickness with which the curve is pushed into regions. With 0.9 a spike of the
   // anapsidea (seed 2) stays 4.1 r from the curve, with 0.8 it is 2.8 r; with 0.7, near the size of
@@ -141,7 +140,10 @@ private:
   {
     if(m_runner.end() || slides_somewhere()) return false;
     return m_runner.decide_in_time([this] {
-      return m_unfilled.is_much(curve(), m_thickness) && grow_tree(m_guard, m_survey);
+      if(!m_unfilled.is_much(curve(), m_thickness)) return false;
+      const bool have_grown = grow_tree(m_guard, m_survey);
+      m_watch.begin(Run_stage::FLOWING); // again
+      return have_grown;
     });
   }
 
@@ -181,20 +183,31 @@ private:
   // Lets the strands settle, with round bends if a shape is required.
   void settle_strands(bool can_thin)
   {
-    if(m_shape.is_given()) {
-      const bool is_dense = can_be_dense();
-      run(is_dense ? Filling_stage::bending() : Filling_stage::bending_in_full());
-      if(grows_without_end()) return;
-      run(Filling_stage::polishing());
-      for(int k = is_dense ? 0 : 1; k < max_loosenings && is_jammed(k == 0); ++k) {
-        run(k == 0 ? Filling_stage::bending_in_full() : Filling_stage::loosening());
-        run(Filling_stage::polishing());
-      }
-      return;
-    }
+    if(m_shape.is_given()) return round_bends();
     run(Filling_stage::settling());
     if(can_thin && is_thinned_in_narrow_regions()) run(Filling_stage::settling());
     run(Filling_stage::refining());
+  }
+
+  // Bends the curve, densely if possible, and less densely if it has jammed.
+  void round_bends()
+  {
+    const bool can_be_dense = this->can_be_dense();
+    run(can_be_dense ? Filling_stage::bending() : Filling_stage::bending_in_full());
+    if(grows_without_end()) return;
+    run(Filling_stage::polishing());
+    if(can_be_dense) {
+      if(!is_jammed(true)) return;
+      bend_again(Filling_stage::bending_in_full());
+    }
+    for(int k = 0; k < max_loosenings && is_jammed(false); ++k)
+      bend_again(Filling_stage::loosening());
+  }
+
+  void bend_again(const Filling_stage& stage)
+  {
+    run(stage);
+    run(Filling_stage::polishing());
   }
 
   // Polishing would push a dense curve to a boundary that it is to keep clear of, and has no room
@@ -268,31 +281,34 @@ private:
            !(std::abs(flow().length() / m_parameters.length - 1) <= promised_tolerance);
   }
 
-  // A curve that nobody had time to measure has not reached its goal.
   Filling_status status_of_settled(const Result& result) const
   {
-    if(!is_measured(result))
-      return m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
     if(misses_length()) return Filling_status::LENGTH_NOT_REACHED;
     if(!result.shape_excesses.empty()) return Filling_status::CONSTRAINT_NOT_REACHED;
     return is_partial(result) ? Filling_status::PARTIAL : Filling_status::CONVERGED;
   }
 
-  static bool is_measured(const Result& result)
-  {
-    return !std::isnan(result.unfilled_fraction) && !std::isnan(result.crowded_fraction);
-  }
-
+  // A curve that nobody had time to measure has not reached its goal.
   Result result() const
   {
+    const Watched_scope scope(nullptr); // a watch may cut measuring short, but not the result
     Result result;
-    measure_filling(result, m_unfilled, curve(), m_thickness, m_watch);
-    if(m_shape.is_given())
-      result.shape_excesses = shape_excesses<Point_3>(
-          flow().check_shape(m_shape, m_thickness.at_each(curve().points())), curve().traits());
-    const std::optional<Filling_status>& end = m_runner.end();
-    result.status = end ? *end : status_of_settled(result);
-    if(!end && !is_measured(result)) m_watch.checkpoint(Run_watch::Checkpoint::END);
+    bool is_measured = false;
+    measure_filling(result, m_unfilled, curve(), m_thickness, m_watch, [&] {
+      if(m_shape.is_given())
+        result.shape_excesses = shape_excesses<Point_3>(
+            flow().check_shape(m_shape, m_thickness.at_each(curve().points())), curve().traits());
+      is_measured = true;
+    });
+    if(m_runner.end()) {
+      result.status = *m_runner.end();
+    } else if(is_measured) {
+      result.status = status_of_settled(result);
+    } else {
+      result.status =
+          m_watch.is_interrupted() ? Filling_status::INTERRUPTED : Filling_status::LIMIT;
+      m_watch.checkpoint(Run_watch::Checkpoint::END);
+    }
     // the flow's may be that of a stage
     result.thickness = m_thickness.averaged_at(curve().points()).number();
     result.medial_radius =

@@ -218,7 +218,7 @@ private:
     result.statistics = m_state.statistics;
     const Unfilled unfilled(m_survey.samples(), m_survey.distances_to_boundary(), m_parameters.wall,
                             m_parameters.wall_distance);
-    measure_filling(result, unfilled, m_curves, thickness, m_watch);
+    measure_filling(result, unfilled, m_curves, thickness, m_watch, [] {});
     return result;
   }
 
@@ -232,10 +232,10 @@ private:
     result.start = m_start.placed();
     if(result.status == Filling_status::LENGTH_NOT_REACHED)
       result.reason = length_reason(m_unit * total_length(m_curves), m_unit * m_parameters.length);
-    const bool has_ended_early = result.status != Filling_status::PARTIAL &&
-                                 result.status != Filling_status::CONSTRAINT_NOT_REACHED &&
-                                 result.status != Filling_status::STALLED;
-    if(has_ended_early) return scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
+    const bool has_settled_short = result.status == Filling_status::PARTIAL ||
+                                   result.status == Filling_status::CONSTRAINT_NOT_REACHED ||
+                                   result.status == Filling_status::STALLED;
+    if(!has_settled_short) return scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
     const bool has_gaps = is_partial(result);
     const Missed_regions missed = has_gaps ? missed_regions(result) : Missed_regions();
     const bool is_crowded = result.crowded_fraction > tolerated_crowded_fraction;

@@ -119,9 +119,8 @@ struct Filling_stage
   // here. With the required thickness the curve would contract as its bends open; with 0.3 of it
   // the medial spheres, of up to 1.8 r, push strands apart until their required distance holds
   // them. Two directions, to both sides in the plane of each bend, push it outwards twice as hard
-  // as eight around the curve: five domains are filled to 88 instead of 83 %. With 12 steps one
-  // of 36 fillings kept strands too close (2026-11-26). Without coupling the matrix has three
-  // diagonals; projections couple the strands.
+  // as eight around the curve: five domains are filled to 88 instead of 83 %. Without coupling the
+  // matrix has three diagonals; projections couple the strands.
   //
   // Bends get 0.8 of their radius here, and the rest from polishing, which keeps the length of the
   // curve; bent further, the curve shortens, and leaves ears and spikes. Nine domains, two
@@ -136,9 +135,9 @@ struct Filling_stage
     return stage;
   }
 
-  // Bends a jammed curve again, with the whole radius, which leaves it less dense. Of 80 arcs
-  // between two ports of a cube of side 8 r, eight jam, and one of them again after this stage
-  // (2026-11-28).
+  // Bends with the whole radius, which leaves the curve less dense: one that has jammed, or that
+  // cannot be dense. Of 150 arcs between two ports of a cube of side 8 r, eight jam, none of them
+  // again after this stage (2026-11-28).
   static Filling_stage bending_in_full() { return bending_with(0.3, 2); }
 
   // Bends a curve that has jammed again, less dense still.
@@ -169,7 +168,7 @@ private:
     stage.cooling = 0.83;
     stage.spacing = coarse_spacing / thickness;
     stage.directions = directions;
-    stage.window = 16;
+    stage.window = 16; // with 12 one of 36 fillings kept strands too close (2026-11-26)
     stage.change_of_length = any_change;
     stage.max_growth = 2; // exceeded between pinned nodes without room; others grow by 1.2
     return stage;

@@ -73,9 +73,6 @@ public:
   // how much the curve has grown in the current stage
   double growth() const { return m_state.lengths.growth(); }
 
-  // whether there is time for another step
-  bool is_time_left() const { return m_watch.leaves(m_seconds_of_step); }
-
   // Returns a number decided between stages, by this run or by the one that it resumes.
   template <typename Decide>
   double decide(const Decide& decide)
@@ -137,6 +134,9 @@ public:
   }
 
 private:
+  // whether there is time for another step
+  bool is_time_left() const { return m_watch.leaves(m_seconds_of_step); }
+
   // Decides, and ends the run if that is cut short.
   template <typename Decide>
   auto in_time(const Decide& decide)
@@ -161,7 +161,8 @@ private:
   }
 
   // A tree of fingers opens, settles and is refined in 21 steps, or opens, bends and is polished in
-  // 19 or 20, unless it is loosened, which is rare; a circle grows in 150 to 500.
+  // 19 or 20, or in 23 or 24 where it cannot be dense, unless it jams, which is rare; a circle
+  // grows in 150 to 500. A required length takes several times as many.
   double expected_iterations() const
   {
     const double of_tree = m_shape.is_given() ? 20 : 21;

@@ -48,14 +48,20 @@ void measure_shape(Result& result,
   result.point_nearest_to_wall = point(nearest.point);
 }
 
-// Measures the coverage of a curve and its shape, as far as time allows. A run that is to stop has
-// a tenth of a second for that, enough for 50,000 nodes. A share that is not measured is NaN.
-template <typename Result, typename Unfilled, typename Network, typename Thickness>
+// Measures the coverage of a curve and its shape, as far as time allows; then calls a function that
+// measures more, and searches for empty regions. A run that is to stop has a tenth of a second for
+// that, enough for 50,000 nodes. A share that is not measured is NaN.
+template <typename Result,
+          typename Unfilled,
+          typename Network,
+          typename Thickness,
+          typename Function>
 void measure_filling(Result& result,
                      const Unfilled& unfilled,
                      const Network& curve,
                      const Thickness& thickness,
-                     Run_watch& watch)
+                     Run_watch& watch,
+                     const Function& measure_more)
 {
   constexpr double seconds_to_measure = 0.1;
   watch.begin(Run_stage::MEASURING);
@@ -69,6 +75,7 @@ void measure_filling(Result& result,
     result.uncovered_fraction = unfilled_fraction(unfilled.samples(), distances, thickness);
     measure_shape<typename Unfilled::Concurrency_tag>(result, curve, unfilled.samples().domain(),
                                                       thickness);
+    measure_more();
     result.empty_regions = unfilled.regions(curve, distances, thickness);
     result.are_empty_regions_known = true;
   } catch(const Run_stopped&) {

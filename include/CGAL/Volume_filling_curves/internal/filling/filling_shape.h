@@ -27,8 +27,9 @@ constexpr double bend_radius_of_thickness = 0.85, strand_distance_of_thickness =
 // The largest bend radius with which a domain is filled, likewise: with 1.1 r, 68 % are within r.
 constexpr double max_bend_radius_of_thickness = 1;
 
-// The largest distance of strands, likewise. With 2 r, the curves of 3 of 25 fillings of a box, a
-// cube, a torus and a bunny grew to several times their length, without end; with 1.9 r, none did.
+// The largest distance between strands, likewise. With 2 r, the curves of 3 of 25 fillings of a
+// box, a cube, a torus and a bunny grew to several times their length, without end; with 1.9 r,
+// none did.
 constexpr double max_strand_distance_of_thickness = 1.8;
 
 // The least thickness at which a curve with the lengths that are given fills a domain. With less,

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,7 +39,11 @@ class Shaped_step
 public:
   Shaped_step(Guard& guard, const Shape_goal& goal, const std::vector<double>& thickness)
       : m_guard(guard), m_limits(guard.curve(), goal, thickness)
-  {}
+  {
+    for(std::size_t v = 0; v < thickness.size(); ++v)
+      m_units.push_back(m_limits.strand_distance[v] > 0 ? m_limits.strand_distance[v]
+                                                        : 2 * m_limits.bend_radius[v]);
+  }
 
   // Takes the direction of each node, the longest displacement of a motion, and the number of steps
   // so far. Returns whether any node moved.
@@ -74,8 +79,8 @@ private:
   // (2026-11-24).
   static constexpr double slack = 0.25; // in strand distances: two nodes go half of that each
   static constexpr double first_sweeps = 2, growth_of_sweeps = 1.2, max_sweeps = 40;
-  static constexpr double parting_distance = 0.25; // of held strands, in strand distances
-  static constexpr double wall_distance = 1. / 16; // in strand distances
+  static constexpr double parting_distance = 0.25; // of held strands, in units of the node
+  static constexpr double wall_distance = 1. / 16; // likewise
 
   // With a direction and surroundings of its own for each motion torus and cube take 1.5 times as
   // long (2026-11-25). With three motions domains are filled to 0.5 % more in 1.3 times the time,
@@ -111,7 +116,7 @@ private:
     if(m_pairs && !has_any_moved_far(x)) return;
     m_found_at = x;
     m_pairs.emplace(ConcurrencyTag(), m_guard.curve(), m_limits, slack);
-    std::vector<double> wall_distances = m_limits.strand_distance;
+    std::vector<double> wall_distances = m_units;
     for(double& distance : wall_distances) distance *= wall_distance;
     m_walls.find(m_guard.curve(), m_guard.boundary(), wall_distances);
   }
@@ -119,7 +124,7 @@ private:
   bool has_any_moved_far(const std::vector<Vector>& x) const
   {
     for(std::size_t v = 0; v < x.size(); ++v)
-      if((x[v] - m_found_at[v]).norm() > slack / 2 * m_limits.strand_distance[v]) return true;
+      if((x[v] - m_found_at[v]).norm() > slack / 2 * m_units[v]) return true;
     return false;
   }
 
@@ -150,13 +155,16 @@ private:
   // is refused cannot move in other directions, either.
   bool part_strands()
   {
-    const double distance = parting_distance * *std::min_element(m_limits.strand_distance.begin(),
-                                                                 m_limits.strand_distance.end());
+    double unit = std::numeric_limits<double>::infinity(); // the least; closing rays have none
+    for(const double u : m_units)
+      if(u > 0) unit = (std::min)(unit, u);
+    const double distance = parting_distance * unit;
     return Strand_separator<Guard, ConcurrencyTag>(m_guard, distance, distance)();
   }
 
   Guard& m_guard;
   const Shape_limits m_limits;
+  std::vector<double> m_units; // of each node: the strand distance, or the diameter of a bend
   std::optional<Strand_pairs> m_pairs;
   Wall_planes m_walls;
   std::vector<Vector> m_found_at; // positions for which pairs and walls were found

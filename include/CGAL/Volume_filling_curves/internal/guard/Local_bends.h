@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Limits of bends and of the distance of strands in a change that replaces a few edges by others:
-// one edge by two to a new node, two by one, or the edges of a node that moves. Constant time for
-// edges of similar lengths.
+// Limits of bends and of the distance between strands in a change that replaces a few edges by
+// others: one edge by two to a new node, two by one, or the edges of a node that moves. Constant
+// time for edges of similar lengths.
 template <typename Network>
 class Local_bends
 {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Limits of bends and of the distance of strands in a motion of all nodes: their values at the
+// Limits of bends and of the distance between strands in a motion of all nodes: their values at the
 // start, and the edges of the same strand there. Linear to build, constant time per test. A corner
 // or a pair of edges whose nodes do not move always passes, hence the shortening of a motion ends.
 template <typename Network>

@@ -33,7 +33,7 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesMeasures
  * \headerfile CGAL/Volume_filling_curves/curve_measures.h
  *
- * \brief The struct `Strand_distance_3` is the least distance of two strands of a curve.
+ * \brief The struct `Strand_distance_3` is the least distance between two strands of a curve.
  *
  * \tparam Point_3 the type of points
  */
@@ -126,8 +126,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns the least distance of two strands, and where it is: `min_clearance()` with its places,
- * for a thickness that may vary.
+ * returns the least distance between two strands, and where it is: `min_clearance()` with its
+ * places, for a thickness that may vary.
  *
  * Two edges belong to different strands if they are of different components, or at least
  * \f$\pi r\f$ of the curve lies between them. Where r varies, that of a pair is the mean of the

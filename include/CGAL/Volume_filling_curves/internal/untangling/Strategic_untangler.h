@@ -67,7 +67,7 @@ private:
     const Untangling_status status = search();
     if(m_thickness > 0)
       m_thickness *= has_jammed ? thinning : 1;
-    else if(!has_jammed && is_ring()) // a ring has no distance of strands to measure
+    else if(!has_jammed && is_ring()) // a ring has no distance between strands to measure
       m_thickness = thickness_of_rings * total_length(m_curve);
     return status;
   }

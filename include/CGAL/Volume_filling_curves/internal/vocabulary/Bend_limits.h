@@ -23,7 +23,7 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  * \headerfile CGAL/Volume_filling_curves/Isotopy_guard_3.h
  *
- * \brief The bend radius R and the distance of strands d that an `Isotopy_guard_3` keeps.
+ * \brief The bend radius R and the strand distance d that an `Isotopy_guard_3` keeps.
  *
  * After a change, the bend radius (see `min_bend_radius()`) at each changed corner must be at least
  * R or at least the former one, and strands must be at least d apart or at least as far apart as
@@ -69,9 +69,9 @@ template <typename Point_3 = Curve_flow_traits_3<>::Point_3>
 struct Shape_excess_3
 {
   Point_3 point;       ///< on the curve
-  double value = 0;    ///< the bend radius or the distance of strands there, in the input's unit
+  double value = 0;    ///< the bend radius or the strand distance there, in the input's unit
   double limit = 0;    ///< the one that is required there
-  bool is_bend = true; ///< whether it is a bend, or else a distance of strands
+  bool is_bend = true; ///< whether it is a bend, or else a strand distance
 };
 
 namespace internal {

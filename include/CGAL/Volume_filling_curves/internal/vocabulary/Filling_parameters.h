@@ -141,15 +141,16 @@ struct Filling_parameters : Curve_run_parameters
   /// bends.
   double bend_radius = 0;
 
-  /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
-  /// curve between them, pi times `bend_radius`, or pi/2 times the distance if that is more. 0
+  /// The least distance between strands, in the input's unit: of edges with at least half of a turn
+  /// of curve between them, pi times `bend_radius`, or pi/2 times the distance if that is more. 0
   /// (default) stands for 1.6 r. Where r is less than this distance / 1.8, it grows to that.
   double strand_distance = 0;
 
-  /// Whether the curve keeps a bend radius and a distance of strands, with edges of at least 0.3 r;
-  /// `true` by default. Where it cannot, the run ends as `Filling_status::CONSTRAINT_NOT_REACHED`.
-  /// `false` is for previews: bends have about 0.15 r, and a run takes 0.2 to 0.6 of the time; a
-  /// `bend_radius` or `strand_distance` that is given holds nevertheless.
+  /// Whether the curve keeps a bend radius and a distance between strands, with edges of at least
+  /// 0.3 r; `true` by default. Where it cannot, the run ends as
+  /// `Filling_status::CONSTRAINT_NOT_REACHED`. `false` is for previews: bends have about 0.15 r,
+  /// and a run takes 0.3 to 0.7 of the time; a `bend_radius` or `strand_distance` that is given
+  /// holds nevertheless.
   bool round_bends = true;
 };
 

@@ -132,7 +132,7 @@ struct Filling_result
   double min_bend_radius = std::numeric_limits<double>::quiet_NaN();
   std::size_t tightest_node = static_cast<std::size_t>(-1); ///< the node of the curve that has it
 
-  /// the least distance of two strands, see `min_strand_distance()`
+  /// the least distance between two strands, see `min_strand_distance()`
   double min_strand_distance = std::numeric_limits<double>::quiet_NaN();
   /// the point of each that is nearest to the other
   std::array<Point_3, 2> closest_points = {Point_3(0, 0, 0), Point_3(0, 0, 0)};

@@ -113,9 +113,9 @@ struct Untangling_parameters : Curve_run_parameters
   /// `Untangling_status::CONSTRAINT_NOT_REACHED`. Not with the strategy `SEARCH`.
   double bend_radius = 0;
 
-  /// The least distance of strands, in the input's unit: of edges with at least half of a turn of
-  /// curve between them, pi times `bend_radius`, or pi/2 times the distance. 0 (default) stands for
-  /// none; otherwise like `bend_radius`, with a `thickness` of at least this distance / 0.95.
+  /// The least distance between strands, in the input's unit: of edges with at least half of a turn
+  /// of curve between them, pi times `bend_radius`, or pi/2 times the distance. 0 (default) stands
+  /// for none; otherwise like `bend_radius`, with a `thickness` of at least this distance / 0.95.
   double strand_distance = 0;
 };
 
