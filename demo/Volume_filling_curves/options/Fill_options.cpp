@@ -49,9 +49,8 @@ void add_shape_options(CLI::App& command, Fill_options& options)
   add_number(command, "--bend-radius", options.parameters.bend_radius,
              "least radius of bends; default: 0.85 r; if R exceeds r, r becomes R")
       .type_name("R");
-  add_number(
-      command, "--strand-distance", options.parameters.strand_distance,
-      "least distance between strands; default: 1.6 r; if D exceeds 1.8 r, r becomes D / 1.8")
+  add_number(command, "--strand-distance", options.parameters.strand_distance,
+             "least strand distance; default: 1.6 r; if D exceeds 1.8 r, r becomes D / 1.8")
       .type_name("D");
   for(const char* rounding : {"--finish", "--bend-radius", "--strand-distance"})
     preview.excludes(command.get_option(rounding));

@@ -61,16 +61,15 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       ->capture_default_str()
       ->type_name("N");
   add_seed_option(command, parameters.random_seed, "seed of the random search");
-  add_number(
-      command, "--thickness", parameters.thickness,
-      "r, about the distance between strands in the tight curve, in the input's unit; default: "
-      "the 25th percentile of the medial radii")
+  add_number(command, "--thickness", parameters.thickness,
+             "r, about the strand distance in the tight curve, in the input's unit; default: "
+             "the 25th percentile of the medial radii")
       .type_name("R");
   add_number(command, "--bend-radius", parameters.bend_radius,
              "least radius of bends in the result; r grows to R / 0.75")
       .type_name("R");
   add_number(command, "--strand-distance", parameters.strand_distance,
-             "least distance between strands in the result; r grows to D / 0.95")
+             "least strand distance in the result; r grows to D / 0.95")
       .type_name("D");
   add_flow_options(command, parameters);
 }

@@ -48,9 +48,9 @@ double wall_distance_of_arc(const Filling_parameters& parameters, double thickne
   return (std::max)(is_required ? of_strands * thickness : 0, parameters.wall_distance);
 }
 
-// The distance of the cuts from the planes of the symmetry. For a distance between strands of 1.6
-// r, the cuts of a box and a torus were moved from 0.2 r to 0.35, 0.5 and 0.7 r: 85, 83, 81 and 77
-// % of the volume were within r.
+// The distance of the cuts from the planes of the symmetry. For a strand distance of 1.6 r, the
+// cuts of a box and a torus were moved from 0.2 r to 0.35, 0.5 and 0.7 r: 85, 83, 81 and 77 % of
+// the volume were within r.
 double distance_of_cuts(const Filling_parameters& parameters, double thickness)
 {
   constexpr double least = 0.2; // in units of the thickness

@@ -30,7 +30,7 @@ struct Sector
 };
 
 // Cuts the inside of a mesh into sectors and returns one. The cuts keep 0.2 r from the planes, or
-// 0.5 r for a distance between strands of 1.6 r: together with the wall distance of the sector,
+// 0.5 r for a strand distance of 1.6 r: together with the wall distance of the sector,
 // this keeps strands at both sides that far apart. The ports are the deepest places of the cuts.
 // \throws Input_error with the name of the file if the mesh is not symmetric up to r / 100, or no
 // cut is wide enough for a port

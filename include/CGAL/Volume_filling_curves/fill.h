@@ -102,7 +102,7 @@ auto fill(Curve_network_3<Traits>& curves,
  * distance from the boundary is that of their necks.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
- * areas replace volumes; 98 % of a plate lies within r of the curve, and 99 % within 1.1 r.
+ * areas replace volumes; 97 to 99 % of a plate lies within r of the curve, and 99 % within 1.15 r.
  *
  * The run ends when the curve has settled within the limits of its shape. Without `round_bends` it
  * has also been pushed into every empty region. With `round_bends`, spikes and gaps that are too

@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  static constexpr double slack_of_contacts = 0.05; // in distances between strands
+  static constexpr double slack_of_contacts = 0.05; // in strand distances
 
   struct Contact
   {
@@ -78,7 +78,7 @@ private:
     Vector side;               // of the one edge, seen from the other
   };
 
-  // the farther one of the ways of an edge's ends since the last search
+  // how far that end of an edge which moved farther is from where it was at the last search
   double motion_of_edge(std::size_t v, std::size_t w, const std::vector<Vector>& x) const
   {
     return (std::max)((x[v] - m_found_at[v]).norm(), (x[w] - m_found_at[w]).norm());

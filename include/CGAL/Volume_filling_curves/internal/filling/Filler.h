@@ -192,11 +192,11 @@ private:
   // Bends the curve, densely if possible, and less densely if it has jammed.
   void round_bends()
   {
-    const bool can_be_dense = this->can_be_dense();
-    run(can_be_dense ? Filling_stage::bending() : Filling_stage::bending_in_full());
+    const bool is_dense = can_be_dense();
+    run(is_dense ? Filling_stage::bending() : Filling_stage::bending_in_full());
     if(grows_without_end()) return;
     run(Filling_stage::polishing());
-    if(can_be_dense) {
+    if(is_dense) {
       if(!is_jammed(true)) return;
       bend_again(Filling_stage::bending_in_full());
     }

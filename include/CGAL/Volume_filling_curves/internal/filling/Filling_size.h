@@ -122,8 +122,8 @@ private:
   // The bunny with 949,000 nodes takes 131 s and 1.3 GB.
   static constexpr double gigabytes_per_node = 1.4e-6;
   // Fitted to the CPU time of 11 fillings, and of 10 round ones, of nine domains with 2,000 to
-  // 49,000 nodes: they take 0.65 to 1.28 times, and round ones 0.65 to 1.32 times, as long
-  // (2026-11-26).
+  // 49,000 nodes: they take 0.65 to 1.28 times as long (2026-11-26), and round ones, five of which
+  // were measured again, 0.57 to 1.01 times (2026-11-28).
   static constexpr double seconds_of_survey = 0.3;
   static constexpr double seconds_per_node = 1.45e-4, seconds_per_round_node = 4.4e-4;
 
