@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Flow_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
@@ -138,7 +139,8 @@ public:
                 guard.number_of_refused_changes(),
                 {},
                 internal::Step_size(parameters.max_displacement)},
-        m_motion(guard, thickness, m_parameters, m_state)
+        m_thickness(guard, thickness, m_parameters),
+        m_motion(guard, m_thickness, m_parameters, m_state)
   {
     if(!is_under_way) start();
   }
@@ -186,7 +188,7 @@ public:
   void set_parameters(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
     m_parameters = checked(parameters, thickness);
-    m_motion.set_thickness(thickness);
+    m_thickness.set(thickness);
     m_motion.start_anew();
     start();
   }
@@ -202,7 +204,7 @@ public:
 
   internal::Shape_check check_shape() const
   {
-    return check_shape(m_motion.shape(), m_motion.node_thickness());
+    return check_shape(m_motion.shape(), m_thickness.at_nodes());
   }
 
   // Compares the current curve with the limits of its shape.
@@ -248,9 +250,9 @@ public:
   void update()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
-    m_motion.update_thickness();
-    m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(),
-                       m_motion.node_thickness(), m_state.statistics, m_guard.watch());
+    m_thickness.update();
+    m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(), m_thickness.at_nodes(),
+                       m_state.statistics, m_guard.watch());
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -276,7 +278,7 @@ public:
   void go_on(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
     m_parameters = parameters;
-    m_motion.set_thickness(thickness);
+    m_thickness.set(thickness);
     set_max_displacement(parameters.max_displacement);
     update();
   }
@@ -295,7 +297,7 @@ public:
   double thickness() const { return m_parameters.thickness; }
 
   /// returns the thickness at node `v`.
-  double thickness(size_type v) const { return m_motion.node_thickness()[v]; }
+  double thickness(size_type v) const { return m_thickness.at_nodes()[v]; }
 
   /// returns the length of all edges.
   double length() const { return m_direction.length(); }
@@ -357,10 +359,10 @@ private:
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     internal::check_constraints<typename Guard::Boundary>(curve());
-    if(!m_motion.thickness().is_given()) {
+    if(!m_thickness.is_given()) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
           curve(), parameters_in_domain().number_of_directions, m_guard.watch());
-      m_motion.set_thickness(Thickness(measure()));
+      m_thickness.set(Thickness(measure()));
     }
     m_motion.remesh_until_even();
     update();
@@ -380,6 +382,7 @@ private:
   Guard& m_guard;
   Curve_flow_parameters m_parameters;
   internal::Flow_state m_state;
+  internal::Flow_thickness<Guard> m_thickness;
   internal::Flow_motion<Guard, ConcurrencyTag> m_motion;
   internal::Flow_direction<Curve_network, ConcurrencyTag> m_direction;
 };

@@ -58,7 +58,6 @@ public:
 
   Domain_survey(const Domain& domain,
                 const Parameters& parameters,
-                const Thickness<Point_3>& thickness,
                 const Traits& traits,
                 Run_watch& watch,
                 double unit = 1)
@@ -69,7 +68,7 @@ public:
                   parameters.random_seed,
                   traits,
                   [&] { return goes_on_sampling(); }),
-        m_thickness(parameters.length > 0 ? thickness_of_length() : thickness),
+        m_thickness(parameters.length > 0 ? thickness_of_length() : given_thickness()),
         m_distances(domain, m_samples.points(), sufficient_distance(), &watch, ConcurrencyTag()),
         m_parts(m_samples, m_distances, watch),
         m_widest_radius(m_parts.max_radius()),
@@ -186,6 +185,11 @@ private:
   }
 
   bool is_thickness_asked_for() const { return m_thickness.is_given() || m_parameters.length > 0; }
+
+  Thickness<Point_3> given_thickness() const
+  {
+    return Thickness<Point_3>(m_parameters.thickness, m_parameters.thickness_field);
+  }
 
   Thickness<Point_3> thickness_of_length() const
   {

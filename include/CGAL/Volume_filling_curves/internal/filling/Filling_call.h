@@ -84,11 +84,11 @@ private:
   {
     const double size = diagonal(domain.bbox());
     check(size);
-    const Thickness<Point_3> thickness(m_parameters.thickness, m_parameters.thickness_field, size);
+    if(auto& field = m_parameters.thickness_field) field = field_in_domain(field, size);
     m_unit = length_unit<Domain>(domain.bbox());
     if constexpr(Is_scalable<Domain>::value)
-      if(m_unit != 1) return fill_in_unit(domain, thickness);
-    return run(domain, m_parameters, thickness);
+      if(m_unit != 1) return fill_in_unit(domain);
+    return run(domain, m_parameters);
   }
 
   // Throws std::invalid_argument if a domain with a box of that size cannot be filled.
@@ -108,15 +108,14 @@ private:
   }
 
   template <typename Domain>
-  Result fill_in_unit(const Domain& domain, const Thickness<Point_3>& thickness)
+  Result fill_in_unit(const Domain& domain)
   {
     const Network start = m_curves;
     Result result;
     {
       const Scaled_scope scope(m_curves, 1 / m_unit);
       const double factor = 1 / m_unit;
-      result = run(domain.scaled(factor), scaled(m_parameters, factor, m_curves.traits()),
-                   scaled(thickness, factor, m_curves.traits()));
+      result = run(domain.scaled(factor), scaled(m_parameters, factor, m_curves.traits()));
     }
     if(m_parameters.certificate) {
       const Network circles(result.start, CGAL::parameters::default_values(), m_curves.traits());
@@ -128,15 +127,13 @@ private:
   }
 
   template <typename Domain>
-  Result run(const Domain& domain,
-             const Parameters& parameters,
-             const Thickness<Point_3>& thickness)
+  Result run(const Domain& domain, const Parameters& parameters)
   {
     Visitor_in_unit<Visitor> visitor(m_visitor, m_unit);
     const auto& any = any_domain(domain);
     using Domain_3 = std::decay_t<decltype(any)>;
-    const Domain_survey<Traits, Domain_3, ConcurrencyTag> survey(
-        any, parameters, thickness, m_curves.traits(), m_watch, m_unit);
+    const Domain_survey<Traits, Domain_3, ConcurrencyTag> survey(any, parameters, m_curves.traits(),
+                                                                 m_watch, m_unit);
     return Filling_run<Traits, Domain_3, ConcurrencyTag, decltype(visitor)>(m_curves, survey,
                                                                             visitor, m_unit)();
   }

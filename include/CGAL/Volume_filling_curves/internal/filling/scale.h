@@ -16,7 +16,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
@@ -153,20 +152,15 @@ Filling_parameters<Point_3> scaled(Filling_parameters<Point_3> parameters,
   parameters.strand_distance *= factor;
   for(auto& port : parameters.ports) port.point = scaled(port.point, factor, traits);
   parameters.wall_distance *= factor;
+  if(auto& field = parameters.thickness_field)
+    field = [field, factor, traits](const Point_3& p) {
+      return factor * field(scaled(p, 1 / factor, traits));
+    };
   if(auto& field = parameters.direction_field)
     field = [field, factor, traits](const Point_3& p) {
       return field(scaled(p, 1 / factor, traits));
     };
   return parameters;
-}
-
-template <typename Point_3, typename Traits>
-Thickness<Point_3> scaled(const Thickness<Point_3>& thickness, double factor, const Traits& traits)
-{
-  if(!thickness.varies()) return factor * thickness;
-  return Thickness<Point_3>(0, [thickness, factor, traits](const Point_3& p) {
-    return factor * thickness(scaled(p, 1 / factor, traits));
-  });
 }
 
 // A curve in other units as long as the scope exists.

@@ -10,17 +10,16 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
+#include <CGAL/Volume_filling_curves/internal/flow/Flow_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Guarded_step.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Remesher.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Shaped_step.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Clearance_rule.h>
-#include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -49,18 +48,15 @@ struct Flow_state
 };
 
 // Motion of a curve along the directions of its flow, followed by remeshing. A curve with a
-// required shape takes bending and polishing steps instead of free ones. The thickness at the
-// nodes, the unit of edges and steps, is kept up to date. Near-linear time.
+// required shape takes bending and polishing steps instead of free ones. Near-linear time.
 template <typename Guard, typename ConcurrencyTag>
 class Flow_motion
 {
 public:
-  using Thickness = internal::Thickness<typename Guard::Curve_network::Point_3>;
-
-  // Takes the flow's parameters, which have the mean thickness, and its state, whose statistics
-  // record the time. Both must outlive the motion.
+  // Takes the flow's thickness, which is kept up to date, its parameters, and its state, whose
+  // statistics record the time. All must outlive the motion.
   Flow_motion(Guard& guard,
-              const Thickness& thickness,
+              Flow_thickness<Guard>& thickness,
               Curve_flow_parameters& parameters,
               Flow_state& state)
       : m_guard(guard),
@@ -95,21 +91,6 @@ public:
   }
 
   const Shape_goal& shape() const { return m_shape; }
-
-  const Thickness& thickness() const { return m_thickness; }
-  void set_thickness(const Thickness& thickness) { m_thickness = thickness; }
-
-  const std::vector<double>& node_thickness() const { return m_node_thickness; }
-
-  void update_thickness()
-  {
-    m_node_thickness = m_thickness.at_each(m_guard.curve().points());
-    m_parameters.thickness = m_thickness.mean(m_node_thickness);
-    // A step keeps strands a tenth of the thickness apart; closer ones could hardly move again.
-    constexpr double clearance_over_thickness = 0.1;
-    m_guard.set_clearance(m_node_thickness.empty() ? 0
-                                                   : clearance_over_thickness * min_thickness());
-  }
 
   // Takes the positions of the nodes, and the direction of each. Moves the curve, remeshes it, and
   // returns whether it moved.
@@ -146,12 +127,12 @@ private:
   {
     const Stage_timer stage(m_state.statistics.seconds_motion);
     if(m_shape_phase == Shape_phase::BENDING)
-      return shaped_step().bend(direction, m_parameters.max_displacement * min_thickness(),
+      return shaped_step().bend(direction, m_parameters.max_displacement * m_thickness.min(),
                                 m_state.shaped_steps++);
-    return m_step(positions, direction, m_parameters, m_node_thickness, m_state.statistics);
+    return m_step(positions, direction, m_parameters, m_thickness.at_nodes(), m_state.statistics);
   }
 
-  Shaped_step shaped_step() { return {m_guard, m_shape, m_node_thickness}; }
+  Shaped_step shaped_step() { return {m_guard, m_shape, m_thickness.at_nodes()}; }
 
   // Only folds are remeshed, since a corner at half an edge bends twice as sharply.
   bool polish()
@@ -165,7 +146,7 @@ private:
       has_moved = unfold() || has_moved;
       if(!step || has_garbage() || m_thickness.varies()) {
         collect_garbage();
-        step.emplace(m_guard, m_shape, m_node_thickness);
+        step.emplace(m_guard, m_shape, m_thickness.at_nodes());
       }
       if(!step->polish(is_tense)) break;
       has_moved = true;
@@ -184,14 +165,9 @@ private:
     Remesher remesher = make_remesher(fold * m_parameters.spacing);
     remesher.collapse_short_edges();
     std::vector<double> min_radii;
-    for(const double h : m_node_thickness) min_radii.push_back(m_shape.bend_radius.at(h));
+    for(const double h : m_thickness.at_nodes()) min_radii.push_back(m_shape.bend_radius.at(h));
     remesher.remove_folds(min_radii);
     return m_guard.number_of_certified_changes() != former;
-  }
-
-  double min_thickness() const
-  {
-    return *std::min_element(m_node_thickness.begin(), m_node_thickness.end());
   }
 
   void remesh()
@@ -211,7 +187,7 @@ private:
   void collect_garbage()
   {
     m_state.step_size.renumber(m_guard.collect_garbage());
-    update_thickness();
+    m_thickness.update();
   }
 
   bool must_stop() const { return m_guard.watch() != nullptr && m_guard.watch()->must_stop(); }
@@ -220,14 +196,13 @@ private:
 
   Remesher make_remesher(double min_edge)
   {
-    std::vector<double> spacing = m_node_thickness;
+    std::vector<double> spacing = m_thickness.at_nodes();
     for(double& h : spacing) h *= min_edge;
     return {m_guard, std::move(spacing)};
   }
 
   Guard& m_guard;
-  Thickness m_thickness;
-  std::vector<double> m_node_thickness; // of the current curve
+  Flow_thickness<Guard>& m_thickness;
   Curve_flow_parameters& m_parameters;
   Flow_state& m_state;
   Guarded_step<Guard, ConcurrencyTag> m_step;

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <locale>
 #include <numeric>
 #include <sstream>
@@ -46,20 +45,30 @@ double checked_thickness(double value, const Point_3& p)
   return value;
 }
 
-// Thickness of a curve: a number or a field, times a factor, times a local thinning. untangle() and
-// fill() construct it and pass it on by value. Safe to call concurrently if the field is.
+// Returns a field that throws std::invalid_argument where the given one is not positive and finite,
+// or larger than the domain, of that size.
+template <typename Point_3>
+std::function<double(const Point_3&)> field_in_domain(std::function<double(const Point_3&)> field,
+                                                      double size)
+{
+  return [field = std::move(field), size](const Point_3& p) {
+    const double value = checked_thickness(field(p), p);
+    if(value > size) refuse_thickness(value, p, not_larger_than("the domain", size));
+    return value;
+  };
+}
+
+// Thickness of a curve: a number or a field, times a factor, times a local thinning. It is passed
+// on by value. Safe to call concurrently if the field is.
 template <typename Point_3>
 class Thickness
 {
 public:
   using Field = std::function<double(const Point_3&)>;
 
-  // Takes a number, 0 if it is still to be found; or a field, whose mean the number may be, and the
-  // size of the domain, which the field must not exceed.
-  explicit Thickness(double number = 0,
-                     Field field = nullptr,
-                     double size = std::numeric_limits<double>::infinity())
-      : m_number(number), m_size(size), m_field(std::move(field))
+  // Takes a number, 0 if it is still to be found; or a field, whose mean the number may be.
+  explicit Thickness(double number = 0, Field field = nullptr)
+      : m_number(number), m_field(std::move(field))
   {}
 
   bool is_given() const { return m_field || m_number > 0; }
@@ -70,11 +79,10 @@ public:
   double number() const { return m_number; }
   void set_number(double number) { m_number = number; }
 
-  // Throws std::invalid_argument if the field is not positive and finite at the point, or too
-  // large.
+  // Throws std::invalid_argument if the field is not positive and finite at the point.
   double operator()(const Point_3& p) const
   {
-    const double thickness = m_field ? m_factor * checked(m_field(p), p) : m_number;
+    const double thickness = m_field ? m_factor * checked_thickness(m_field(p), p) : m_number;
     return m_thinning ? (std::max)(thickness, m_min) * m_thinning(p) : (std::max)(thickness, m_min);
   }
 
@@ -129,14 +137,7 @@ public:
   }
 
 private:
-  double checked(double value, const Point_3& p) const
-  {
-    if(checked_thickness(value, p) > m_size)
-      refuse_thickness(value, p, not_larger_than("the domain", m_size));
-    return value;
-  }
-
-  double m_number, m_factor = 1, m_min = 0, m_size;
+  double m_number, m_factor = 1, m_min = 0;
   Field m_field, m_thinning; // none if it is the same everywhere
 };
 
