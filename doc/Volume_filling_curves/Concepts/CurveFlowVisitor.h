@@ -13,9 +13,11 @@
  * them. A class derived from `CGAL::Volume_filling_curves::Default_curve_flow_visitor` need only
  * define the functions that it uses.
  *
- * A run is a sequence of flows and searches. `fill()` and `Untangling_strategy::FLOW` consist of
- * one flow, `Untangling_strategy::SEARCH` of one search. With `Untangling_strategy::AUTO` a flow
- * follows a search; if the flow jams, both are repeated, up to four times. During each flow the
+ * A run is a sequence of flows and searches. `fill()` consists of one flow,
+ * `Untangling_strategy::SEARCH` of one search. `Untangling_strategy::FLOW` consists of one flow if a
+ * thickness is given; a measured one that proves too small is followed by a flow with a larger one.
+ * With `Untangling_strategy::AUTO` a flow follows a search; if the flow jams, both are repeated, up
+ * to four times. During each flow the
  * functions are called in the order `on_start()`, `go_further()`, `on_iteration()`, `go_further()`,
  * `on_iteration()`, ...
  *

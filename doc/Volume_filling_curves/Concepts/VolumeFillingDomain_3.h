@@ -14,8 +14,9 @@
  * elementary move, unless `distance()` shows that the triangle is far from the boundary. A curve
  * that starts inside, and whose moves only sweep triangles inside, stays inside. This is as certain
  * as the three answers: a model documents for which data they are exact, answers `false` in case of
- * doubt, and never returns a distance that exceeds the true one. `distance_along()` only steers the
- * curve.
+ * doubt, and never returns a distance that exceeds the true one by more than rounding: a relative
+ * 1e-9, or four units in the last place of the largest coordinate of the box, which the guard
+ * subtracts. `distance_along()` only steers the curve.
  *
  * The members can be called concurrently.
  *
@@ -40,7 +41,8 @@ public:
   /// \name Types
   /// @{
 
-  /// The point type of the curve, that is, `CurveFlowTraits_3::Point_3` of its traits.
+  /// The point type of the curve, that is, `CurveFlowTraits_3::Point_3` of its traits, constructible
+  /// from three coordinates of type `double`.
   typedef unspecified_type Point_3;
 
   /// A type of vectors, constructible from three coordinates of type `double`, for example that of

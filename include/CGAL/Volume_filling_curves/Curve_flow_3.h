@@ -31,8 +31,10 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -116,8 +118,8 @@ public:
    * \pre the network has no garbage
    *
    * \throws std::invalid_argument if a parameter is not positive and finite (`thickness`,
-   * `coupling` and `time_step` may also be 0), or if a node slides along the boundary and there is
-   * no domain
+   * `coupling` and `time_step` may also be 0), if `spacing` is larger than 1, or if a node slides
+   * along the boundary and there is no domain
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
@@ -162,15 +164,22 @@ public:
 
   /// changes the least length of an edge, in units of the thickness, and remeshes the curve to it.
   ///
-  /// \pre `spacing` is positive, and the network has no garbage
+  /// \pre the network has no garbage
+  ///
+  /// \throws std::invalid_argument if `spacing` is not positive, or larger than 1
   void set_spacing(double spacing)
   {
-    m_parameters.spacing = spacing;
+    Curve_flow_parameters parameters = m_parameters;
+    parameters.spacing = spacing;
+    internal::check_parameters(parameters);
+    m_parameters = parameters;
     m_motion.remesh_until_even();
     update();
   }
 
   /// changes the parameters, and remeshes the curve to the edge lengths that they require.
+  ///
+  /// \pre the network has no garbage
   ///
   /// \throws std::invalid_argument like the constructor
   void set_parameters(const Curve_flow_parameters& parameters)
@@ -179,6 +188,11 @@ public:
   }
 
   /// changes the parameters, with a thickness that varies in space instead of their `thickness`.
+  ///
+  /// \pre the network has no garbage
+  ///
+  /// \throws std::invalid_argument like the constructor, or if the thickness of a node is not
+  /// positive and finite
   void set_parameters(const Curve_flow_parameters& parameters, Thickness_field thickness)
   {
     set_parameters(parameters, Thickness(parameters.thickness, std::move(thickness)));
@@ -223,9 +237,14 @@ public:
    *
    * \param field the field
    * \param weight the weight \f$w\f$, not negative, dimensionless
+   *
+   * \throws std::invalid_argument if the weight is negative or not finite
    */
   void set_direction_field(Direction_field field, double weight)
   {
+    if(!(weight >= 0) || !std::isfinite(weight))
+      throw std::invalid_argument(
+          "the weight of a direction field must be finite and not negative");
     if(internal::Space_of<Domain>::is_plane && field)
       field = [in_space = std::move(field)](const Point_3& p) {
         const internal::Field_vector v = in_space(p);

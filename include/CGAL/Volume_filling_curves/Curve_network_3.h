@@ -64,6 +64,8 @@ template <typename Traits>
  * \param polylines receives the polylines
  *
  * \returns the output iterator past the last polyline
+ *
+ * \pre the network has no garbage
  */
 template <typename Traits, typename OutputIterator>
 OutputIterator curve_network_to_polylines(const Curve_network_3<Traits>& network,

@@ -77,7 +77,8 @@ namespace Volume_filling_curves {
  * \pre the network is embedded: two of its edges meet at most in a common node
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or
+ * `Unbounded_domain_3`
  */
 template <typename Traits = Curve_flow_traits_3<>, typename Domain = Unbounded_domain_3<Traits>>
 class Isotopy_guard_3
@@ -107,6 +108,7 @@ public:
 
   /// constructs a guard that keeps `curve` inside `domain`, which must outlive the guard.
   /// \pre the curve lies inside `domain`
+  /// \throws std::invalid_argument if the domain is unbounded
   Isotopy_guard_3(Curve_network_3<Traits>& curve, const Domain& domain)
       : Isotopy_guard_3(curve, Boundary(domain))
   {}

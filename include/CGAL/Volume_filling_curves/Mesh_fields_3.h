@@ -52,7 +52,7 @@ public:
    * \param values the values at its vertices, in the order of `vertices(mesh)`
    *
    * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
-   * or if the values and the vertices differ in number
+   * if the values and the vertices differ in number, or if a coordinate is not finite or beyond 1e100
    */
   template <typename TriangleMesh>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const std::vector<double>& values)
@@ -69,7 +69,8 @@ public:
    * \param mesh the mesh
    * \param values the values at its vertices
    *
-   * \throws std::invalid_argument if a face is not a triangle, or if there are fewer than two faces
+   * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
+   * or if a coordinate is not finite or beyond 1e100
    */
   template <typename TriangleMesh, typename VertexValueMap>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const VertexValueMap& values)
@@ -122,7 +123,7 @@ public:
    * \param vectors the vectors at its vertices, in the order of `vertices(mesh)`
    *
    * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
-   * or if the vectors and the vertices differ in number
+   * if the vectors and the vertices differ in number, or if a coordinate is not finite or beyond 1e100
    */
   template <typename TriangleMesh>
   Mesh_direction_field_3(const TriangleMesh& mesh,
@@ -140,7 +141,8 @@ public:
    * \param mesh the mesh
    * \param vectors the vectors at its vertices
    *
-   * \throws std::invalid_argument if a face is not a triangle, or if there are fewer than two faces
+   * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
+   * or if a coordinate is not finite or beyond 1e100
    */
   template <typename TriangleMesh, typename VertexVectorMap>
   Mesh_direction_field_3(const TriangleMesh& mesh, const VertexVectorMap& vectors)

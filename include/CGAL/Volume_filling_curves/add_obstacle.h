@@ -50,7 +50,8 @@ bool has_vertex_on_side(const TriangleMesh& mesh, const TriangleMesh& other, boo
  * \tparam TriangleMesh a model of `MutableFaceGraph` and `HalfedgeListGraph` with an internal
  * vertex point map
  *
- * \param mesh the mesh, closed and without self-intersections
+ * \param mesh the mesh, closed and without self-intersections; its outermost shells have the same
+ * orientation
  * \param obstacle the obstacle, closed and without self-intersections, with any orientation
  *
  * \throws std::invalid_argument if either bounds no domain, see `Triangle_mesh_domain_3`; if the
@@ -63,6 +64,8 @@ void add_obstacle(TriangleMesh& mesh, TriangleMesh obstacle)
   namespace PMP = CGAL::Polygon_mesh_processing;
   if(faces(obstacle).empty() || !CGAL::is_closed(obstacle) || !CGAL::is_triangle_mesh(obstacle))
     throw std::invalid_argument("an obstacle must be a closed triangle mesh");
+  if(!CGAL::is_closed(mesh) || !CGAL::is_triangle_mesh(mesh))
+    throw std::invalid_argument("the mesh must be a closed triangle mesh");
   if(PMP::do_intersect(mesh, obstacle))
     throw std::invalid_argument("the obstacle touches or crosses the mesh or another obstacle");
   PMP::orient_to_bound_a_volume(obstacle);

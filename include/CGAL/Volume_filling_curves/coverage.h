@@ -99,6 +99,8 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
  * \param samples the samples
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
@@ -110,6 +112,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
     const Domain_samples_3<Traits, Domain>& samples,
     const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::sample_distances<ConcurrencyTag>(curve, samples, watch);
   });
@@ -127,6 +130,8 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  *
  * \pre `distances` has one entry per sample
+ *
+ * \throws std::invalid_argument if a thickness is not positive and finite
  */
 template <typename Traits, typename Domain, typename Thickness>
 [[nodiscard]] Coverage coverage(const Domain_samples_3<Traits, Domain>& samples,
@@ -167,6 +172,8 @@ template <typename Traits, typename Domain, typename Thickness>
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  *
  * \pre `distances` has one entry per sample
+ *
+ * \throws std::invalid_argument if a thickness is not positive and finite
  */
 template <typename Traits, typename Domain, typename Thickness>
 [[nodiscard]] double unfilled_fraction(const Domain_samples_3<Traits, Domain>& samples,
@@ -200,8 +207,9 @@ template <typename Traits, typename Domain, typename Thickness>
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  * \param np \vfcNamedParams{Progress_signature}
  *
- * \pre `distances` has one entry per sample
+ * \pre the network has no garbage, and `distances` has one entry per sample
  *
+ * \throws std::invalid_argument if a thickness is not positive and finite
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
@@ -215,6 +223,7 @@ template <typename Traits,
     const Thickness& thickness,
     const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   CGAL_precondition_msg(distances.size() == samples.points().size(),
                         "`distances` has one entry per sample");
   const auto boundary_distance = [&](std::size_t k) {

@@ -105,19 +105,24 @@ struct Tightest_bend
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
+ *
+ * \pre the network has no garbage
  */
 template <typename Traits>
 [[nodiscard]] std::vector<double> component_lengths(const Curve_network_3<Traits>& curve)
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::lengths_of_components(curve);
 }
 
 /// returns the total length of all components. Takes linear time.
 /// \tparam Traits a model of `CurveFlowTraits_3`
 /// \param curve the curve
+/// \pre the network has no garbage
 template <typename Traits>
 [[nodiscard]] double length(const Curve_network_3<Traits>& curve)
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::total_length(curve);
 }
 
@@ -131,10 +136,13 @@ template <typename Traits>
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
+ *
+ * \pre the network has no garbage
  */
 template <typename Traits>
 [[nodiscard]] std::vector<double> total_curvatures(const Curve_network_3<Traits>& curve)
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   std::vector<double> sums(curve.number_of_components(), 0);
   for(std::size_t c = 0; c < sums.size(); ++c)
     sums[c] = internal::has_junction(curve, c) ? std::numeric_limits<double>::quiet_NaN()
@@ -155,19 +163,24 @@ template <typename Traits>
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
+ *
+ * \pre the network has no garbage
  */
 template <typename Traits>
 [[nodiscard]] double min_bend_radius(const Curve_network_3<Traits>& curve)
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::min_bend_radius(curve);
 }
 
 /// returns the corner with the least bend radius, see `min_bend_radius()`. Linear time.
 /// \tparam Traits a model of `CurveFlowTraits_3`
 /// \param curve the curve
+/// \pre the network has no garbage
 template <typename Traits>
 [[nodiscard]] Tightest_bend tightest_bend(const Curve_network_3<Traits>& curve)
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   const internal::Corner corner = internal::tightest_corner(curve);
   return {corner.bend_radius, corner.node};
 }
@@ -187,6 +200,7 @@ template <typename Traits>
 /// returns the reciprocal of `min_bend_radius()`, 0 if the curve is straight. Takes linear time.
 /// \tparam Traits a model of `CurveFlowTraits_3`
 /// \param curve the curve
+/// \pre the network has no garbage
 template <typename Traits>
 [[nodiscard]] double max_curvature(const Curve_network_3<Traits>& curve)
 {
@@ -206,6 +220,8 @@ template <typename Traits>
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
@@ -219,6 +235,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 [[nodiscard]] double average_crossing_number(
     const Curve_network_3<Traits>& curve, const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::average_crossing_number<ConcurrencyTag>(curve, 1, watch);
   });
@@ -238,6 +255,8 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
  * \throws std::invalid_argument if two closed components meet so that their linking number is
  * undefined
  * \throws Run_interrupted if `progress` returns `false`
@@ -246,6 +265,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 [[nodiscard]] std::vector<std::vector<int>> linking_matrix(
     const Curve_network_3<Traits>& curve, const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     internal::Linking_numbers<Curve_network_3<Traits>> numbers(curve, watch);
     const auto matrix = numbers();
@@ -266,6 +286,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param curve the curve
  * \param r as for `min_clearance()`
  * \param np \vfcNamedParams{Progress_signature}
+ *
+ * \pre the network has no garbage
  *
  * \throws std::invalid_argument as `linking_matrix()` and `min_clearance()`
  * \throws Run_interrupted if `progress` returns `false`
@@ -294,12 +316,15 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 /*!
  * computes all measures of one polyline, or of several polylines as one curve.
  *
- * \param polylines a range of points, or a range of such ranges
+ * \tparam PolylineRange a range of points, or a range of such ranges
+ * \tparam NamedParameters a sequence of named parameters
+ *
+ * \param polylines the polylines
  * \param r as for `min_clearance()`
  * \param np \vfcNamedParams{Measure_polylines_signature}
  *
  * \throws std::invalid_argument like the constructor of `Curve_network_3` from polylines, and as
- * `linking_matrix()`
+ * `linking_matrix()` and `min_clearance()`
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename PolylineRange,

@@ -129,7 +129,7 @@ auto fill(Curve_network_3<Traits>& curves,
  * `Parallel_if_available_tag`
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, a model of
- * `FaceListGraph`, a `CGAL::Polygon_with_holes_2` or `CGAL::Polygon_2`, or a range of the former
+ * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2` or a range of the latter
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
@@ -186,7 +186,7 @@ Filling_result<typename Traits::Point_3> fill(
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, a model of
- * `FaceListGraph`, a `CGAL::Polygon_with_holes_2` or `CGAL::Polygon_2`, or a range of the former
+ * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2` or a range of the latter
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
@@ -236,7 +236,7 @@ auto fill(Polylines& polylines,
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, a model of
- * `FaceListGraph`, a `CGAL::Polygon_with_holes_2` or `CGAL::Polygon_2`, or a range of the former
+ * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2` or a range of the latter
  * \tparam Point_3 the point type of the domain
  * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
  *
@@ -244,6 +244,8 @@ auto fill(Polylines& polylines,
  * \param domain the domain, or a closed triangle mesh, which bounds it
  * \param parameters the parameters
  * \param visitor receives the progress of the run, and can end it
+ *
+ * \pre the network has no garbage
  *
  * \returns the same as the overload with named parameters, and throws the same exceptions
  */

@@ -94,6 +94,8 @@ template <typename Traits = Curve_flow_traits_3<>>
 /*!
  * returns the letters of a braid word, such as "1 -2 1 -2", for `make_closed_braid()`.
  *
+ * \param text the letters, separated by spaces
+ *
  * \throws std::invalid_argument if a letter is not an integer in 1, ..., 1000 or the negative of
  * one
  */
@@ -170,7 +172,7 @@ template <typename Traits = Curve_flow_traits_3<>>
  * \param traits the traits object
  *
  * \throws std::invalid_argument if there are fewer than 3 nodes, or if the radius is not positive
- * and finite
+ * or beyond 1e150
  */
 template <typename Traits = Curve_flow_traits_3<>>
 [[nodiscard]] Curve_network_3<Traits> make_regular_polygon(std::size_t number_of_nodes,

@@ -231,6 +231,8 @@ template <typename ConcurrencyTag = Sequential_tag,
 [[nodiscard]] Chain_identity identify_chain(
     const Polyline& polyline, const NamedParameters& np = parameters::default_values())
 {
+  static_assert(!internal::is_range_of_ranges<Polyline>,
+                "identify_chain() takes one polyline, a range of points");
   const auto given = internal::get_parameters<internal::Chain_polyline_signature>(np);
   return identify_chain<ConcurrencyTag>(
       internal::network_of_polylines_t<Polyline, NamedParameters>(polyline, np), 0,
@@ -281,9 +283,9 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 /*!
  * searches for a proof that the link of a diagram is trivial or that it is not.
  *
- * If all crossings can be removed, the link is trivial. If its determinant, Alexander polynomial or
- * HOMFLY-PT polynomial differs from that of the trivial link, it is not. The HOMFLY-PT polynomial
- * is skipped if it would take more than about a second. Takes milliseconds up to some hundred
+ * If all crossings can be removed, the link is trivial. If two components have a linking number
+ * other than 0, or the determinant, Alexander polynomial or HOMFLY-PT polynomial differs from that
+ * of the trivial link, it is not. The HOMFLY-PT polynomial is skipped if it would take more than about a second. Takes milliseconds up to some hundred
  * crossings.
  *
  * \throws std::invalid_argument if the crossings are not a planar diagram code

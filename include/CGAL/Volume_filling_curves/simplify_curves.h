@@ -112,6 +112,13 @@ std::size_t simplify_curves(Polylines& polylines,
 ///
 /// simplifies curves; the parameters come as a struct.
 ///
+/// \tparam Traits a model of `CurveFlowTraits_3`
+///
+/// \param curves the curves, replaced by the result
+/// \param parameters the parameters
+///
+/// \pre the network has no garbage
+///
 /// \returns the same as the overload with named parameters, and throws the same exceptions
 template <typename Traits>
 std::size_t simplify_curves(Curve_network_3<Traits>& curves,

@@ -156,6 +156,8 @@ Untangling_result untangle(Polylines& polylines,
  * \param parameters the parameters
  * \param visitor receives the progress of the run, and can end it
  *
+ * \pre the network has no garbage
+ *
  * \returns the same as the overload with named parameters, and throws the same exceptions
  */
 template <typename ConcurrencyTag = Sequential_tag,

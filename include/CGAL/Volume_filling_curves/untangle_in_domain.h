@@ -74,8 +74,8 @@ struct Domain_surroundings
  * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
  * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
- * `FaceListGraph`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or a model
+ * of `FaceListGraph`
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
@@ -88,8 +88,9 @@ struct Domain_surroundings
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument like `untangle()` without a domain, if the curves are not strictly
- * inside the domain (the message lists the nodes), and if the `strategy` is `SEARCH`
+ * \throws std::invalid_argument like `untangle()` without a domain; if the domain is unbounded, or
+ * a mesh bounds none, see `Triangle_mesh_domain_3`; if the curves are not strictly inside (the
+ * message lists the nodes); and if the `strategy` is `SEARCH`
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,

@@ -44,7 +44,7 @@ struct Certificate_verdict
 
   std::size_t number_of_operations = 0; ///< the number of verified operations
 
-  bool has_domain = false; ///< whether it was also verified that the curve stayed inside a domain
+  bool has_domain = false; ///< whether a domain was given; if `is_valid`, the curve never left it
 
   /// returns the verdict as a sentence with the names of the curves and the domain, for example
   /// "verified: 20 operations; the end is ambient isotopic to the start and never left the domain",
@@ -95,8 +95,8 @@ Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
  *
  * \brief verifies that a certificate proves the curves `start` and `end` to be ambient isotopic.
  *
- * All operations are replayed by an implementation that shares no code with `Isotopy_guard_3`;
- * questions that `double` arithmetic cannot settle are decided with rational numbers. A certificate
+ * All operations are replayed by an implementation that shares no geometric code with
+ * `Isotopy_guard_3`, only the format of the bytes and the order of the nodes in it; questions that `double` arithmetic cannot settle are decided with rational numbers. A certificate
  * that was altered, truncated or made for other curves is rejected. So is a forged one with
  * matching hashes, unless its operations are a valid proof all the same.
  *
@@ -167,7 +167,8 @@ auto enclosure_of(const Domain& domain)
  * that shares no code with `Triangle_mesh_domain_3`: \cgal's AABB tree finds faces, and questions
  * that `double` arithmetic cannot settle are decided with rational numbers. For any other domain it
  * is as certain as the domain's own answers. A certificate of `fill()` is valid for the domain that
- * was filled; if no curve was given, its start is `Filling_result::start`.
+ * was filled, or, for polygons, their `Polygon_domain_3`; if no curve was given, its start is
+ * `Filling_result::start`.
  *
  * Takes a few microseconds per operation.
  *

@@ -180,7 +180,7 @@ TEST(Arc_spline, is_refused_where_coordinates_are_too_coarse)
     EXPECT_EQ(conflict.obstacle, Arc_obstacle::ROUNDING);
 }
 
-// All of a ball of radius 2 but for a segment that is parallel to the z axis.
+// All of a ball of radius 4 but for a segment that is parallel to the z axis.
 class Cut_ball : public Ball_domain_3<>
 {
 public:
@@ -216,7 +216,7 @@ TEST(Arc_spline, names_nodes_outside_the_domain)
   const Curve polygon = curve_of({regular_polygon(5)});
   try {
     (void)arc_spline(polygon, Ball_domain_3(Point_3(1, 0, 0), 1));
-    FAIL() << "nodes 2 and 3 are outside";
+    FAIL() << "nodes 1 to 4 are outside";
   } catch(const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("node 1"), std::string::npos) << error.what();
   }

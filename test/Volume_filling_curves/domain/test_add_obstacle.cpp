@@ -81,6 +81,10 @@ TEST(Add_obstacle, refuses_what_is_no_obstacle)
   Mesh open = cube(1, 1);
   CGAL::Euler::remove_face(halfedge(*faces(open).begin(), open), open);
   EXPECT_EQ(complaint(wall, open), "an obstacle must be a closed triangle mesh");
+  Mesh of_quads;
+  CGAL::make_hexahedron(Point(0, 0, 0), Point(4, 0, 0), Point(4, 4, 0), Point(0, 4, 0),
+                        Point(0, 4, 4), Point(0, 0, 4), Point(4, 0, 4), Point(4, 4, 4), of_quads);
+  EXPECT_EQ(complaint(of_quads, cube(1, 1)), "the mesh must be a closed triangle mesh");
 
   Mesh with_obstacle = wall;
   vfc::add_obstacle(with_obstacle, cube(1, 2));

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -60,6 +61,32 @@ TEST(Mesh_thickness_field, takes_meshes_that_are_not_closed)
   CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
   open.collect_garbage();
   EXPECT_EQ(Mesh_thickness_field_3<>(open, std::vector<double>(8, 2.))({.3, .4, .1}), 2);
+}
+
+TEST(Mesh_thickness_field, takes_no_value_of_a_vertex_without_faces)
+{
+  Mesh mesh;
+  mesh.add_vertex({9, 9, 9});
+  std::vector<double> values = {100};
+  for(const auto& p : meshes::voxels({{0, 0, 0}}).points) {
+    mesh.add_vertex(p);
+    values.push_back(1 + p.x());
+  }
+  for(const meshes::Face& f : meshes::voxels({{0, 0, 0}}).faces)
+    mesh.add_face(Mesh::Vertex_index(static_cast<unsigned>(f[0] + 1)),
+                  Mesh::Vertex_index(static_cast<unsigned>(f[1] + 1)),
+                  Mesh::Vertex_index(static_cast<unsigned>(f[2] + 1)));
+  EXPECT_NEAR(Mesh_thickness_field_3<>(mesh, values)({.3, .4, .1}), 1.3, 1e-15);
+}
+
+TEST(Mesh_thickness_field, refuses_coordinates_that_are_invalid_or_too_large)
+{
+  const std::vector<double> values(8, 1.);
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), 1e200}) {
+    Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}}));
+    mesh.point(Mesh::Vertex_index(3)) = {x, 0, 0};
+    EXPECT_THROW(Mesh_thickness_field_3<>(mesh, values), std::invalid_argument) << x;
+  }
 }
 
 } // namespace test_mesh_thickness_field

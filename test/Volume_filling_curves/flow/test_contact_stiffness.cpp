@@ -8,14 +8,14 @@
 
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_solver.h>
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-// The stiffness of contacts against how forces change, and a dense matrix filled sphere by sphere.
+// The stiffness of contacts is compared with the change of the forces, and with a dense matrix that
+// is filled sphere by sphere.
 namespace test_contact_stiffness {
 
 using namespace flow_test;
@@ -184,7 +184,7 @@ TEST(Direction_solver, solves_with_contacts_up_to_a_hundredth)
   }
 }
 
-// P has the unit 1 / length, directions that of a length.
+// The preconditioner has the unit 1 / length, directions have that of a length.
 TEST(Direction_solver, scales_with_contacts_by_powers_of_two)
 {
   Random random(4);

@@ -6,11 +6,15 @@
 
 #include "support/flow_test_support.h"
 
+#include <CGAL/Volume_filling_curves/Curve_flow_3.h>
+#include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Direction_preference.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 namespace test_direction_preference {
 
@@ -76,6 +80,16 @@ TEST(Direction_preference, asks_for_nothing_without_a_direction_or_along_it)
   EXPECT_EQ(preference(Vector(), 2).pull(0, edge.normalized()), Vector());
   EXPECT_EQ(preference(Vector(), 2).stiffness(0, edge), 0);
   EXPECT_LT(preference(edge.normalized(), 2).pull(0, edge.normalized()).norm(), 1e-15);
+}
+
+TEST(Direction_preference, has_no_negative_weight)
+{
+  Network knot = CGAL::Volume_filling_curves::make_torus_knot(2, 3, 30);
+  CGAL::Volume_filling_curves::Isotopy_guard_3<> guard(knot);
+  CGAL::Volume_filling_curves::Curve_flow_3<> flow(guard);
+  const auto field = [](const Network::Point_3&) { return axis(0); };
+  for(const double bad : {-5., std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(flow.set_direction_field(field, bad), std::invalid_argument) << bad;
 }
 
 } // namespace test_direction_preference

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -258,6 +259,18 @@ TEST(Rescaling, ends_where_rounding_is_coarse)
     internal::rescale_to_length(guard, 1.5 * internal::total_length(start));
     EXPECT_NEAR(internal::total_length(knot) / internal::total_length(start), 1.5, 1e-15 * shift);
   }
+}
+
+// A spacing of -1 was never reached.
+TEST(Remeshing, refuses_spacings_that_are_not_positive_or_too_large)
+{
+  Network knot = make_torus_knot(2, 3, 30);
+  Guard guard(knot);
+  Flow flow(guard);
+  const double spacing = flow.parameters().spacing;
+  for(const double bad : {-1., 0., 1.5, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(flow.set_spacing(bad), std::invalid_argument) << bad;
+  EXPECT_EQ(flow.parameters().spacing, spacing);
 }
 
 } // namespace test_remeshing

@@ -4,6 +4,8 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 
@@ -13,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -281,5 +284,28 @@ TEST(Curve_measures, of_an_empty_network_are_defined)
   EXPECT_EQ(measures.length, 0);
   EXPECT_TRUE(measures.linking_matrix.empty());
 }
+
+#ifndef NDEBUG
+TEST(Curve_measures, demand_a_network_without_garbage)
+{
+  Curve curve = vfc::make_regular_polygon(12);
+  vfc::Isotopy_guard_3<> guard(curve);
+  ASSERT_TRUE(guard.remove_node(3));
+  EXPECT_THROW((void)vfc::length(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::component_lengths(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::total_curvatures(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::min_bend_radius(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::tightest_bend(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::min_clearance(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::polygonal_thickness(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::min_strand_distance(curve, 1), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::crowded_fraction(curve, 1), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::average_crossing_number(curve), CGAL::Precondition_exception);
+  EXPECT_THROW((void)vfc::linking_matrix(curve), CGAL::Precondition_exception);
+  std::vector<std::vector<Point>> polylines;
+  EXPECT_THROW(vfc::curve_network_to_polylines(curve, std::back_inserter(polylines)),
+               CGAL::Precondition_exception);
+}
+#endif
 
 } // namespace test_curve_measures

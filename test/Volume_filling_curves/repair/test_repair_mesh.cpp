@@ -38,7 +38,7 @@ TEST_F(Repair, drops_degenerate_and_repeated_faces)
   EXPECT_LT(mending.to_mended, 1e-12);
 }
 
-// The corner in the middle of an edge is one of two faces with area, so it stays.
+// The corner in the middle of an edge belongs to two faces with area, so it stays.
 TEST_F(Repair, takes_out_faces_whose_corners_lie_on_a_line)
 {
   Soup soup = meshes::cube();
@@ -49,6 +49,9 @@ TEST_F(Repair, takes_out_faces_whose_corners_lie_on_a_line)
   soup.faces.push_back({f[0], f[1], 8});
   const vfc::Mending mending = mend(soup);
   EXPECT_FALSE(is_wrapped(mending));
+  EXPECT_EQ(mesh.number_of_vertices(), 9u);
+  for(const auto f : mesh.faces())
+    EXPECT_FALSE(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh));
   EXPECT_NEAR(volume(), 1, 1e-12);
   EXPECT_LT(mending.from_file, 1e-12);
 }

@@ -32,7 +32,7 @@ using CGAL::Volume_filling_curves::Curve_flow_3;
 using CGAL::Volume_filling_curves::Untangling_strategy;
 
 // Strands that run far outside close the arc the same way before and after.
-Network closed_far_away(const Network& arc)
+Network closed_by_fixed_strands(const Network& arc)
 {
   Polygon polygon;
   for(std::size_t v = 0; v < arc.number_of_nodes(); ++v)
@@ -52,7 +52,7 @@ TEST(Untangle_arcs, keeps_pinned_ends_and_the_knot_between_them)
   Network arc = path(points);
   arc.pin_ends();
   ASSERT_NO_THROW(internal::check_embedded(arc));
-  const auto expected = invariants_of(closed_far_away(arc));
+  const auto expected = invariants_of(closed_by_fixed_strands(arc));
   ASSERT_EQ(expected.determinant, 3u);
   const Untangling_result result = untangle(arc);
   EXPECT_EQ(result.status, Untangling_status::CONVERGED);
@@ -60,7 +60,7 @@ TEST(Untangle_arcs, keeps_pinned_ends_and_the_knot_between_them)
   EXPECT_EQ(result.link, Link_status::NOT_A_LINK);
   EXPECT_EQ(internal::to_vector(arc.point(0)), points.front());
   EXPECT_EQ(internal::to_vector(arc.point(arc.number_of_nodes() - 1)), points.back());
-  EXPECT_EQ(invariants_of(closed_far_away(arc)), expected);
+  EXPECT_EQ(invariants_of(closed_by_fixed_strands(arc)), expected);
 }
 
 TEST(Untangle_arcs, straightens_an_arc_without_a_knot)
@@ -86,7 +86,7 @@ Network arc_of(const Network& closed, std::size_t first, std::size_t number_of_n
   return arc;
 }
 
-// the invariants of the closure away from the mean
+// the invariants of the closure by rays away from the mean
 knot_test::Invariants invariants_of_arc(const Network& arc)
 {
   knot_test::Loop loop;
@@ -173,13 +173,13 @@ TEST(Untangle_arcs, keeps_a_ring_on_an_arc)
   Network curves = network_of(points, edges);
   curves.pin_ends();
   untangle(curves, parameters::number_of_iterations(300).thickness(0.1));
-  knot_test::Loop closed_arc, ring_end;
+  knot_test::Loop closed_arc, moved_ring;
   for(std::size_t v = 0; v < curves.number_of_nodes(); ++v) {
     const auto& p = curves.point(v);
-    (curves.component(v) == 0 ? closed_arc : ring_end).push_back({p.x(), p.y(), p.z()});
+    (curves.component(v) == 0 ? closed_arc : moved_ring).push_back({p.x(), p.y(), p.z()});
   }
   closed_arc.insert(closed_arc.end(), {{100, 0.1, 0.2}, {0, 100, 0.3}, {-100, 0.3, 0.1}});
-  const auto diagram = knot_test::diagram_of({closed_arc, ring_end});
+  const auto diagram = knot_test::diagram_of({closed_arc, moved_ring});
   EXPECT_EQ(std::abs(knot_test::linking_numbers(diagram)[0][1]), 1);
 }
 
@@ -218,7 +218,7 @@ TEST(Untangle_arcs, refuses_bad_parameters_as_for_closed_curves)
   EXPECT_EQ(contents(arc), before);
 }
 
-// The certificate is about the arc; the rays were more than that.
+// The certificate leaves out the closing rays: it proves the motion of the arc alone.
 TEST(Untangle_arcs, can_be_verified_by_others)
 {
   Network arc = arc_of(tangled(braid("1 1 1", 60), 3), 5, 100);

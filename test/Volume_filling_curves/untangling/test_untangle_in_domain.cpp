@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -129,6 +130,24 @@ TEST(Untangle_in_domain, refuses_curves_outside_and_the_search)
             "strategy is search, but must be flow or auto in a domain");
   EXPECT_THROW(untangle(curve, meshes::Mesh()), std::invalid_argument);
   EXPECT_EQ(contents(curve), before);
+}
+
+// A domain that says that it is unbounded.
+struct Unbounded : Box_domain_3<>
+{
+  Unbounded() : Box_domain_3<>({-9, -9, -9}, {9, 9, 9}) {}
+
+  CGAL::Bbox_3 bbox() const
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return {-infinity, -infinity, -9, infinity, infinity, infinity};
+  }
+};
+
+TEST(Untangle_in_domain, refuses_unbounded_domains)
+{
+  Network curve = braid("1 1 1", 60);
+  EXPECT_EQ(refusal_of([&] { untangle(curve, Unbounded()); }), "the domain is unbounded");
 }
 
 } // namespace test_untangle_in_domain

@@ -28,7 +28,7 @@ struct Polynomial_limit : std::runtime_error
 };
 
 // half of the range: sums of two such numbers are in the range
-constexpr Coefficient max_coefficient = std::numeric_limits<Coefficient>::max() / 2;
+constexpr Coefficient max_coefficient = (std::numeric_limits<Coefficient>::max)() / 2;
 
 inline Coefficient checked(Coefficient c)
 {

@@ -10,7 +10,6 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/diagrams/Alexander_matrix.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/Goeritz_form.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <ostream>
 
 namespace CGAL {
@@ -69,9 +69,10 @@ inline std::ostream& operator<<(std::ostream& out, Knottedness knottedness)
 
 namespace internal {
 
-// Cheap invariants come first: different residues modulo a prime already prove a knot. A trivial
-// link of several components has the determinant and the Alexander polynomial 0.
-// \pre the diagram is simplified
+// Returns a proof that the link is trivial or that it is not. A trivial one is only recognized
+// without crossings; hence the diagram is simplified first. Cheap invariants come first: different
+// residues modulo a prime already prove a knot. A trivial link of several components has the
+// determinant and the Alexander polynomial 0.
 // \throws Run_stopped if a watch requests it
 inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch = nullptr)
 {

@@ -114,9 +114,9 @@ private:
   bool is_up_in_pair(const Planar_diagram& diagram, std::size_t c) const
   {
     const std::size_t b = diagram.crossings[c][1], d = diagram.crossings[c][3];
-    std::size_t other = c; // where both arcs end, too, or c itself for a loop
+    std::size_t other = c; // where both arcs end, too
     for(const End& end : m_ends[b])
-      if(end.crossing != c || end.k % 2 == 0) other = end.crossing;
+      if(end.crossing != c) other = end.crossing;
     for(const End& end : m_ends[b]) {
       if(end.k == 0) return true;  // b goes below from here, so it has come from c
       if(end.k == 2) return false; // b has come from below, and goes to c

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -41,11 +42,13 @@ class Boundary
 public:
   static constexpr bool is_bounded = true;
 
+  // \throws std::invalid_argument if the domain is unbounded
   explicit Boundary(const Domain& domain) : m_domain(&domain)
   {
     const CGAL::Bbox_3 box = domain.bbox();
     m_low = {box.xmin(), box.ymin(), box.zmin()};
     const double diagonal = (Vector(box.xmax(), box.ymax(), box.zmax()) - m_low).norm();
+    if(!std::isfinite(diagonal)) throw std::invalid_argument("the domain is unbounded");
     m_rounding = rounding_in(box, slack * diagonal);
     m_cell = diagonal / cells_along_diagonal;
     for(int i = 0; i < 3; ++i)

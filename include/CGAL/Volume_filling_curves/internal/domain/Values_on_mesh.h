@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/domain/Face_tree.h>
+#include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -43,7 +44,8 @@ public:
   };
 
   // Takes the values in the order of `vertices(mesh)`. Throws std::invalid_argument if a face is no
-  // triangle, there are fewer than two, or the values are not as many as the vertices.
+  // triangle, there are fewer than two, the values are not as many as the vertices, or the mesh has
+  // an invalid coordinate.
   template <typename TriangleMesh>
   Values_on_mesh(const TriangleMesh& mesh, const std::vector<Value>& values)
   {
@@ -58,9 +60,15 @@ public:
     CGAL::copy_face_graph(
         mesh, copy, CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(pairs)));
     std::unordered_map<Vertex, typename Mesh::Vertex_index> position(pairs.begin(), pairs.end());
-    m_values.resize(values.size());
+    for(const auto& p : copy.points())
+      if(const auto fault = coordinate_fault(p)) throw std::invalid_argument(fault->message);
+    m_values.resize(copy.number_of_vertices());
     std::size_t i = 0;
-    for(const Vertex v : vertices(mesh)) m_values[position.at(v)] = values[i++];
+    for(const Vertex v : vertices(mesh)) {
+      const auto of_copy = position.find(v); // none for a vertex without faces
+      if(of_copy != position.end()) m_values[of_copy->second] = values[i];
+      ++i;
+    }
     m_faces = std::make_unique<Faces>(std::move(copy));
   }
 

@@ -23,7 +23,7 @@ namespace internal {
 struct Filling_stage
 {
   static constexpr double any_change = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)();
 
   double screening = 1;           // in units of the parameter
   double max_radius = 2;          // at most, in units of the thickness

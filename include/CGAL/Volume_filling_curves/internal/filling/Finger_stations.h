@@ -51,7 +51,8 @@ class Finger_stations
   using Point_3 = typename Guard::Point_3;
 
 public:
-  // Takes the distance between neighboring stations, in units of the thickness.
+  // Takes the distance between neighboring stations, in units of the thickness. Edges of the curves
+  // longer than half of it are halved, by certified insertions.
   Finger_stations(Guard& guard,
                   const Domain& domain,
                   const Thickness<Point_3>& thickness,
@@ -102,7 +103,8 @@ public:
   // the distance from a station to its neighbors
   double spacing(std::size_t s) const { return m_spacing * m_stations[s].thickness; }
 
-  // the roots and targets within a distance of p, in the order of their indices
+  // The roots and targets within a distance of p, in the order of their indices. \pre the targets
+  // have been added
   std::vector<std::size_t> within(double distance, const Vector& p)
   {
     m_neighborhoods->find(p, distance, m_near);

@@ -19,6 +19,7 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -63,6 +64,8 @@ public:
   std::vector<Vector> operator()(const std::vector<Vector>& existing, std::uint64_t seed)
   {
     Random_source random(seed);
+    m_candidates.clear();
+    m_is_kept.clear();
     find_candidates(random);
     if(m_watch.must_stop()) return {};
     const Box_tree tree(boxes_of_runs());
@@ -122,7 +125,8 @@ private:
         divide({cube.low + cube.side / 2 * Vector(k % 2, k / 2 % 2, k / 4), cube.side / 2}, random);
   }
 
-  // Candidates outside the domain's box, nearly all of those of a thin plate, are only counted.
+  // Candidates outside the domain's box, nearly all of those of a thin plate, are only counted, for
+  // the random order.
   void add_candidate(const Vector& p)
   {
     m_is_kept.push_back(
@@ -132,8 +136,9 @@ private:
 
   bool is_outside(const Cube& cube) const
   {
+    constexpr double half_diagonal = 0.87; // of a cube of side 1, rounded up
     const Point_3 center = to_point(cube.low + cube.side / 2 * Space::ones(), m_traits);
-    return !m_domain.is_inside(center) && m_domain.distance(center) > 0.87 * cube.side;
+    return !m_domain.is_inside(center) && m_domain.distance(center) > half_diagonal * cube.side;
   }
 
   bool has_clearance(const Vector& x, double clearance) const

@@ -9,8 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Filtered_triangle.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -37,8 +39,8 @@ struct No_clearance
 };
 
 // Returns whether the closed triangle abc meets the curve, except for edges e with is_taken_out(e),
-// only in its corner a, and in its corner c if c is a node. Null stands for a corner that is not a
-// node.
+// only in its corner a, and in its corner c if c is a node: `Curve`'s null node stands for a corner
+// that is not a node.
 template <typename Curve, typename Node, typename Traits, typename IsTakenOut, typename Clearance>
 bool is_triangle_free(Curve& curve,
                       Node node_a,

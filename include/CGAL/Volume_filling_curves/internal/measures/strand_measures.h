@@ -18,6 +18,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
@@ -68,12 +69,15 @@ struct Strand_distance_3
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] double polygonal_thickness(const Curve_network_3<Traits>& curve,
                                          const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   if(curve.has_junction()) return std::numeric_limits<double>::quiet_NaN();
   return internal::measured(
       np, [&](internal::Run_watch* watch) { return internal::tube_radius(curve, watch); });
@@ -88,12 +92,15 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param curve the curve
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] double ropelength(const Curve_network_3<Traits>& curve,
                                 const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::total_length(curve) / polygonal_thickness(curve, np);
 }
 
@@ -111,6 +118,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * share a node are neighbors
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
  * \throws std::invalid_argument if `r` is negative or NaN
  * \throws Run_interrupted if `progress` returns `false`
  */
@@ -119,6 +128,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
                                    double r = 0,
                                    const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   if(!(r >= 0)) throw std::invalid_argument("the radius of a clearance must not be negative");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::Least_clearance<Curve_network_3<Traits>>(curve, CGAL_PI * r)(watch);
@@ -141,6 +151,9 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
+ * \throws std::invalid_argument if a thickness is not positive and finite
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
@@ -151,6 +164,7 @@ template <typename Traits,
     const Thickness& thickness,
     const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   const auto [distance, edges, points] = internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::Crowding(curve, thickness).closest(watch);
   });
@@ -173,6 +187,9 @@ template <typename Traits,
  * \param thickness the thickness r, everywhere or as a function of the point, in the input's unit
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
+ * \throws std::invalid_argument if a thickness is not positive and finite
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
@@ -183,6 +200,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
                                       const Thickness& thickness,
                                       const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::Crowding(curve, thickness).template fraction<ConcurrencyTag>(watch);
   });

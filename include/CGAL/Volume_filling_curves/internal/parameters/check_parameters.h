@@ -109,8 +109,8 @@ inline void check_thickness(double thickness, double size, const std::string& ow
     refuse_value(internal_np::thickness_t(), thickness, not_larger_than(owner, size));
 }
 
-// Throws std::invalid_argument unless all shares are positive, and given for curves or arcs to a
-// tree of fingers that heeds them.
+// Throws std::invalid_argument if a share is not positive and finite, if the start is not
+// Filling_start::TREE, which alone heeds shares, or if there are neither curves nor ports.
 template <typename Point_3>
 void check_volume_shares(const Filling_parameters<Point_3>& parameters, bool has_curves)
 {

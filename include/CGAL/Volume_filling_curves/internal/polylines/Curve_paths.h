@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -21,12 +22,14 @@ namespace internal {
 
 // Paths of a network between ends and junctions, for output as polylines. A path is a list of
 // nodes; a closed component is one path that repeats its first node at the end. Edges keep their
-// order and direction, hence a reader numbers the nodes as the network does. Linear time.
+// order and direction, hence a reader numbers the nodes as the network does. Linear time. \pre the
+// network has no garbage
 struct Curve_paths
 {
   template <typename Network>
   explicit Curve_paths(const Network& network)
   {
+    CGAL_precondition_msg(!network.has_garbage(), "the network has no garbage");
     points.reserve(network.number_of_nodes());
     for(std::size_t v = 0; v < network.number_of_nodes(); ++v) {
       const auto& p = network.point(v);

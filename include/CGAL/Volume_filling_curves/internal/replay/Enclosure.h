@@ -32,7 +32,7 @@ public:
   virtual bool is_triangle_inside(const std::array<Position, 3>& triangle) const = 0;
 };
 
-// By the word of a domain, a model of VolumeFillingDomain_3.
+// Enclosure by the answers of a domain, a model of VolumeFillingDomain_3, which are trusted.
 template <typename Domain>
 class Domain_enclosure final : public Enclosure
 {

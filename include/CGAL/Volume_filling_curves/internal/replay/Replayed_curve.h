@@ -76,7 +76,7 @@ public:
     return none;
   }
 
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   // Calls function(e) for all edges whose boxes meet the given one, for some of them several times.
   template <typename Function>

@@ -106,7 +106,7 @@ constexpr double min_length_of_ring = 1.05 * 2 * CGAL_PI;
 // to the middle between its neighbors if its edges are that long. Slides it towards the longer one
 // of its edges, since corners between uneven edges bend sharply (Rawdon's MinRad). A component that
 // is not linked with others shrinks until it is a ring, and is widened if it is too small for one,
-// where stiffness alone would shrink it further.
+// where stiffness alone would shrink it further. `before` receives the former positions.
 inline void pull(Rope& rope, double strength, std::vector<Vector>& before)
 {
   constexpr double evening = 0.25; // of the difference of the edges

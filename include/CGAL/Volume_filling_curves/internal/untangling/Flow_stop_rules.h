@@ -176,7 +176,7 @@ private:
   // In a domain a curve may be tight around an obstacle.
   bool may_be_unknot()
   {
-    return !Guard::Boundary::is_bounded && m_state.plateau_monitor.may_leave_plateau(m_flow);
+    return !Guard::Boundary::is_bounded && m_state.plateau_monitor.enter_plateau(m_flow);
   }
 
   bool can_stop_at_proof()

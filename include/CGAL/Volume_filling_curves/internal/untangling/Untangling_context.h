@@ -41,7 +41,7 @@ struct Search_state
 // The current flow and what decides its end, between two steps.
 struct Flow_run_state
 {
-  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
 
   double thickness = 0;
   Flow_state flow;

@@ -75,10 +75,10 @@ private:
 class Plateau_monitor
 {
 public:
-  // Returns whether a tight curve in the whole space may be an unknot, which leaves its plateau
-  // later.
+  // Returns whether a tight curve may be an unknot, which leaves its plateau later; the plateau then
+  // starts here, unless it has before. \pre there is no domain
   template <typename Flow>
-  bool may_leave_plateau(const Flow& flow)
+  bool enter_plateau(const Flow& flow)
   {
     if(!may_be_single_unknot(flow.curve())) return false;
     if(m_iteration == never) restart(flow);
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
 
   enum class Answer
   {
