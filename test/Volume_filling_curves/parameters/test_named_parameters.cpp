@@ -130,9 +130,11 @@ TEST(Named_parameters, fill_a_struct)
                                               .number_of_iterations(3)
                                               .strategy(Untangling_strategy::FLOW)
                                               .certificate(std::ref(certificate))
+                                              .build_name("1a2b3c4")
                                               .keep_length(true));
   EXPECT_EQ(p.thickness, 2);
   EXPECT_EQ(p.number_of_iterations, 3u);
+  EXPECT_EQ(p.build_name, "1a2b3c4");
   EXPECT_EQ(p.strategy, Untangling_strategy::FLOW);
   EXPECT_EQ(p.certificate, &certificate);
   EXPECT_TRUE(p.keep_length);

@@ -114,17 +114,22 @@ constexpr void check(Tag)
 } // namespace internal_np
 
 /// \cond SKIP_IN_MANUAL
+// The type of a value as it is kept: string literals are pointers, since CGAL wraps references to
+// arrays, which set no member.
+template <typename Value>
+using Kept_value = std::decay_t<const Value&>;
+
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
   using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
   using Pack::Pack;
 
-#define CGAL_VFC_PARAMETER(name)                                               \
-  template <typename Value>                                                    \
-  auto name(const Value& value) const                                          \
-  {                                                                            \
-    return Named_parameters<Value, internal_np::name##_t, Pack>(value, *this); \
+#define CGAL_VFC_PARAMETER(name)                                                           \
+  template <typename Value>                                                                \
+  auto name(const Value& value) const                                                      \
+  {                                                                                        \
+    return Named_parameters<Kept_value<Value>, internal_np::name##_t, Pack>(value, *this); \
   }
   CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 #undef CGAL_VFC_PARAMETER
@@ -135,11 +140,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 namespace parameters {
 
 /// \cond SKIP_IN_MANUAL
-#define CGAL_VFC_PARAMETER(name)                                  \
-  template <typename Value>                                       \
-  auto name(const Value& value)                                   \
-  {                                                               \
-    return Named_parameters<Value, internal_np::name##_t>(value); \
+#define CGAL_VFC_PARAMETER(name)                                              \
+  template <typename Value>                                                   \
+  auto name(const Value& value)                                               \
+  {                                                                           \
+    return Named_parameters<Kept_value<Value>, internal_np::name##_t>(value); \
   }
 CGAL_VFC_PARAMETERS(CGAL_VFC_PARAMETER)
 #undef CGAL_VFC_PARAMETER
