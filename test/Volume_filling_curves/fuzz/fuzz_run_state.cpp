@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -33,11 +32,11 @@ struct Impatient : Default_curve_flow_visitor
 // A trefoil of a few edges; and whether it has ends, is searched, and has a certificate.
 Network trefoil(std::size_t run)
 {
-  std::vector<std::vector<Network::Point_3>> polylines(1);
   const Network knot = make_torus_knot(2, 3, 30);
-  for(const auto& p : knot.points()) polylines[0].push_back(p);
-  if(run != 1) polylines[0].push_back(polylines[0][0]);
-  Network curve(polylines);
+  std::vector<Network::Point_3> points;
+  for(const auto& p : knot.points()) points.push_back(p);
+  if(run != 1) points.push_back(points.front());
+  Network curve(std::vector{points});
   curve.pin_ends();
   return curve;
 }
@@ -61,19 +60,19 @@ Run_state resume(Network& curve, std::size_t run, std::size_t iterations, const 
 
 // Replaces or removes eight bytes at the position that each pair of bytes encodes. The fingerprint,
 // which says whose state it is, stays.
-std::string forged(std::string body, const std::uint8_t* data, std::size_t size)
+Run_state forged(const Run_state& state, const std::uint8_t* data, std::size_t size)
 {
   constexpr std::size_t width = 8;
-  std::uint64_t begin = 0;
-  std::memcpy(&begin, body.data(), width);
-  begin += width;
+  std::string fingerprint, body(state.body());
+  internal::Byte_archive{body}(fingerprint);
+  const std::size_t begin = sizeof(std::size_t) + fingerprint.size();
   for(; size >= 2 + width && body.size() >= begin + width; size -= 2 + width, data += 2 + width) {
     const std::size_t place = data[0] + 256 * std::size_t(data[1] & 127);
     const std::string number(reinterpret_cast<const char*>(data + 2), width);
     body.replace(begin + width * (place % ((body.size() - begin) / width)), width,
                  data[1] < 128 ? number : std::string());
   }
-  return body;
+  return Run_state::sealed(body);
 }
 
 } // namespace
@@ -89,8 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     states[run] = resume(start, run, 1, {});
   }
   try {
-    const std::string body(states[run].body());
-    resume(curve, run, 2, Run_state::sealed(forged(body, data + 1, size - 1)));
+    resume(curve, run, 2, forged(states[run], data + 1, size - 1));
   } catch(const Run_state_error&) {
   }
   if(!is_embedded(curve)) std::abort();

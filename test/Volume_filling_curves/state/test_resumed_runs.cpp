@@ -6,10 +6,11 @@
 
 #include "support/exact_surface.h"
 #include "support/polygon_test_support.h"
-#include "support/resumed_run_test_support.h"
+#include "support/untangle_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
+#include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
@@ -18,56 +19,115 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 // Runs that are interrupted and resume end with the same bits as those that are not.
 namespace test_resumed_runs {
 
-using namespace resumed_run_test;
+using namespace untangle_test;
+using namespace CGAL::Volume_filling_curves;
+using Point = Network::Point_3;
 
-// The number of iterations of a run that is left alone.
-template <typename Run, typename P>
-std::size_t iterations_of(const Run& run, Network curve, const P& parameters)
+constexpr int never = std::numeric_limits<int>::max();
+
+// Ends a run at an iteration, counted from the end of the whole run if it is negative; when the
+// visitor has been asked some times whether a step or a search is to go on; or at the first report
+// of a stage.
+struct Interruption : Default_curve_flow_visitor
 {
-  return run(curve, parameters, Default_curve_flow_visitor()).statistics.iterations;
+  Interruption(int n = never, int k = never) : iteration(n), answers(k) {}
+  Interruption(Run_stage s) : Interruption() { stage = s; }
+
+  int iteration, answers;
+  std::optional<Run_stage> stage;
+
+  template <typename Progress>
+  bool on_search(const Progress&)
+  {
+    return answers > 0 && answers-- > 0;
+  }
+
+  template <typename Flow>
+  bool go_further(const Flow& flow)
+  {
+    return on_search(flow);
+  }
+};
+
+// All results of a run, except its time; and its last state, if it ends before its goal.
+struct Outcome
+{
+  std::vector<double> numbers;
+  int iterations;
+  Run_state state;
+};
+
+template <typename Run, typename NamedParameters>
+Outcome run_from(const Run& run,
+                 Network curve,
+                 const NamedParameters& np,
+                 const Run_state& former,
+                 Interruption end)
+{
+  Run_state state;
+  Isotopy_certificate certificate;
+  const auto is_to_go_on = [&](const Run_progress& moment) { return moment.stage != end.stage; };
+  const auto keep_last = [&](const Run_checkpoint& checkpoint) {
+    if(checkpoint.is_last) state = checkpoint.state();
+  };
+  const auto result = run(curve, np.number_of_iterations(end.iteration)
+                                     .visitor(std::ref(end))
+                                     .progress(is_to_go_on)
+                                     .checkpoint(keep_last)
+                                     .certificate(std::ref(certificate))
+                                     .resume_from(std::cref(former)));
+  const auto& done = result.statistics;
+  std::vector<double> numbers = contents(curve);
+  const auto note = [&](auto... values) { (numbers.push_back(static_cast<double>(values)), ...); };
+  for(const std::size_t v : curve.nodes()) note(curve.is_free(v));
+  for(const Curve_origin& origin : curve_origins(curve)) note(origin.parameter);
+  note(done.iterations, done.certified_changes, done.refused_changes);
+  note(result.status, result.thickness, result.gradient_norm);
+  for(const char byte : certificate.bytes()) note(byte);
+  return {numbers, static_cast<int>(done.iterations), state};
 }
 
 // Interrupts a run several times, and compares it with one that is left alone.
-template <typename Run, typename P>
+template <typename Run, typename NamedParameters>
 void expect_resumed(const Run& run,
                     const Network& curve,
-                    const P& parameters,
+                    const NamedParameters& np,
                     const std::vector<Interruption>& interruptions)
 {
+  const Outcome whole = run_from(run, curve, np, {}, {});
   Run_state state;
-  for(const Interruption& interruption : interruptions) {
-    state = run_from(run, curve, parameters, state, interruption).state;
+  for(Interruption interruption : interruptions) {
+    if(interruption.iteration < 0) interruption.iteration += whole.iterations;
+    state = run_from(run, curve, np, state, interruption).state;
     ASSERT_FALSE(state.is_empty());
   }
-  EXPECT_TRUE(run_from(run, curve, parameters, state, {}).numbers ==
-              run_from(run, curve, parameters, {}, {}).numbers);
+  EXPECT_TRUE(run_from(run, curve, np, state, {}).numbers == whole.numbers);
 }
+
+const auto untangling = [](Network& curve, const auto& np) { return untangle(curve, np); };
+const auto flow = parameters::strategy(Untangling_strategy::FLOW);
 
 TEST(Resumed_runs, links_are_untangled_to_their_length)
 {
-  Parameters parameters = by(Untangling_strategy::FLOW);
-  parameters.keep_length = true;
-  expect_resumed(untangling, tangled(braid("1 1 1 1", 120), 3), parameters,
+  expect_resumed(untangling, tangled(braid("1 1 1 1", 120), 3), flow.keep_length(true),
                  {0, {never, 2}, 11, 29});
-}
-
-Network arc()
-{
-  Network arc({{0, 0, 0}, {1, 2, 0}, {2, 0, 1}, {1, 1, 2}, {0, 1, 0.5}, {3, 0, 0}},
-              {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
-  arc.pin_ends();
-  return arc;
 }
 
 TEST(Resumed_runs, arcs_keep_their_rays)
 {
+  Network arc({{0, 0, 0}, {1, 2, 0}, {2, 0, 1}, {1, 1, 2}, {0, 1, 0.5}, {3, 0, 0}},
+              {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
+  arc.pin_ends();
   for(const double thickness : {0., 0.3})
-    expect_resumed(untangling, arc(), by(Untangling_strategy::AUTO, thickness), {1, 5});
+    expect_resumed(untangling, arc, parameters::thickness(thickness), {1, 5});
 }
 
 TEST(Resumed_runs, networks_keep_their_input)
@@ -75,104 +135,93 @@ TEST(Resumed_runs, networks_keep_their_input)
   Network theta({{-1, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0.3}, {0, 0.1, 0.7}, {0, -1, 0.2}},
                 {{0, 3}, {3, 2}, {0, 4}, {4, 2}, {2, 5}, {5, 0}});
   theta.set_pinned(0);
-  expect_resumed(untangling, theta, by(Untangling_strategy::FLOW, 0.2), {1, 4});
+  expect_resumed(untangling, theta, flow.thickness(0.2), {1, 4});
 }
 
 TEST(Resumed_runs, searches_begin_anew)
 {
   const Network curve = tangled(make_torus_knot(3, 5, 120), 5);
-  expect_resumed(untangling, curve, by(Untangling_strategy::AUTO),
+  expect_resumed(untangling, curve, parameters::strategy(Untangling_strategy::AUTO),
                  {{never, 0}, {never, 1}, 0, 4, {never, 6}});
-  expect_resumed(untangling, curve, by(Untangling_strategy::SEARCH), {{never, 1}});
+  expect_resumed(untangling, curve, parameters::strategy(Untangling_strategy::SEARCH),
+                 {{never, 1}});
 }
 
 TEST(Resumed_runs, the_ropelength_is_lowered_anew)
 {
-  Parameters parameters = by(Untangling_strategy::FLOW);
-  parameters.lower_ropelength = true;
-  expect_resumed(untangling, make_torus_knot(2, 3, 60), parameters, {3, 30});
+  expect_resumed(untangling, make_torus_knot(2, 3, 60), flow.lower_ropelength(true), {3, 30});
 }
 
 // Interrupted while it flows and while it takes its shape.
 TEST(Resumed_runs, curves_take_their_shape)
 {
-  Parameters parameters = by(Untangling_strategy::AUTO, 0.15);
-  parameters.lower_ropelength = true;
-  parameters.bend_radius = 0.1;
-  const Network curve = tangled(braid("1 1 1", 60), 1);
-  const std::size_t n = iterations_of(untangling, curve, parameters);
-  expect_resumed(untangling, curve, parameters, {5, n - 1});
+  expect_resumed(untangling, tangled(braid("1 1 1", 60), 1),
+                 parameters::thickness(0.15).lower_ropelength(true).bend_radius(0.1), {5, -1});
 }
 
 TEST(Resumed_runs, nodes_slide_in_a_domain)
 {
   const Box_domain_3<> box({-4, -4, -4}, {4, 4, 4});
-  const auto run = [&](Network& curve, const Parameters& parameters, auto visitor) {
-    return untangle(curve, box, parameters, visitor);
-  };
+  const auto run = [&](Network& curve, const auto& np) { return untangle(curve, box, np); };
   Network arc({{-3.9, 1, 0}, {-2, 0, 1}, {0, 1, -1}, {2, -1, 0}, {3, 1, 1}},
               {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
   arc.set_constraint(0, Node_constraint::on_boundary(0.1));
   arc.set_constraint(4,
                      Node_constraint::on_plane(arc.point(4), Network::Traits::Vector_3(1, 0, 0)));
-  expect_resumed(run, arc, by(Untangling_strategy::FLOW, 0.3), {1, {never, 5}});
+  expect_resumed(run, arc, flow.thickness(0.3), {1, {never, 5}});
 }
+
+template <typename Domain>
+auto filling(const Domain& domain)
+{
+  return [&domain](Network& curve, const auto& np) { return fill(curve, domain, np); };
+}
+
+const auto sharp_bends = parameters::round_bends(false);
 
 TEST(Resumed_runs, a_ball_is_filled_with_a_thickness_that_varies)
 {
   const Ball_domain_3<> ball(Point(1, 2, 3), 1);
-  Filling parameters = with_sharp_bends();
-  parameters.thickness_field = [](const Point& p) { return 0.2 + 0.05 * p.x(); };
-  expect_resumed(filling(ball), Network(), parameters,
+  const auto thickness = [](const Point& p) { return 0.2 + 0.05 * p.x(); };
+  expect_resumed(filling(ball), Network(), sharp_bends.thickness(thickness),
                  {Run_stage::BRANCHING, 0, 2, {never, 7}, 19});
 }
 
 TEST(Resumed_runs, a_box_is_filled_to_a_length)
 {
   const Box_domain_3<> box(Point(0, 0, 0), Point(1, 1, 2));
-  Filling parameters = with_sharp_bends();
-  parameters.length = 20;
-  expect_resumed(filling(box), Network(), parameters, {3, 20, 40, 60});
+  expect_resumed(filling(box), Network(), sharp_bends.length(20), {3, 20, 40, 60});
 }
 
 // Interrupted while it bends, and while it is polished.
 TEST(Resumed_runs, a_box_is_filled_with_round_bends)
 {
   const Box_domain_3<> box(Point(0, 0, 0), Point(4, 4, 4));
-  Filling parameters;
-  parameters.thickness = 1;
-  const std::size_t n = iterations_of(filling(box), Network(), parameters);
-  expect_resumed(filling(box), Network(), parameters, {n - 10, n - 2, n - 1});
+  expect_resumed(filling(box), Network(), parameters::thickness(1), {-10, -2, -1});
 }
 
 TEST(Resumed_runs, a_plate_is_filled_in_its_plane)
 {
   const Polygon_domain_3<Traits> plate(polygons::plate());
-  Filling parameters;
-  parameters.thickness = 0.08;
-  expect_resumed(filling(plate), Network(), parameters, {3, 18});
+  expect_resumed(filling(plate), Network(), parameters::thickness(0.08), {3, 18});
 }
 
 // Arcs between ports, which jam with this seed.
 TEST(Long_resumed_runs, curves_are_loosened)
 {
   const Box_domain_3<> box(Point(0, 0, 0), Point(8, 8, 8));
-  Filling parameters;
-  parameters.thickness = 1;
-  parameters.random_seed = 15;
-  parameters.ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
-  const std::size_t n = iterations_of(filling(box), Network(), parameters);
-  expect_resumed(filling(box), Network(), parameters, {20, n - 10, n - 1});
+  const std::vector<Port<Point>> ports = {{Point(0, 4, 4)}, {Point(8, 4, 4)}};
+  expect_resumed(filling(box), Network(), parameters::thickness(1).random_seed(15).ports(ports),
+                 {20, -10, -1});
 }
 
 // Fingers are led through the neck when the curve has grown in its chamber.
 TEST(Resumed_runs, two_chambers_are_filled_from_a_circle)
 {
   const Triangle_mesh_domain_3<> domain(meshes::to_mesh(exact_surface::two_chambers()));
-  Filling parameters = with_sharp_bends();
-  parameters.thickness = 0.3;
-  parameters.start = Filling_start::CIRCLE;
-  expect_resumed(filling(domain), Network(), parameters, {10, Run_stage::BRANCHING, 20, 30});
+  expect_resumed(filling(domain), Network(),
+                 sharp_bends.thickness(0.3).start(Filling_start::CIRCLE),
+                 {10, Run_stage::BRANCHING, 20, 30});
 }
 
 } // namespace test_resumed_runs

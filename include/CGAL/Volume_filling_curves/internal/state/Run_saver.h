@@ -132,19 +132,20 @@ public:
   template <typename Network, typename Guard, typename State>
   void resume(Network& curve, Guard& guard, State& rest)
   {
-    const auto copy_rest = [&guard, &rest](Byte_archive& archive) {
-      copy_guard(archive, guard);
-      archive(rest.members());
-    };
     if(m_is_resuming)
       read([&] {
-        copy_rest(m_former);
+        copy_guard(m_former, guard);
+        m_former(rest.members());
         m_former.require(m_former.is_at_end() && rest.is_valid());
       });
     if(!m_checkpoint) return;
-    m_copy = [&curve, copy_rest](Byte_archive& archive) {
+    m_state = [&] {
+      Byte_archive archive;
+      archive(m_fingerprint);
       copy_curve(archive, curve);
-      copy_rest(archive);
+      copy_guard(archive, guard);
+      archive(rest.members());
+      return Run_state::sealed(archive.bytes());
     };
     m_watch.set_checkpoint([this](Run_watch::Checkpoint moment) { save(moment); });
   }
@@ -164,21 +165,13 @@ private:
   {
     using Checkpoint = Run_watch::Checkpoint;
     if(moment == Checkpoint::PART)
-      m_start_of_part = state();
+      m_start_of_part = m_state();
     else if(moment == Checkpoint::END_IN_PART)
       m_checkpoint({[this] { return m_start_of_part; }, true});
     else {
       m_start_of_part = Run_state();
-      m_checkpoint({[this] { return state(); }, moment == Checkpoint::END});
+      m_checkpoint({m_state, moment == Checkpoint::END});
     }
-  }
-
-  Run_state state() const
-  {
-    Byte_archive archive;
-    archive(std::string(m_fingerprint));
-    m_copy(archive);
-    return Run_state::sealed(archive.bytes());
   }
 
   const std::function<void(const Run_checkpoint&)>& m_checkpoint; // none if nothing is saved
@@ -186,7 +179,7 @@ private:
   bool m_is_resuming;
   std::string m_fingerprint;
   Byte_archive m_former{std::string_view()}; // to resume from
-  std::function<void(Byte_archive&)> m_copy;
+  std::function<Run_state()> m_state;        // the current one
   Run_state m_start_of_part;
 };
 
