@@ -25,18 +25,15 @@ void plan_checkpoints(Session& session, const Checkpoint_options& options)
   session.outputs().add_continued("--checkpoint", options.checkpoint, options.resume);
 }
 
-Input_error rejected_state(const std::string& file, const std::string& message)
-{
-  return Input_error({{"state rejected", file, {}, 0, message}}, "a state to resume from");
-}
-
 curves::Run_state read_run_state(const Checkpoint_options& options)
 {
   if(options.resume.empty()) return {};
-  std::string content;
-  const std::error_code error = read_finite_file(options.resume, content);
-  if(error) throw rejected_state(options.resume, error.message());
-  return resume(options, [&] { return curves::Run_state(std::move(content)); });
+  return resume(options, [&] {
+    std::string content;
+    const std::error_code error = read_finite_file(options.resume, content);
+    if(error) throw curves::Run_state_error(error.message());
+    return curves::Run_state(std::move(content));
+  });
 }
 
 void save_states(const Session& session,

@@ -29,6 +29,18 @@ struct Checkpoint_options
 // Checks the files. \throws Usage_error
 void plan_checkpoints(Session& session, const Checkpoint_options& options);
 
+// Runs. \throws Input_error if the state to resume from is rejected
+template <typename Run>
+auto resume(const Checkpoint_options& options, const Run& run)
+{
+  try {
+    return run();
+  } catch(const CGAL::Volume_filling_curves::Run_state_error& error) {
+    throw Input_error({{"state rejected", options.resume, {}, 0, error.what()}},
+                      "a state to resume from");
+  }
+}
+
 // Returns the state to resume from, empty if there is none. \throws Input_error
 CGAL::Volume_filling_curves::Run_state read_run_state(const Checkpoint_options& options);
 
@@ -37,19 +49,6 @@ CGAL::Volume_filling_curves::Run_state read_run_state(const Checkpoint_options& 
 void save_states(const Session& session,
                  CGAL::Volume_filling_curves::Curve_run_parameters& parameters,
                  const Checkpoint_options& options);
-
-Input_error rejected_state(const std::string& file, const std::string& message);
-
-// Runs. \throws Input_error if the state to resume from is that of another run
-template <typename Run>
-auto resume(const Checkpoint_options& options, const Run& run)
-{
-  try {
-    return run();
-  } catch(const CGAL::Volume_filling_curves::Run_state_error& error) {
-    throw rejected_state(options.resume, error.what());
-  }
-}
 
 } // namespace vfc
 
