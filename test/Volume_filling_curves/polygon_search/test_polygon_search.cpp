@@ -11,6 +11,7 @@
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/polygon_search/Polygon_search.h>
+#include <CGAL/Volume_filling_curves/simplify_curves.h>
 #include <CGAL/Volume_filling_curves/untangle.h>
 
 #include <gtest/gtest.h>
@@ -35,7 +36,10 @@ using CGAL::Volume_filling_curves::make_hard_unknot;
 using CGAL::Volume_filling_curves::make_lattice_polygon;
 using CGAL::Volume_filling_curves::make_torus_knot;
 using CGAL::Volume_filling_curves::parse_braid_word;
+using CGAL::Volume_filling_curves::Run_progress;
+using CGAL::Volume_filling_curves::Run_stage;
 using CGAL::Volume_filling_curves::Search_progress;
+using CGAL::Volume_filling_curves::simplify_curves;
 using CGAL::Volume_filling_curves::untangle;
 using CGAL::Volume_filling_curves::Untangling_result;
 using CGAL::Volume_filling_curves::Untangling_status;
@@ -354,6 +358,27 @@ TEST(Untangling_strategy, can_be_stopped)
   curve = start;
   result = untangle(curve, parameters::time_limit(0));
   EXPECT_EQ(result.status, Untangling_status::LIMIT);
+}
+
+// The changes of the search were not carried over to the curve.
+TEST(Untangling_strategy, keeps_what_a_search_has_found_before_an_interruption)
+{
+  const Network start = internal::closed_network(braid("1 -2 3 -2 1 -2 3 -2 1 -2", 300));
+  for(const auto strategy : {Untangling_strategy::SEARCH, Untangling_strategy::AUTO}) {
+    Network simplified = start, curve = start;
+    simplify_curves(simplified);
+    std::size_t edges = 0;
+    const auto progress = [&](const Run_progress& moment) {
+      if(moment.stage != Run_stage::SEARCHING || moment.nodes == 0) return true;
+      edges = moment.nodes;
+      return edges >= simplified.number_of_nodes();
+    };
+    const auto result = untangle(curve, parameters::strategy(strategy).progress(progress));
+    EXPECT_EQ(result.status, Untangling_status::INTERRUPTED);
+    EXPECT_LT(edges, simplified.number_of_nodes());
+    EXPECT_LE(curve.number_of_nodes(), edges);
+    EXPECT_TRUE(invariants_of(curve) == invariants_of(start));
+  }
 }
 
 } // namespace test_polygon_search

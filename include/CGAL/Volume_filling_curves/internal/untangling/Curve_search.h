@@ -59,8 +59,9 @@ public:
     Search search(coarse, parameters, m_run.parameters.number_of_chains, m_state.seeds.bits());
     const Untangling_status status = run(search, start);
     const bool has_jammed = m_state.searches > 0;
+    const bool is_interrupted = m_run.watch.is_interrupted(); // then no flow follows
     if(is_time_left(seconds_to_simplify) &&
-       (!is_flow_next() || has_jammed || is_simpler(search, coarse)))
+       (!is_flow_next() || is_interrupted || has_jammed || is_simpler(search, coarse)))
       adopt(search);
     ++m_state.searches;
     m_state.sweeps += search.progress().sweeps;
@@ -174,15 +175,19 @@ private:
     return width > 0 ? total_length(curve) / width : std::numeric_limits<double>::infinity();
   }
 
-  // Applies the changes of the copy to the curve. A search shrinks a curve by orders of magnitude;
-  // the former length is restored if time allows.
+  // Applies the changes of the copy to the curve, also if an interruption has ended the search: the
+  // best curve so far is its result. A search shrinks a curve by orders of magnitude; the former
+  // length is restored if time allows.
   void adopt(const Search& search)
   {
     m_state.has_changed_curve = true;
     const double length = total_length(m_curve);
     const Clearance_scope<Guard> scope(m_run.guard, 0);
     simplify(m_run.guard, nullptr);
-    search.apply(m_run.guard, [&] { return !m_run.watch.must_stop(); });
+    search.apply(m_run.guard, [&] {
+      m_run.watch.must_stop(); // reports
+      return !m_run.watch.is_time_over();
+    });
     m_run.guard.collect_garbage();
     if(has_constrained_node(m_curve)) return;
     try {
