@@ -6,6 +6,7 @@
 
 #include "symmetry/images.h"
 
+#include "options/numbers.h"
 #include "reports/containment.h"
 #include "session/interruption.h"
 
@@ -130,6 +131,15 @@ void compare_with_limits(Filling_result& result,
                   (result.reason.empty() ? "" : "; ") + result.reason;
 }
 
+void compare_with_wall(Filling_result& result, const Filling_parameters& parameters)
+{
+  if(!has_settled(result) || result.min_wall_distance >= parameters.wall_distance) return;
+  result.status = curves::Filling_status::CONSTRAINT_NOT_REACHED;
+  result.reason = "the curve comes within " + to_text(result.min_wall_distance) +
+                  " of the boundary, not " + to_text(parameters.wall_distance) +
+                  (result.reason.empty() ? "" : "; ") + result.reason;
+}
+
 } // namespace
 
 Curve closed_up(const Curve& arc,
@@ -170,6 +180,7 @@ void measure_again(Filling_result& result,
       curves::internal::measure_shape<Concurrency>(result, curve, domain, result.thickness);
       compare_with_tolerances(result);
       compare_with_limits(result, curve, parameters);
+      compare_with_wall(result, parameters);
     });
   } catch(const curves::Run_interrupted&) {
     if(has_settled(result)) end_early(result);

@@ -40,24 +40,27 @@ constexpr double min_size = 1e-50, max_size = 1e50;
 
 // The distance that an arc keeps from the cuts, and therefore from the whole boundary of a sector.
 // With it and that of the cuts from the planes, strands of different images are as far apart as
-// required. Strands settle about 0.6 r from a wall, and few come nearer than 0.3 r.
-double wall_distance_of_arc(const Filling_parameters& parameters, double thickness)
+// required. Strands settle about 0.6 r from a wall, and few come nearer than 0.3 r. The images of
+// the arc are nearer to the mesh than the arc by as much as that is asymmetric.
+double wall_distance_of_arc(const Filling_parameters& parameters,
+                            double thickness,
+                            double asymmetry)
 {
   constexpr double of_strands = 0.3; // in units of the thickness
   const bool is_required = curves::internal::shape_goal(parameters).is_given();
-  return (std::max)(is_required ? of_strands * thickness : 0, parameters.wall_distance);
+  const double of_wall = parameters.wall_distance > 0 ? parameters.wall_distance + asymmetry : 0;
+  return (std::max)(is_required ? of_strands * thickness : 0, of_wall);
 }
 
 // The distance of the cuts from the planes of the symmetry. For a strand distance of 1.6 r, the
 // cuts of a box and a torus were moved from 0.2 r to 0.35, 0.5 and 0.7 r: 85, 83, 81 and 77 % of
 // the volume were within r.
-double distance_of_cuts(const Filling_parameters& parameters, double thickness)
+double distance_of_cuts(const Filling_parameters& parameters, double thickness, double of_arc)
 {
   constexpr double least = 0.2; // in units of the thickness
   constexpr double rounding = 1 + 1e-6;
   const double distance = curves::internal::shape_goal(parameters).strand_distance.at(thickness);
-  return (std::max)(least * thickness,
-                    rounding * distance / 2 - wall_distance_of_arc(parameters, thickness));
+  return (std::max)(least * thickness, rounding * distance / 2 - of_arc);
 }
 
 Input_error fault(const std::string& file, const std::string& text, const std::string& expected)
@@ -73,10 +76,11 @@ void require_moderate_size(const Mesh& mesh, const std::string& file)
                 "a mesh of a size from 1e-50 to 1e50, as --symmetry needs");
 }
 
-void require_symmetric(const Mesh& mesh,
-                       const Symmetry& symmetry,
-                       double thickness,
-                       const std::string& file)
+// Returns how far apart the mesh and its image are.
+double asymmetry_of(const Mesh& mesh,
+                    const Symmetry& symmetry,
+                    double thickness,
+                    const std::string& file)
 {
   std::vector<Point> images;
   for(const Mesh::Vertex_index v : mesh.vertices())
@@ -85,6 +89,7 @@ void require_symmetric(const Mesh& mesh,
   if(distance > max_asymmetry * thickness)
     throw fault(file, "the mesh and its image are up to " + to_text(distance) + " apart",
                 "a mesh that --symmetry maps onto itself within r / 100");
+  return distance;
 }
 
 // Returns a box with one side in the plane that contains the part of another box on the positive
@@ -218,17 +223,17 @@ Sector sector_of(const Mesh& mesh,
 {
   const double thickness =
       (std::max)(parameters.thickness, curves::internal::min_thickness_for(parameters));
-  const double distance = distance_of_cuts(parameters, thickness);
   require_moderate_size(mesh, file);
-  require_symmetric(mesh, symmetry, thickness, file);
+  const double wall_distance =
+      wall_distance_of_arc(parameters, thickness, asymmetry_of(mesh, symmetry, thickness, file));
+  const double distance = distance_of_cuts(parameters, thickness, wall_distance);
   const double depth = min_depth * thickness;
   const auto places = Port_search(domain, symmetry, parameters.wall_distance)(depth);
   if(places.empty())
     throw fault(file, "strands have no room where --symmetry cuts the mesh",
                 "a mesh that --symmetry cuts where points lie " +
                     to_text(depth + parameters.wall_distance) + " below the surface");
-  Sector sector{mesh, ports_of(symmetry, places, distance),
-                wall_distance_of_arc(parameters, thickness)};
+  Sector sector{mesh, ports_of(symmetry, places, distance), wall_distance};
   cut(sector.mesh, symmetry, distance, file);
   return sector;
 }
