@@ -139,17 +139,20 @@ void write_files(Session& session,
   session.end_stage("writing");
 }
 
-// Strands that are in the way of the scaling end it early.
-void check_length(const Session& session,
-                  const Untangle_options& options,
-                  const Curve& curve,
-                  double wanted)
+// Returns whether the curve has its former length, if it is to. Strands that are in the way of the
+// scaling end it early.
+bool is_length_kept(const Session& session,
+                    const Untangle_options& options,
+                    const Curve& curve,
+                    double wanted)
 {
   constexpr double precision = 1e-9;
   const double length = curves::length(curve);
-  if(options.parameters.keep_length && std::abs(length - wanted) > precision * wanted)
-    session.console().warn("--keep-length: the length is " + to_text(length) + " instead of " +
-                           to_text(wanted));
+  if(!options.parameters.keep_length || std::abs(length - wanted) <= precision * wanted)
+    return true;
+  session.console().warn("--keep-length: the length is " + to_text(length) + " instead of " +
+                         to_text(wanted));
+  return false;
 }
 
 int run(Session& session, const Untangle_options& options)
@@ -184,15 +187,18 @@ int run(Session& session, const Untangle_options& options)
     result = untangle(session, curve, domain, options, state, certificate, patience, observer);
     observer.finish(result.statistics.iterations, curve);
   }
-  check_length(session, options, curve, length);
+  const bool is_kept = is_length_kept(session, options, curve, length);
   report_stages(session, result.statistics);
   write_files(session, options, curve, result.thickness, certificate);
   if(session.has_report())
     report_shape(session.report(), curve, result.thickness, Patience(patience.seconds_left()));
   session.end_stage("measuring");
   report_run(session.report(), curve, result, options.parameters.strategy);
+  const Exit_status status = exit_status(result.status);
+  const bool misses_length = status == GOAL_REACHED && !is_kept;
+  if(misses_length) session.report()["status"] = "length_not_reached";
   session.print_summary(summary(session, curve, result));
-  return exit_status(result.status);
+  return misses_length ? LIMIT_REACHED : status;
 }
 
 } // namespace
@@ -213,7 +219,7 @@ void add_untangle_command(Command_line& command_line)
       "The curve moves until it is proved unknotted, is tight, or stops making progress; it never\n"
       "passes through itself. Curves with pinned ends use the strategy flow. SIGINT and SIGTERM\n"
       "stop the run and write the current curve; a second signal ends the program.\n"
-      "Exit status: 0 unknotted or converged, 2 limit reached or constraint not reached,\n"
+      "Exit status: 0 unknotted or converged, 2 limit, length or constraint not reached,\n"
       "3 stalled, 5 interrupted.");
 }
 

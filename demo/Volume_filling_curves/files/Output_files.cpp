@@ -7,11 +7,13 @@
 #include "files/Output_files.h"
 
 #include "session/errors.h"
+#include "session/interruption.h"
 
 #include <CGAL/Volume_filling_curves/internal/text/whole_files.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 namespace vfc {
@@ -23,6 +25,7 @@ namespace files = CGAL::Volume_filling_curves::internal;
 // Only an attempt shows whether a file can be created.
 std::error_code try_to_create(const fs::path& path)
 {
+  const Complete_file scope;
   fs::path written;
   std::error_code error = files::write_beside(path, "", written), ignored;
   if(!error) fs::remove(written, ignored);
@@ -40,6 +43,42 @@ void check_writable(const std::string& option, const fs::path& path)
   const fs::path target = files::behind_links(path, error);
   if(!error) error = try_to_create(target);
   if(error) refuse(option, path.string(), "cannot be written: " + error.message());
+}
+
+// The checked outputs that do not exist, and must not be replaced if they do when they are written.
+std::set<fs::path>& new_files()
+{
+  static std::set<fs::path> files;
+  return files;
+}
+
+// Gives a file its name, unless a file has that name. Some file systems have no hard links.
+std::error_code publish(const fs::path& written, const fs::path& target)
+{
+  std::error_code error, ignored;
+  fs::create_hard_link(written, target, error);
+  if(!error) {
+    fs::remove(written, ignored);
+  } else if(error != std::errc::file_exists) {
+    if(fs::exists(target, ignored)) return std::make_error_code(std::errc::file_exists);
+    error.clear();
+    fs::rename(written, target, error);
+  }
+  return error;
+}
+
+std::error_code write_new_file(const fs::path& path, const std::string& content)
+{
+  fs::path written;
+  std::error_code error;
+  const fs::path target = files::behind_links(path, error);
+  if(!error) error = files::write_beside(target, content, written);
+  if(error) return error;
+  error = publish(written, target);
+  if(error == std::errc::file_exists)
+    throw Usage_error(path.string() + ": exists now and is not overwritten; the output is in " +
+                      written.string());
+  return error;
 }
 
 // Also through links, hard links, and for files that do not exist yet.
@@ -113,6 +152,7 @@ void Output_files::add(const std::string& option, const std::string& path, bool 
   if(fs::exists(status) && !fs::is_regular_file(status)) return;
   if(fs::exists(status) && !may_overwrite) refuse(option, path, "exists; --force overwrites it");
   check_writable(option, path);
+  if(!fs::exists(status) && !may_overwrite) new_files().insert(path);
   m_outputs.push_back({option, path});
 }
 
@@ -141,7 +181,10 @@ void Output_files::add_folder(const std::string& option,
 
 void Output_files::write(const std::string& path, const std::string& content)
 {
-  if(const std::error_code error = files::write_whole_file(path, content))
+  const Complete_file scope;
+  const bool is_new = new_files().erase(path) > 0;
+  if(const std::error_code error =
+         is_new ? write_new_file(path, content) : files::write_whole_file(path, content))
     throw Usage_error(path + ": cannot be written: " + error.message());
 }
 

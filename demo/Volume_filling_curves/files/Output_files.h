@@ -49,7 +49,9 @@ public:
   // Returns the checked options that name outputs: "--output, --map".
   std::string options() const;
 
-  // Writes a complete file, or leaves the old one unchanged. \throws Usage_error
+  // Writes a complete file, or leaves the old one unchanged. A file that has appeared since the
+  // checks, such as that of another run, is not overwritten: the message then names another file,
+  // which holds the output. \throws Usage_error
   static void write(const std::string& path, const std::string& content);
 
 private:

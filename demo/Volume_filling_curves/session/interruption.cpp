@@ -22,6 +22,7 @@ namespace vfc {
 namespace {
 
 volatile std::sig_atomic_t is_polled = 0;
+volatile std::sig_atomic_t is_writing = 0;
 bool are_polls_ignored = false;
 volatile std::sig_atomic_t is_requested = 0;
 
@@ -59,15 +60,18 @@ void say_last_words() {}
 
 #endif
 
+[[noreturn]] void end_at_once()
+{
+  if(has_last_words != 0) say_last_words();
+  std::_Exit(INTERRUPTED);
+}
+
 } // namespace
 
 extern "C" {
 static void on_interruption(int signal)
 {
-  if(is_polled == 0 || is_requested != 0) {
-    if(has_last_words != 0) say_last_words();
-    std::_Exit(INTERRUPTED);
-  }
+  if((is_polled == 0 && is_writing == 0) || is_requested != 0) end_at_once();
   is_requested = 1;
   std::signal(signal, on_interruption); // System V resets it
 }
@@ -89,6 +93,17 @@ void poll_interruptions()
 void ignore_polls()
 {
   are_polls_ignored = true;
+}
+
+Complete_file::Complete_file()
+{
+  is_writing = 1;
+}
+
+Complete_file::~Complete_file()
+{
+  is_writing = 0;
+  if(is_requested != 0 && is_polled == 0) end_at_once();
 }
 
 bool is_interruption_requested()

@@ -21,12 +21,24 @@ namespace vfc {
 // the program and leave a part of the file). SIGINT and SIGTERM end the program at once, with the
 // status for interruptions, until the first poll: reading and repair have nothing worth saving.
 // From then on the first signal is a request to finish and save the result, and the second one ends
-// the program at once.
+// the program at once. A first signal also waits until a file is complete, see Complete_file.
 
 void handle_signals();
 void poll_interruptions();
 void ignore_polls(); // for those who lose nothing that is complete when they end at once
 bool is_interruption_requested();
+
+// While it exists, a first signal does not end the program, which does so afterwards: files that
+// are being written, or tested, would be left incomplete under temporary names.
+class Complete_file
+{
+public:
+  Complete_file();
+  ~Complete_file();
+
+  Complete_file(const Complete_file&) = delete;
+  Complete_file& operator=(const Complete_file&) = delete;
+};
 
 // Returns whether a run of the library continues, for its parameter `progress`.
 bool is_to_go_on(const CGAL::Volume_filling_curves::Run_progress& progress);

@@ -14,12 +14,11 @@
  * define the functions that it uses.
  *
  * A run is a sequence of flows and searches. `fill()` consists of one flow,
- * `Untangling_strategy::SEARCH` of one search. `Untangling_strategy::FLOW` consists of one flow if a
- * thickness is given; a measured one that proves too small is followed by a flow with a larger one.
- * With `Untangling_strategy::AUTO` a flow follows a search; if the flow jams, both are repeated, up
- * to four times. During each flow the
- * functions are called in the order `on_start()`, `go_further()`, `on_iteration()`, `go_further()`,
- * `on_iteration()`, ...
+ * `Untangling_strategy::SEARCH` of one search. `Untangling_strategy::FLOW` consists of one flow if
+ * a thickness is given; a measured one that proves too small is followed by a flow with a larger
+ * one. With `Untangling_strategy::AUTO` a flow follows a search; if the flow jams, both are
+ * repeated, up to four times. During each flow the functions are called in the order `on_start()`,
+ * `go_further()`, `on_iteration()`, `go_further()`, `on_iteration()`, ...
  *
  * All functions are called between steps, in the thread that called `untangle()` or `fill()`; the
  * reading functions of `CGAL::Volume_filling_curves::Curve_flow_3` then describe the current curve.

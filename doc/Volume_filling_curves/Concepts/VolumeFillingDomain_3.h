@@ -41,8 +41,8 @@ public:
   /// \name Types
   /// @{
 
-  /// The point type of the curve, that is, `CurveFlowTraits_3::Point_3` of its traits, constructible
-  /// from three coordinates of type `double`.
+  /// The point type of the curve, that is, `CurveFlowTraits_3::Point_3` of its traits,
+  /// constructible from three coordinates of type `double`.
   typedef unspecified_type Point_3;
 
   /// A type of vectors, constructible from three coordinates of type `double`, for example that of

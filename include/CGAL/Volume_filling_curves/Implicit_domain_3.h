@@ -127,8 +127,8 @@ public:
   double distance(const Point_3& p) const { return (std::max)(-value(p) / m_lipschitz, 0.); }
 
   /// returns a lower bound of the distance from `p` to the boundary along the unit vector
-  /// `direction`, at most `limit`. The search ends where the boundary is nearer than a thousandth of
-  /// `limit` and does not recede: there it also ends for a direction along the boundary.
+  /// `direction`, at most `limit`. The search ends where the boundary is nearer than a thousandth
+  /// of `limit` and does not recede: there it also ends for a direction along the boundary.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
     const Vector origin = internal::to_vector(p), u = internal::to_vector(direction);

@@ -52,7 +52,8 @@ public:
    * \param values the values at its vertices, in the order of `vertices(mesh)`
    *
    * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
-   * if the values and the vertices differ in number, or if a coordinate is not finite or beyond 1e100
+   * if the values and the vertices differ in number, or if a coordinate is not finite or beyond
+   * 1e100
    */
   template <typename TriangleMesh>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const std::vector<double>& values)
@@ -123,7 +124,8 @@ public:
    * \param vectors the vectors at its vertices, in the order of `vertices(mesh)`
    *
    * \throws std::invalid_argument if a face is not a triangle, if there are fewer than two faces,
-   * if the vectors and the vertices differ in number, or if a coordinate is not finite or beyond 1e100
+   * if the vectors and the vertices differ in number, or if a coordinate is not finite or beyond
+   * 1e100
    */
   template <typename TriangleMesh>
   Mesh_direction_field_3(const TriangleMesh& mesh,

@@ -285,8 +285,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
  *
  * If all crossings can be removed, the link is trivial. If two components have a linking number
  * other than 0, or the determinant, Alexander polynomial or HOMFLY-PT polynomial differs from that
- * of the trivial link, it is not. The HOMFLY-PT polynomial is skipped if it would take more than about a second. Takes milliseconds up to some hundred
- * crossings.
+ * of the trivial link, it is not. The HOMFLY-PT polynomial is skipped if it would take more than
+ * about a second. Takes milliseconds up to some hundred crossings.
  *
  * \throws std::invalid_argument if the crossings are not a planar diagram code
  */

@@ -56,7 +56,8 @@ namespace Volume_filling_curves {
  * \param np \vfcNamedParams{Tube_signature}
  *
  * \throws std::invalid_argument if the curve has a junction, if a radius is not positive and
- * finite, or if there are fewer than 3 sides
+ * finite, or so small that it is lost in the rounding of the coordinates, or if there are fewer
+ * than 3 sides
  *
  * \pre the network has no garbage
  * \pre the nodes of an edge are distinct

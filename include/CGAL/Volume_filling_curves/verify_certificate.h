@@ -96,9 +96,10 @@ Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
  * \brief verifies that a certificate proves the curves `start` and `end` to be ambient isotopic.
  *
  * All operations are replayed by an implementation that shares no geometric code with
- * `Isotopy_guard_3`, only the format of the bytes and the order of the nodes in it; questions that `double` arithmetic cannot settle are decided with rational numbers. A certificate
- * that was altered, truncated or made for other curves is rejected. So is a forged one with
- * matching hashes, unless its operations are a valid proof all the same.
+ * `Isotopy_guard_3`, only the format of the bytes and the order of the nodes in it; questions that
+ * `double` arithmetic cannot settle are decided with rational numbers. A certificate that was
+ * altered, truncated or made for other curves is rejected. So is a forged one with matching hashes,
+ * unless its operations are a valid proof all the same.
  *
  * The numbering of nodes, the direction of edges and pins do not matter. Domains are ignored; the
  * overload below takes one.

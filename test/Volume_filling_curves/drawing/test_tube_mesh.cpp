@@ -254,7 +254,7 @@ TEST(Tube_mesh, refuses_junctions_and_wrong_parameters)
   const Curve circle = make_regular_polygon(30);
   Mesh mesh;
   EXPECT_THROW(tube_mesh(star, 0.1, mesh), std::invalid_argument);
-  for(const double radius : {0., -1., std::nan(""), HUGE_VAL})
+  for(const double radius : {0., -1., std::nan(""), HUGE_VAL, 1e-15})
     EXPECT_THROW(tube_mesh(circle, radius, mesh), std::invalid_argument);
   EXPECT_THROW(tube_mesh(circle, 0.1, mesh, parameters::number_of_sides(2)), std::invalid_argument);
   EXPECT_EQ(mesh.number_of_vertices(), 0u);

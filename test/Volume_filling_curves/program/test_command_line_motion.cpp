@@ -248,6 +248,44 @@ TEST_F(Command_line_motion, signals_interrupt_and_save_the_curve)
   }
 }
 
+TEST_F(Command_line_motion, signals_leave_no_files_under_temporary_names)
+{
+  program_test::Background_program vfc(
+      path("."), {"generate", "random-polygon", "--nodes", "300000", "-o", "big.obj"});
+  ASSERT_TRUE(vfc.wait_for([&] { return exists("big.obj.tmp0") || exists("big.obj"); }));
+  const int status = vfc.end(SIGTERM);
+  EXPECT_TRUE(status == 5 || status == 0) << status;
+  for(const auto& entry : std::filesystem::directory_iterator(path(".")))
+    EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
+}
+
+TEST_F(Command_line_motion, files_that_appear_during_a_run_are_kept)
+{
+  make_tangle();
+  program_test::Background_program vfc(path("."), {"untangle", "tangle.obj", "-o", "tight.obj",
+                                                   "--frames", "film", "--quiet", "--tolerance",
+                                                   "0", "--max-iterations", "30"});
+  ASSERT_TRUE(vfc.wait_for([&] { return exists("film/frame_000001.obj"); }));
+  write("tight.obj", "of another run");
+  EXPECT_EQ(vfc.wait(), 1);
+  EXPECT_EQ(read("tight.obj"), "of another run");
+  EXPECT_NE(read("err").find("tight.obj: exists now"), std::string::npos) << read("err");
+  std::filesystem::rename(path("tight.obj.tmp0"), path("saved.obj"));
+  EXPECT_EQ(run("check saved.obj").status, 0);
+}
+
+TEST_F(Command_line_motion, a_length_that_is_not_kept_is_no_success)
+{
+  const std::string knot = std::string(VFC_SHARED_DATA) + "/knot128/knot_9_28.obj";
+  if(!std::filesystem::exists(knot)) GTEST_SKIP() << "the shared data is absent";
+  const Finished untangle = run("untangle " + knot +
+                                " --strategy search --keep-length --finish "
+                                "--seed 6 -o shrunk.obj --report r.json");
+  EXPECT_EQ(untangle.status, 2) << untangle.err;
+  EXPECT_EQ(json("r.json")["status"], "length_not_reached");
+  EXPECT_EQ(json("r.json")["exit_status"], 2);
+}
+
 } // namespace test_command_line_motion
 
 #endif // json.hpp

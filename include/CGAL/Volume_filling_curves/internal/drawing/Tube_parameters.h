@@ -10,6 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
@@ -75,19 +76,26 @@ double radius_at(const Radius& radius, std::size_t v)
     return static_cast<double>(get(radius, v));
 }
 
-// \throws std::invalid_argument unless all radii are positive and finite
+[[noreturn]] inline void refuse_radius(std::size_t v, double radius, const std::string& why)
+{
+  std::ostringstream message;
+  message.imbue(std::locale::classic());
+  message << "the radius at node " << v << " is " << radius << ", " << why;
+  throw std::invalid_argument(message.str());
+}
+
+// \throws std::invalid_argument unless all radii are positive and finite, and kept by rounding
 template <typename Network, typename Radius>
 std::vector<double> radii_of_nodes(const Network& curve, const Radius& radius)
 {
+  constexpr double least = 1e-12; // of the largest coordinate: some 5,000 units in the last place
   std::vector<double> radii;
   for(const std::size_t v : curve.nodes()) {
     radii.push_back(radius_at(radius, v));
-    if(radii.back() > 0 && std::isfinite(radii.back())) continue;
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message << "the radius at node " << v << " is " << radii.back()
-            << ", it must be positive and finite";
-    throw std::invalid_argument(message.str());
+    const double r = radii.back();
+    if(!(r > 0) || !std::isfinite(r)) refuse_radius(v, r, "it must be positive and finite");
+    if(r < least * to_vector(curve.point(v)).cwiseAbs().maxCoeff())
+      refuse_radius(v, r, "which the rounding of coordinates does not keep");
   }
   return radii;
 }

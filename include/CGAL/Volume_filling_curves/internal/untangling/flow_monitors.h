@@ -75,8 +75,8 @@ private:
 class Plateau_monitor
 {
 public:
-  // Returns whether a tight curve may be an unknot, which leaves its plateau later; the plateau then
-  // starts here, unless it has before. \pre there is no domain
+  // Returns whether a tight curve may be an unknot, which leaves its plateau later; the plateau
+  // then starts here, unless it has before. \pre there is no domain
   template <typename Flow>
   bool enter_plateau(const Flow& flow)
   {
