@@ -4,7 +4,8 @@
 #
 # Tests that are scripts run the program, but for those in layout/, which read the sources. They
 # find the program and the data through the environment. Those of sources, scripts and pages, and of
-# bits, which have the label "once", run in one variant.
+# bits, which have the label "once", run in one variant. They start before the shards of the other
+# tests: with sanitizers, one of them takes three times as long as a shard.
 
 file(GLOB scripts CONFIGURE_DEPENDS
   ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.sh ${CMAKE_CURRENT_SOURCE_DIR}/*/test_*.py)
@@ -20,7 +21,7 @@ foreach(script IN LISTS scripts)
   endif()
   add_test(NAME ${name} COMMAND ${interpreter} ${script})
   set_tests_properties(${name} PROPERTIES
-    ENVIRONMENT "${places}" SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS script)
+    ENVIRONMENT "${places}" SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS script COST 500)
   if(name MATCHES "^test_long_")
     set_tests_properties(${name} PROPERTIES LABELS "long;script" TIMEOUT 1500 COST 1000)
   elseif(script MATCHES "/layout/|/test_(benchmark_script|commit|film_in_browser|vectorization)[.]py$")
