@@ -50,8 +50,8 @@ TEST_F(Repair, takes_out_faces_whose_corners_lie_on_a_line)
   const vfc::Mending mending = mend(soup);
   EXPECT_FALSE(is_wrapped(mending));
   EXPECT_EQ(mesh.number_of_vertices(), 9u);
-  for(const auto f : mesh.faces())
-    EXPECT_FALSE(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, mesh));
+  for(const auto face : mesh.faces())
+    EXPECT_FALSE(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(face, mesh));
   EXPECT_NEAR(volume(), 1, 1e-12);
   EXPECT_LT(mending.from_file, 1e-12);
 }

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_filling_curves/Curve_flow_traits_3.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Exact_predicates.h>
 
-#include <CGAL/enum.h>
+#include <CGAL/Kernel/global_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +53,8 @@ private:
   {
     const auto is_above = [&](const Point_3& p) { return p.z() > m_source.z(); };
     if(std::all_of(face.begin(), face.end(), is_above)) return false; // as most faces are
-    return m_predicates.does_segment_meet_triangle(m_source, m_source, face[0], face[1], face[2]);
+    return Exact_predicates<Traits>(Traits()).does_segment_meet_triangle(m_source, m_source,
+                                                                         face[0], face[1], face[2]);
   }
 
   bool is_crossed(const Triangle& face) const
@@ -61,14 +62,14 @@ private:
     const int turn = turn_around_ray(face[0], face[1]);
     return turn != 0 && turn_around_ray(face[1], face[2]) == turn &&
            turn_around_ray(face[2], face[0]) == turn &&
-           m_orientation(face[0], face[1], face[2], m_source) == -turn;
+           CGAL::orientation(face[0], face[1], face[2], m_source) == -turn;
   }
 
   // The direction in which the edge passes the moved ray, seen from above: 1 counterclockwise, -1
   // clockwise, 0 if the edge is vertical.
   int turn_around_ray(const Point_3& a, const Point_3& b) const
   {
-    const int turn = m_turn(from_above(a), from_above(b), from_above(m_source));
+    const int turn = CGAL::orientation(from_above(a), from_above(b), from_above(m_source));
     if(turn != 0) return turn;
     if(a.y() != b.y()) return a.y() > b.y() ? 1 : -1;
     return a.x() == b.x() ? 0 : (a.x() < b.x() ? 1 : -1);
@@ -78,9 +79,6 @@ private:
 
   Point_3 m_source;
   bool m_is_source_on_surface = false, m_is_odd = false;
-  typename Kernel::Orientation_2 m_turn;
-  typename Kernel::Orientation_3 m_orientation;
-  Exact_predicates<Traits> m_predicates{Traits()};
 };
 
 } // namespace internal
