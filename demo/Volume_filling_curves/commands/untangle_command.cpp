@@ -197,7 +197,8 @@ int run(Session& session, const Untangle_options& options)
   const Exit_status status = exit_status(result.status);
   const bool misses_length = status == GOAL_REACHED && !is_kept;
   if(misses_length) session.report()["status"] = "length_not_reached";
-  session.print_summary(summary(session, curve, result));
+  session.print_summary((misses_length ? "length not reached, " : "") +
+                        summary(session, curve, result));
   return misses_length ? LIMIT_REACHED : status;
 }
 

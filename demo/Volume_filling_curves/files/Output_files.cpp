@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -76,8 +77,10 @@ std::error_code write_new_file(const fs::path& path, const std::string& content)
   if(error) return error;
   error = publish(written, target);
   if(error == std::errc::file_exists)
-    throw Usage_error(path.string() + ": exists now and is not overwritten; the output is in " +
-                      written.string());
+    throw Kept_file(path.string() + ": exists now and is not overwritten; the output is in " +
+                    written.string());
+  std::error_code ignored;
+  if(error) fs::remove(written, ignored);
   return error;
 }
 
@@ -179,13 +182,20 @@ void Output_files::add_folder(const std::string& option,
   check_writable(option, folder / "frame");
 }
 
+bool Output_files::is_to_be_new(const std::string& path)
+{
+  return new_files().count(path) > 0;
+}
+
 void Output_files::write(const std::string& path, const std::string& content)
 {
-  const Complete_file scope;
-  const bool is_new = new_files().erase(path) > 0;
-  if(const std::error_code error =
-         is_new ? write_new_file(path, content) : files::write_whole_file(path, content))
-    throw Usage_error(path + ": cannot be written: " + error.message());
+  std::error_code error;
+  std::optional<Complete_file> scope;
+  if(!fs::is_other(fs::status(path, error))) scope.emplace(); // a pipe may wait for its reader
+  error =
+      is_to_be_new(path) ? write_new_file(path, content) : files::write_whole_file(path, content);
+  if(error) throw Usage_error(path + ": cannot be written: " + error.message());
+  new_files().erase(path);
 }
 
 } // namespace vfc

@@ -50,9 +50,11 @@ public:
   std::string options() const;
 
   // Writes a complete file, or leaves the old one unchanged. A file that has appeared since the
-  // checks, such as that of another run, is not overwritten: the message then names another file,
-  // which holds the output. \throws Usage_error
+  // checks, such as that of another run, is not overwritten. \throws Usage_error, and Kept_file
   static void write(const std::string& path, const std::string& content);
+
+  // Returns whether a checked file did not exist, and must not be replaced if it does now.
+  static bool is_to_be_new(const std::string& path);
 
 private:
   struct Input

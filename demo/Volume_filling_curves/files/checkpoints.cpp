@@ -43,12 +43,14 @@ void save_states(const Session& session,
   parameters.build_name = commit();
   if(options.checkpoint.empty()) return;
   using Clock = std::chrono::steady_clock;
-  parameters.checkpoint = [&session, options, last = Clock::now()](const auto& checkpoint) mutable {
+  parameters.checkpoint = [&session, options, last = Clock::now(),
+                           is_kept = false](const auto& checkpoint) mutable {
     const std::chrono::duration<double> seconds = Clock::now() - last;
-    if(!checkpoint.is_last && seconds.count() < options.save_every) return;
+    if(is_kept || (!checkpoint.is_last && seconds.count() < options.save_every)) return;
     try {
       Output_files::write(options.checkpoint, checkpoint.state().bytes());
     } catch(const Usage_error& error) { // the curve is worth more than the state
+      is_kept = dynamic_cast<const Kept_file*>(&error) != nullptr; // of another run
       session.console().warn(error.what());
     }
     last = Clock::now();

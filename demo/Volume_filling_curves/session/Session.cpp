@@ -18,7 +18,7 @@
 namespace vfc {
 namespace {
 
-constexpr const char* nothing_to_write = "vfc: interrupted, with nothing to be written\n";
+constexpr const char* last_line = "vfc: interrupted\n"; // what is complete is written
 
 Verbosity verbosity(const Common_options& options)
 {
@@ -52,7 +52,7 @@ void Session::start_report()
 {
   m_outputs.add("--report", m_options.report != "-" ? m_options.report : "");
   m_has_report = m_has_report || !m_options.report.empty();
-  prepare_last_words(nothing_to_write, "", ""); // the report may still turn out to be an input
+  prepare_last_words(last_line, "", "", true); // the report may still turn out to be an input
 }
 
 void Session::prepare_interruption() const
@@ -60,7 +60,8 @@ void Session::prepare_interruption() const
   Report report = m_report;
   report["status"] = "interrupted";
   report["exit_status"] = INTERRUPTED;
-  prepare_last_words(nothing_to_write, m_options.report, report.to_string());
+  prepare_last_words(last_line, m_options.report, report.to_string(),
+                     Output_files::is_to_be_new(m_options.report));
 }
 
 void Session::require_output() const

@@ -21,6 +21,14 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+// Error of an output whose file has appeared during the run, and is kept: the message names the
+// file that holds the output.
+class Kept_file : public Usage_error
+{
+public:
+  using Usage_error::Usage_error;
+};
+
 // Error of an input, which is not what it should be, such as "a valid curve".
 class Input_error : public std::runtime_error
 {

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <initializer_list>
 
 #ifndef _WIN32
@@ -29,6 +30,7 @@ volatile std::sig_atomic_t is_requested = 0;
 // read by the handler if they are complete
 volatile std::sig_atomic_t has_last_words = 0;
 std::string last_words, file_of_report, report_text;
+bool is_report_new = false;
 
 #ifndef _WIN32
 
@@ -48,7 +50,8 @@ void say_last_words()
   if(file_of_report.empty()) return;
   if(file_of_report == "-") return write_all(STDOUT_FILENO, report_text);
   constexpr mode_t mode = 0666; // less the mask
-  const int file = ::open(file_of_report.c_str(), O_WRONLY | O_CREAT | O_TRUNC, mode);
+  const int file =
+      ::open(file_of_report.c_str(), O_WRONLY | O_CREAT | (is_report_new ? O_EXCL : O_TRUNC), mode);
   if(file < 0) return;
   write_all(file, report_text);
   ::close(file);
@@ -103,7 +106,8 @@ Complete_file::Complete_file()
 Complete_file::~Complete_file()
 {
   is_writing = 0;
-  if(is_requested != 0 && is_polled == 0) end_at_once();
+  const bool has_failed = std::uncaught_exceptions() > 0; // an error names what is lost
+  if(is_requested != 0 && is_polled == 0 && !has_failed) end_at_once();
 }
 
 bool is_interruption_requested()
@@ -118,12 +122,14 @@ bool is_to_go_on(const CGAL::Volume_filling_curves::Run_progress&)
 
 void prepare_last_words(const std::string& line,
                         const std::string& report_file,
-                        const std::string& report)
+                        const std::string& report,
+                        bool is_new_file)
 {
   forget_last_words();
   last_words = line;
   file_of_report = report_file;
   report_text = report;
+  is_report_new = is_new_file;
   has_last_words = 1;
 }
 

@@ -28,8 +28,9 @@ void poll_interruptions();
 void ignore_polls(); // for those who lose nothing that is complete when they end at once
 bool is_interruption_requested();
 
-// While it exists, a first signal does not end the program, which does so afterwards: files that
-// are being written, or tested, would be left incomplete under temporary names.
+// While it exists, a first signal waits: a file that is being written, or tried out, would be left
+// under a temporary name. Afterwards the program ends or, after the first poll, finishes and saves
+// the result.
 class Complete_file
 {
 public:
@@ -44,10 +45,12 @@ public:
 bool is_to_go_on(const CGAL::Volume_filling_curves::Run_progress& progress);
 
 // Output of a program that is ended at once: a line on standard error, and a report. A report is
-// written to "-", which is standard output, to a file, or not at all if that is empty.
+// written to "-", which is standard output, to a file, or not at all if that is empty, or if the
+// file is to be new and is not.
 void prepare_last_words(const std::string& line,
                         const std::string& report_file,
-                        const std::string& report);
+                        const std::string& report,
+                        bool is_new_file);
 
 // Leaves nothing from here on: the report has been written.
 void forget_last_words();

@@ -120,7 +120,7 @@ void compare_with_limits(Filling_result& result,
                          const Filling_parameters& parameters)
 {
   const auto goal = curves::internal::shape_goal(parameters);
-  if(!goal.is_given() || !has_settled(result)) return;
+  if(!goal.is_given()) return;
   const std::vector<double> thickness(curve.number_of_nodes(), result.thickness);
   const curves::internal::Shape_check check(Concurrency(), curve,
                                             curves::internal::Shape_limits(curve, goal, thickness));
@@ -133,7 +133,7 @@ void compare_with_limits(Filling_result& result,
 
 void compare_with_wall(Filling_result& result, const Filling_parameters& parameters)
 {
-  if(!has_settled(result) || result.min_wall_distance >= parameters.wall_distance) return;
+  if(result.min_wall_distance >= parameters.wall_distance) return;
   result.status = curves::Filling_status::CONSTRAINT_NOT_REACHED;
   result.reason = "the curve comes within " + to_text(result.min_wall_distance) +
                   " of the boundary, not " + to_text(parameters.wall_distance) +
@@ -179,6 +179,7 @@ void measure_again(Filling_result& result,
       measure_coverage(result, curve, domain, parameters, *watch);
       curves::internal::measure_shape<Concurrency>(result, curve, domain, result.thickness);
       compare_with_tolerances(result);
+      if(!has_settled(result)) return;
       compare_with_limits(result, curve, parameters);
       compare_with_wall(result, parameters);
     });

@@ -76,7 +76,7 @@ void require_moderate_size(const Mesh& mesh, const std::string& file)
                 "a mesh of a size from 1e-50 to 1e50, as --symmetry needs");
 }
 
-// Returns how far apart the mesh and its image are.
+// Returns how far apart the mesh and its first image are.
 double asymmetry_of(const Mesh& mesh,
                     const Symmetry& symmetry,
                     double thickness,
@@ -224,8 +224,9 @@ Sector sector_of(const Mesh& mesh,
   const double thickness =
       (std::max)(parameters.thickness, curves::internal::min_thickness_for(parameters));
   require_moderate_size(mesh, file);
-  const double wall_distance =
-      wall_distance_of_arc(parameters, thickness, asymmetry_of(mesh, symmetry, thickness, file));
+  const double asymmetry = static_cast<double>(symmetry.order() / 2) * // of all images
+                           asymmetry_of(mesh, symmetry, thickness, file);
+  const double wall_distance = wall_distance_of_arc(parameters, thickness, asymmetry);
   const double distance = distance_of_cuts(parameters, thickness, wall_distance);
   const double depth = min_depth * thickness;
   const auto places = Port_search(domain, symmetry, parameters.wall_distance)(depth);

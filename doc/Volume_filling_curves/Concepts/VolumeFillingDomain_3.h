@@ -14,9 +14,9 @@
  * elementary move, unless `distance()` shows that the triangle is far from the boundary. A curve
  * that starts inside, and whose moves only sweep triangles inside, stays inside. This is as certain
  * as the three answers: a model documents for which data they are exact, answers `false` in case of
- * doubt, and never returns a distance that exceeds the true one by more than rounding: a relative
- * 1e-9, or four units in the last place of the largest coordinate of the box, which the guard
- * subtracts. `distance_along()` only steers the curve.
+ * doubt, and never returns a distance that exceeds the true one by more than rounding, which the
+ * guard subtracts: 1e-9 of the diagonal of the box, or four units in the last place of its largest
+ * coordinate if that is more. `distance_along()` only steers the curve.
  *
  * The members can be called concurrently.
  *

@@ -378,6 +378,10 @@ TEST(Untangling_strategy, keeps_what_a_search_has_found_before_an_interruption)
     EXPECT_LT(edges, simplified.number_of_nodes());
     EXPECT_LE(curve.number_of_nodes(), edges);
     EXPECT_TRUE(invariants_of(curve) == invariants_of(start));
+    curve = start;
+    Impatient_visitor visitor;
+    untangle(curve, parameters::strategy(strategy).visitor(std::ref(visitor)));
+    EXPECT_EQ(curve.number_of_nodes(), visitor.edges);
   }
 }
 

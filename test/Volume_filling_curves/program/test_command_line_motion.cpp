@@ -255,6 +255,7 @@ TEST_F(Command_line_motion, signals_leave_no_files_under_temporary_names)
   ASSERT_TRUE(vfc.wait_for([&] { return exists("big.obj.tmp0") || exists("big.obj"); }));
   const int status = vfc.end(SIGTERM);
   EXPECT_TRUE(status == 5 || status == 0) << status;
+  if(exists("big.obj")) EXPECT_EQ(run("check big.obj").status, 0);
   for(const auto& entry : std::filesystem::directory_iterator(path(".")))
     EXPECT_EQ(entry.path().string().find(".tmp"), std::string::npos) << entry.path();
 }
@@ -262,14 +263,18 @@ TEST_F(Command_line_motion, signals_leave_no_files_under_temporary_names)
 TEST_F(Command_line_motion, files_that_appear_during_a_run_are_kept)
 {
   make_tangle();
-  program_test::Background_program vfc(path("."), {"untangle", "tangle.obj", "-o", "tight.obj",
-                                                   "--frames", "film", "--quiet", "--tolerance",
-                                                   "0", "--max-iterations", "30"});
-  ASSERT_TRUE(vfc.wait_for([&] { return exists("film/frame_000001.obj"); }));
-  write("tight.obj", "of another run");
-  EXPECT_EQ(vfc.wait(), 1);
-  EXPECT_EQ(read("tight.obj"), "of another run");
-  EXPECT_NE(read("err").find("tight.obj: exists now"), std::string::npos) << read("err");
+  program_test::Background_program vfc(
+      path("."), {"untangle", "tangle.obj", "-o", "tight.obj", "--frames", "film", "--quiet",
+                  "--tolerance", "0", "--checkpoint", "state", "--save-every", "0"});
+  for(const std::string name : {"tight.obj", "state"}) write(name, "of another run");
+  ASSERT_TRUE(vfc.wait_for([&] { return exists("film/frame_000003.obj"); }));
+  EXPECT_EQ(vfc.end(SIGINT), 1);
+  for(const std::string name : {"tight.obj", "state"}) {
+    EXPECT_EQ(read(name), "of another run");
+    EXPECT_NE(read("err").find(name + ": exists now"), std::string::npos) << read("err");
+    EXPECT_TRUE(exists(name + ".tmp0"));
+  }
+  ASSERT_TRUE(exists("tight.obj.tmp0"));
   std::filesystem::rename(path("tight.obj.tmp0"), path("saved.obj"));
   EXPECT_EQ(run("check saved.obj").status, 0);
 }

@@ -84,7 +84,7 @@ double radius_at(const Radius& radius, std::size_t v)
   throw std::invalid_argument(message.str());
 }
 
-// \throws std::invalid_argument unless all radii are positive and finite, and kept by rounding
+// \throws std::invalid_argument if a radius is not positive and finite, or lost in rounding
 template <typename Network, typename Radius>
 std::vector<double> radii_of_nodes(const Network& curve, const Radius& radius)
 {
@@ -95,7 +95,7 @@ std::vector<double> radii_of_nodes(const Network& curve, const Radius& radius)
     const double r = radii.back();
     if(!(r > 0) || !std::isfinite(r)) refuse_radius(v, r, "it must be positive and finite");
     if(r < least * to_vector(curve.point(v)).cwiseAbs().maxCoeff())
-      refuse_radius(v, r, "which the rounding of coordinates does not keep");
+      refuse_radius(v, r, "so small that it is lost in the rounding of the coordinates");
   }
   return radii;
 }

@@ -59,8 +59,13 @@ public:
     Search search(coarse, parameters, m_run.parameters.number_of_chains, m_state.seeds.bits());
     const Untangling_status status = run(search, start);
     const bool has_jammed = m_state.searches > 0;
-    const bool is_interrupted = m_run.watch.is_interrupted(); // then no flow follows
-    if(is_time_left(seconds_to_simplify) &&
+    const bool is_interrupted =
+        status == Untangling_status::INTERRUPTED || m_run.watch.is_interrupted();
+    const bool is_time_to_adopt = is_interrupted ? seconds_to_simplify + search.seconds_to_apply() <
+                                                       seconds_after_interruption
+                                                 : is_time_left(seconds_to_simplify);
+    // no flow follows an interruption
+    if(is_time_to_adopt &&
        (!is_flow_next() || is_interrupted || has_jammed || is_simpler(search, coarse)))
       adopt(search);
     ++m_state.searches;
@@ -80,7 +85,8 @@ public:
 private:
   static constexpr std::size_t max_searches = 4;
   static constexpr double patience_growth = 4;
-  static constexpr double share_of_searches = 0.25; // of the time limit, before a flow
+  static constexpr double share_of_searches = 0.25;       // of the time limit, before a flow
+  static constexpr double seconds_after_interruption = 5; // which the result of a search is worth
 
   bool is_alone() const { return m_run.parameters.strategy == Untangling_strategy::SEARCH; }
   bool is_flow_next() const { return m_run.parameters.strategy == Untangling_strategy::AUTO; }
@@ -175,9 +181,9 @@ private:
     return width > 0 ? total_length(curve) / width : std::numeric_limits<double>::infinity();
   }
 
-  // Applies the changes of the copy to the curve, also if an interruption has ended the search: the
-  // best curve so far is its result. A search shrinks a curve by orders of magnitude; the former
-  // length is restored if time allows.
+  // Applies the changes of the copy to the curve, completely if an interruption has ended the
+  // search: its result is the best curve so far. A search shrinks a curve by orders of magnitude;
+  // the former length is restored if time allows.
   void adopt(const Search& search)
   {
     m_state.has_changed_curve = true;
@@ -185,8 +191,8 @@ private:
     const Clearance_scope<Guard> scope(m_run.guard, 0);
     simplify(m_run.guard, nullptr);
     search.apply(m_run.guard, [&] {
-      m_run.watch.must_stop(); // reports
-      return !m_run.watch.is_time_over();
+      return !m_run.watch.must_stop() ||
+             (m_run.watch.is_interrupted() && !m_run.watch.is_time_over());
     });
     m_run.guard.collect_garbage();
     if(has_constrained_node(m_curve)) return;

@@ -102,7 +102,8 @@ struct Untangling_parameters : Curve_run_parameters
   bool lower_ropelength = false;
 
   /// Whether to scale the result, and the returned thickness, to the length of the input, by
-  /// certified steps. Not possible with constrained nodes, hence not with open polylines.
+  /// certified steps, which end early if strands or the rounding of coordinates are in the way. Not
+  /// possible with constrained nodes, hence not with open polylines.
   bool keep_length = false;
 
   /// The least radius with which the result may bend, in the input's unit: that of the arcs that
