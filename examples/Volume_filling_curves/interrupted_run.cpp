@@ -31,7 +31,7 @@ int main()
   vfc::untangle(rest, parameters::resume_from(std::cref(state)));
   //! [resume]
 
-  bool are_same = rest.number_of_nodes() == whole.number_of_nodes();
+  bool are_same = !state.is_empty() && rest.number_of_nodes() == whole.number_of_nodes();
   for(std::size_t v = 0; are_same && v < rest.number_of_nodes(); ++v)
     are_same = rest.point(v) == whole.point(v);
   std::cout << (are_same ? "the same" : "another") << " curve as without a limit\n";
