@@ -18,8 +18,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,16 +30,18 @@ namespace internal {
 
 // Check of a mesh that should bound a domain, which reports the first kind of fault found and the
 // number of its faults. Vertices and faces are numbered from 0, in the order of the original mesh.
-// Copying changes the order of vertices; the Function returns the original number of a vertex. \pre
+// Copying changes the order of vertices; a function returns the original number of a vertex. \pre
 // all faces are triangles
-template <typename Mesh, typename Function>
+template <typename Mesh>
 class Mesh_check
 {
   using Vertex = typename Mesh::Vertex_index;
   using Face = typename Mesh::Face_index;
 
 public:
-  Mesh_check(const Mesh& mesh, const Function& number_of) : m_mesh(mesh), m_number_of(number_of) {}
+  Mesh_check(const Mesh& mesh, std::function<std::size_t(Vertex)> number_of)
+      : m_mesh(mesh), m_number_of(std::move(number_of))
+  {}
 
   // \throws std::invalid_argument if it is not closed, or if a face is invalid
   void check_faces() const
@@ -120,7 +124,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  Function m_number_of;
+  std::function<std::size_t(Vertex)> m_number_of;
 };
 
 } // namespace internal
