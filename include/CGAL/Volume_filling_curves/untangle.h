@@ -169,7 +169,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
 {
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   const internal::Whole_space<Traits, ConcurrencyTag> space;
-  return internal::Untangling_run(curves, space, parameters, internal::unwrapped(visitor))();
+  return internal::run_untangling(curves, space, parameters, internal::unwrapped(visitor));
 }
 
 /*!

@@ -47,10 +47,9 @@ struct Domain_surroundings
 
   void add_rays(Closing_rays<Guard>&, Untangling_parameters&) const {}
 
-  template <typename Visitor>
-  Untangling_result untangle(const Untangling_context<Guard, Visitor>& run) const
+  Untangling_result untangle(const Untangling_context<Flow>& run) const
   {
-    return untangle_by_flow<Flow>(run, {run.parameters.thickness, 0, false, false});
+    return untangle_by_flow(run, {run.parameters.thickness, 0, false, false});
   }
 
   const Domain& domain;
@@ -200,7 +199,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
   const auto& any = internal::any_domain(inside);
   const internal::Domain_surroundings<Traits, std::decay_t<decltype(any)>, ConcurrencyTag>
       surroundings{any};
-  return internal::Untangling_run(curves, surroundings, parameters, internal::unwrapped(visitor))();
+  return internal::run_untangling(curves, surroundings, parameters, internal::unwrapped(visitor));
 }
 
 } // namespace Volume_filling_curves

@@ -178,10 +178,11 @@ TEST(Fill_round, does_not_call_a_curve_stalled_that_cannot_be_polished)
   parameters.bend_radius = 2.5;
   VFC::internal::Run_watch watch;
   VFC::Default_curve_flow_visitor visitor;
+  VFC::internal::Run_visitor_of<Flow, VFC::Default_curve_flow_visitor> visitor_of_run(visitor);
   VFC::internal::Filling_state state;
   const Flow::Thickness thickness(1);
-  VFC::internal::Filling_stage_runner<Flow, VFC::Default_curve_flow_visitor> runner(
-      guard, parameters, thickness, watch, visitor, state);
+  VFC::internal::Filling_stage_runner<Flow> runner(guard, parameters, thickness, watch,
+                                                   visitor_of_run, state);
   runner.run(VFC::internal::Filling_stage::polishing(), thickness);
   EXPECT_FALSE(runner.flow().is_shaped());
   EXPECT_EQ(state.statistics.iterations, 5u);

@@ -21,6 +21,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/filling_measures.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/filling/unfilled_reason.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
@@ -56,7 +57,7 @@ bool grow_tree(Guard& guard, const Survey& survey)
 // While the curve opens or grows, a large cap of the medial radii pulls it into empty space, and a
 // large lambda brings the preconditioner close to the Hessian; then bends are rounded, or, without
 // `round_bends`, the curve settles with the required parameters.
-template <typename Flow, typename Survey, typename Visitor>
+template <typename Flow, typename Survey>
 class Filler
 {
   using Network = typename Flow::Curve_network;
@@ -66,7 +67,7 @@ class Filler
   using Result = Filling_result<Point_3>;
 
 public:
-  Filler(Guard& guard, const Survey& survey, Visitor& visitor, Filling_state& state)
+  Filler(Guard& guard, const Survey& survey, Run_visitor<Flow>& visitor, Filling_state& state)
       : m_guard(guard),
         m_survey(survey),
         m_parameters(survey.parameters()),
@@ -326,7 +327,7 @@ private:
   const Unfilled_space<Network, typename Survey::Samples, typename Flow::Concurrency_tag>
       m_unfilled;
   Thickness m_thickness; // required, or adapted to the required length
-  Filling_stage_runner<Flow, Visitor> m_runner;
+  Filling_stage_runner<Flow> m_runner;
   typename Thickness::Field m_thinning; // where the domain is too thin
 };
 

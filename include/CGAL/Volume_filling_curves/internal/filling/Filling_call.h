@@ -129,13 +129,13 @@ private:
   template <typename Domain>
   Result run(const Domain& domain, const Parameters& parameters)
   {
-    Visitor_in_unit<Visitor> visitor(m_visitor, m_unit);
     const auto& any = any_domain(domain);
     using Domain_3 = std::decay_t<decltype(any)>;
+    using Flow = Curve_flow_3<Traits, Domain_3, ConcurrencyTag>;
+    Visitor_in_unit<Flow, Visitor> visitor(m_visitor, m_unit);
     const Domain_survey<Traits, Domain_3, ConcurrencyTag> survey(any, parameters, m_curves.traits(),
                                                                  m_watch, m_unit);
-    return Filling_run<Traits, Domain_3, ConcurrencyTag, decltype(visitor)>(m_curves, survey,
-                                                                            visitor, m_unit)();
+    return Filling_run<Traits, Domain_3, ConcurrencyTag>(m_curves, survey, visitor, m_unit)();
   }
 
   Result unprepared() const

@@ -30,6 +30,7 @@
 #include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
@@ -51,7 +52,7 @@ namespace internal {
 // Run of fill() in a surveyed domain: warns if it is too thin, places arcs between the ports, or a
 // circle in each part if no curves are given, grows fingers unless the curves should grow from
 // circles, fills the domain, and reports unfilled regions and their cause.
-template <typename Traits, typename Domain, typename ConcurrencyTag, typename Visitor>
+template <typename Traits, typename Domain, typename ConcurrencyTag>
 class Filling_run
 {
   using Network = Curve_network_3<Traits>;
@@ -63,7 +64,7 @@ class Filling_run
 
 public:
   // Takes the unit of the domain and of all lengths, in the caller's unit, the unit of the result.
-  Filling_run(Network& curves, const Survey& survey, Visitor& visitor, double unit)
+  Filling_run(Network& curves, const Survey& survey, Run_visitor<Flow>& visitor, double unit)
       : m_curves(curves),
         m_survey(survey),
         m_domain(survey.samples().domain()),
@@ -190,7 +191,7 @@ private:
   // Interrupts steps, unless states are saved: they are copied between steps.
   Result run_stages(Isotopy_guard_3<Traits, Domain>& guard)
   {
-    std::optional<Filler<Flow, Survey, Visitor>> filler;
+    std::optional<Filler<Flow, Survey>> filler;
     try {
       const Watched_scope scope(m_watch.is_saving() ? nullptr : &m_watch);
       m_watch.begin(Run_stage::FLOWING);
@@ -264,7 +265,7 @@ private:
   const Domain& m_domain;
   const Filling_parameters<Point_3>& m_parameters;
   Run_watch& m_watch;
-  Visitor& m_visitor;
+  Run_visitor<Flow>& m_visitor;
   const double m_unit;
   Start_curves<Network, Survey, ConcurrencyTag> m_start;
   const Thickness_fit m_fit;

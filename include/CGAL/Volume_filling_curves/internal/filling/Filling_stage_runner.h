@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -32,7 +33,7 @@ namespace internal {
 // Runner of the stages of a filling, one after another, each with its own parameters, until the
 // curve has settled or the run ends. A resumed run makes the same decisions, skips the stages that
 // were complete, and continues in the middle of the next one.
-template <typename Flow, typename Visitor>
+template <typename Flow>
 class Filling_stage_runner
 {
   using Guard = typename Flow::Guard;
@@ -45,7 +46,7 @@ public:
                        const Parameters& parameters,
                        const Thickness& thickness,
                        Run_watch& watch,
-                       Visitor& visitor,
+                       Run_visitor<Flow>& visitor,
                        Filling_state& state)
       : m_parameters(parameters),
         m_shape(shape_goal(parameters)),
@@ -263,7 +264,7 @@ private:
   const Shape_goal m_shape; // may be empty
   Run_watch& m_watch;
   Flow m_flow;
-  Visitor& m_visitor;
+  Run_visitor<Flow>& m_visitor;
   Filling_state& m_state;
   std::size_t m_next_number = 0, m_next_points = 0; // of those decided
   std::ptrdiff_t m_next_point = 0;

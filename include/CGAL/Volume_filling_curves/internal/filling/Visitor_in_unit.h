@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/filling/scale.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Thickness_fit.h>
@@ -82,38 +83,38 @@ private:
 
 // A visitor of a run that measures lengths in a unit of its own: shows the caller's visitor the
 // flow in the caller's unit, which is the flow itself if the units are the same.
-template <typename Visitor>
-class Visitor_in_unit
+template <typename Flow, typename Visitor>
+class Visitor_in_unit final : public Run_visitor<Flow>
 {
 public:
   Visitor_in_unit(Visitor& visitor, double unit) : m_visitor(visitor), m_unit(unit) {}
 
-  template <typename Flow>
-  void on_start(const Flow& flow)
+  void on_start(const Flow& flow) override
   {
     show(flow, [this](const auto& shown) { m_visitor.on_start(shown); });
   }
 
-  template <typename Flow>
-  void on_iteration(const Flow& flow)
+  void on_iteration(const Flow& flow) override
   {
     show(flow, [this](const auto& shown) { m_visitor.on_iteration(shown); });
   }
 
-  template <typename Flow>
-  bool go_further(const Flow& flow)
+  bool go_further(const Flow& flow) override
   {
     return show(flow, [this](const auto& shown) { return m_visitor.go_further(shown); });
   }
 
-  void on_thin_domain(Thickness_fit fit)
+  void on_thin_domain(const Thickness_fit& fit) override
   {
-    scale(fit, m_unit);
-    Watched_scope::outside([&] { m_visitor.on_thin_domain(fit); });
+    Thickness_fit shown = fit;
+    scale(shown, m_unit);
+    Watched_scope::outside([&] { m_visitor.on_thin_domain(shown); });
   }
 
+  bool on_search(const Search_progress& progress) override { return m_visitor.on_search(progress); }
+
 private:
-  template <typename Flow, typename Show>
+  template <typename Show>
   auto show(const Flow& flow, const Show& show) const
   {
     return Watched_scope::outside(

@@ -29,14 +29,16 @@ namespace internal {
 
 // Random searches of a run, each longer than the last. A search changes a simplified copy of the
 // curve; the curve adopts the result if this leaves less work to the next flow.
-template <typename Guard, typename ConcurrencyTag, typename Visitor>
+template <typename Flow>
 class Curve_search
 {
+  using Guard = typename Flow::Guard;
   using Network = typename Guard::Curve_network;
-  using Search = Polygon_search<Guard, ConcurrencyTag>;
+  using Concurrency_tag = typename Flow::Concurrency_tag;
+  using Search = Polygon_search<Guard, Concurrency_tag>;
 
 public:
-  explicit Curve_search(const Untangling_context<Guard, Visitor>& run)
+  explicit Curve_search(const Untangling_context<Flow>& run)
       : m_run(run), m_curve(run.guard.curve()), m_state(run.state.search)
   {
     if(m_state.searches > 0) return; // in a run that was interrupted
@@ -177,7 +179,7 @@ private:
   {
     const std::size_t directions = m_run.parameters.number_of_directions;
     const double width =
-        Default_thickness<Network, ConcurrencyTag>(curve, directions, &m_run.watch)();
+        Default_thickness<Network, Concurrency_tag>(curve, directions, &m_run.watch)();
     return width > 0 ? total_length(curve) / width : std::numeric_limits<double>::infinity();
   }
 
@@ -202,7 +204,7 @@ private:
     }
   }
 
-  Untangling_context<Guard, Visitor> m_run;
+  Untangling_context<Flow> m_run;
   const Network& m_curve;
   Search_state& m_state;
 };

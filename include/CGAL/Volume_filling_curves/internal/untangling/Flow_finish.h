@@ -151,14 +151,14 @@ bool make_round(Guard& guard)
 
 // Work after a flow: a descent to a lower ropelength and, for unknots, shrinking to their final
 // length and a round shape.
-template <typename Flow, typename Visitor>
+template <typename Flow>
 class Flow_finish
 {
   using Guard = typename Flow::Guard;
-  using Rules = Flow_stop_rules<Flow, Visitor>;
+  using Rules = Flow_stop_rules<Flow>;
 
 public:
-  Flow_finish(const Untangling_context<Guard, Visitor>& run,
+  Flow_finish(const Untangling_context<Flow>& run,
               Flow& flow,
               const Flow_start& start,
               Rules& rules)
@@ -212,7 +212,7 @@ public:
   bool is_ropelength_lowered() const { return m_is_ropelength_lowered; }
 
 private:
-  const Untangling_context<Guard, Visitor>& m_run;
+  const Untangling_context<Flow>& m_run;
   Flow& m_flow;
   const Flow_start& m_start;
   Rules& m_rules;

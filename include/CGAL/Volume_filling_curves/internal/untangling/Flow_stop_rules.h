@@ -41,16 +41,14 @@ struct Flow_start
 // The gradient, in units of 1 / r, is also below the tolerance on curves that are loose but smooth
 // on the scale of r, such as a loop of radius 143 r. A curve is therefore tight only if contacts
 // and bends also balance the pull of its length.
-template <typename Flow, typename Visitor>
+template <typename Flow>
 class Flow_stop_rules
 {
   using Network = typename Flow::Curve_network;
   using Guard = typename Flow::Guard;
 
 public:
-  Flow_stop_rules(const Untangling_context<Guard, Visitor>& run,
-                  const Flow& flow,
-                  const Flow_start& start)
+  Flow_stop_rules(const Untangling_context<Flow>& run, const Flow& flow, const Flow_start& start)
       : m_run(run), m_flow(flow), m_start(start), m_state(run.state.flow_run)
   {}
 
@@ -199,7 +197,7 @@ private:
            iterations - m_state.iterations_to_proof >= max_iterations_to_settle;
   }
 
-  const Untangling_context<Guard, Visitor>& m_run;
+  const Untangling_context<Flow>& m_run;
   const Flow& m_flow;
   const Flow_start& m_start;
   Flow_run_state& m_state;

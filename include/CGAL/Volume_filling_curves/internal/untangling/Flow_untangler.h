@@ -29,13 +29,13 @@ namespace internal {
 
 // Flow until the curve is proved unknotted, is tight, or stops making progress, coarse while the
 // curve shrinks fast. Closing rays that block the curve turn outwards.
-template <typename Flow, typename Visitor>
+template <typename Flow>
 class Flow_untangler
 {
   using Guard = typename Flow::Guard;
 
 public:
-  Flow_untangler(const Untangling_context<Guard, Visitor>& run, const Flow_start& start)
+  Flow_untangler(const Untangling_context<Flow>& run, const Flow_start& start)
       : m_run(run),
         m_flow(run.guard,
                run.parameters,
@@ -220,23 +220,22 @@ private:
   static constexpr double coarse_spacing = 0.5;    // likewise
   static constexpr double coarse_step = 2.5;       // in units of the largest displacement
 
-  Untangling_context<Guard, Visitor> m_run;
+  Untangling_context<Flow> m_run;
   Flow m_flow;
   Flow_start m_start;
   Flow_run_state& m_state;
-  Flow_stop_rules<Flow, Visitor> m_rules{m_run, m_flow, m_start};
-  Flow_finish<Flow, Visitor> m_finish{m_run, m_flow, m_start, m_rules};
-  Shape_finish<Flow, Visitor> m_shape_finish{m_run, m_flow, m_rules};
+  Flow_stop_rules<Flow> m_rules{m_run, m_flow, m_start};
+  Flow_finish<Flow> m_finish{m_run, m_flow, m_start, m_rules};
+  Shape_finish<Flow> m_shape_finish{m_run, m_flow, m_rules};
 };
 
-template <typename Flow, typename Guard, typename Visitor>
-Untangling_result untangle_by_flow(const Untangling_context<Guard, Visitor>& run,
-                                   const Flow_start& start)
+template <typename Flow>
+Untangling_result untangle_by_flow(const Untangling_context<Flow>& run, const Flow_start& start)
 {
   run.watch.progress().iterations = 0; // no more of the search
   run.watch.begin(Run_stage::FLOWING);
   try {
-    return Flow_untangler<Flow, Visitor>(run, start)();
+    return Flow_untangler<Flow>(run, start)();
   } catch(const Run_stopped&) { // before the first step
     Untangling_result result = result_without_flow(run.guard.curve(), run.status_when_stopped());
     result.thickness = start.thickness;

@@ -47,14 +47,14 @@ inline double min_thickness_for(const Untangling_parameters& parameters)
 // The end of a flow towards a required shape: projections open its tight bends and part its close
 // strands until both limits are kept, or until nothing moves any more. They come last, since any
 // later change of a few nodes would bend the curve more tightly.
-template <typename Flow, typename Visitor>
+template <typename Flow>
 class Shape_finish
 {
   using Guard = typename Flow::Guard;
-  using Rules = Flow_stop_rules<Flow, Visitor>;
+  using Rules = Flow_stop_rules<Flow>;
 
 public:
-  Shape_finish(const Untangling_context<Guard, Visitor>& run, Flow& flow, Rules& rules)
+  Shape_finish(const Untangling_context<Flow>& run, Flow& flow, Rules& rules)
       : m_run(run), m_flow(flow), m_rules(rules)
   {}
 
@@ -93,7 +93,7 @@ private:
     m_run.visitor.on_iteration(m_flow);
   }
 
-  const Untangling_context<Guard, Visitor>& m_run;
+  const Untangling_context<Flow>& m_run;
   Flow& m_flow;
   Rules& m_rules;
   Idle_steps m_idle_steps;

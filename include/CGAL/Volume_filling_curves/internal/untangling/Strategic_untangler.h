@@ -25,14 +25,13 @@ namespace internal {
 // does, and others within milliseconds, but ends with a coarse, irregular polygon; the flow makes
 // it even and smooth. If the search finds nothing simpler, the flow starts from the input. If the
 // flow jams, the search runs again, for longer, and the next flow is thinner.
-template <typename Flow, typename ConcurrencyTag, typename Visitor>
+template <typename Flow>
 class Strategic_untangler
 {
   using Network = typename Flow::Curve_network;
-  using Guard = typename Flow::Guard;
 
 public:
-  explicit Strategic_untangler(const Untangling_context<Guard, Visitor>& run)
+  explicit Strategic_untangler(const Untangling_context<Flow>& run)
       : m_run(run), m_curve(run.guard.curve()), m_thickness(run.state.thickness), m_search(run)
   {}
 
@@ -110,7 +109,7 @@ private:
     if(is_after_search && !m_search.is_last()) start.patience = 0; // a search is faster
     start.is_last = !is_after_search || !m_search.can_be_repeated();
     start.can_be_thicker = can_be_thicker();
-    const Untangling_result result = untangle_by_flow<Flow>(m_run, start);
+    const Untangling_result result = untangle_by_flow(m_run, start);
     statistics += result.statistics;
     return completed(result);
   }
@@ -123,10 +122,10 @@ private:
     return result;
   }
 
-  Untangling_context<Guard, Visitor> m_run;
+  Untangling_context<Flow> m_run;
   const Network& m_curve;
   double& m_thickness; // of the next flow; 0 if it is to be measured
-  Curve_search<Guard, ConcurrencyTag, Visitor> m_search;
+  Curve_search<Flow> m_search;
 };
 
 // The whole space as the surroundings of an Untangling_run: all strategies, and rays at pinned
@@ -151,10 +150,9 @@ struct Whole_space
     }
   }
 
-  template <typename Visitor>
-  Untangling_result untangle(const Untangling_context<Guard, Visitor>& run) const
+  Untangling_result untangle(const Untangling_context<Flow>& run) const
   {
-    return Strategic_untangler<Flow, ConcurrencyTag, Visitor>(run)();
+    return Strategic_untangler<Flow>(run)();
   }
 };
 

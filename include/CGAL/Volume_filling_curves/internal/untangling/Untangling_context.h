@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/flow_monitors.h>
@@ -88,14 +89,16 @@ struct Untangling_state
 };
 
 // Parts of a run that all strategies share.
-template <typename Guard, typename Visitor>
+template <typename Flow>
 struct Untangling_context
 {
+  using Guard = typename Flow::Guard;
+
   Guard& guard;
   Closing_rays<Guard>& rays;
   const Untangling_parameters& parameters;
   Run_watch& watch; // of the guard as well
-  Visitor& visitor;
+  Run_visitor<Flow>& visitor;
   Untangling_state& state;
 
   // The status of a run that the watch has stopped.

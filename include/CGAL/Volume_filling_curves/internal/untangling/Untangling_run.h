@@ -24,8 +24,8 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
-#include <CGAL/Volume_filling_curves/internal/support/check_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Shape_finish.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Untangling_context.h>
@@ -47,11 +47,10 @@ namespace internal {
 // Run of untangle(): checks the curves, untangles them through a guard by a strategy, with closing
 // rays at open ends, and keeps the tighter one of input and result. The `Surroundings`, the whole
 // space or a domain, check the curves, make their guard and provide the strategies.
-template <typename Surroundings, typename Visitor>
+template <typename Surroundings>
 class Untangling_run
 {
-  static_assert(check_visitor<Visitor, typename Surroundings::Flow>());
-
+  using Flow = typename Surroundings::Flow;
   using Guard = typename Surroundings::Guard;
   using Network = typename Guard::Curve_network;
   using Shape_point = Curve_flow_traits_3<>::Point_3; // of an Untangling_result
@@ -60,7 +59,7 @@ public:
   Untangling_run(Network& curves,
                  const Surroundings& surroundings,
                  const Untangling_parameters& parameters,
-                 Visitor& visitor)
+                 Run_visitor<Flow>& visitor)
       : m_curves(curves),
         m_surroundings(surroundings),
         m_parameters(parameters),
@@ -161,8 +160,7 @@ private:
       state.sphere = rays.sphere();
       state.thickness = state.thickness_of_rays = parameters.thickness;
     }
-    const Untangling_context<Guard, Visitor> context{guard,   rays,      parameters,
-                                                     m_watch, m_visitor, state};
+    const Untangling_context<Flow> context{guard, rays, parameters, m_watch, m_visitor, state};
     Untangling_result result = m_surroundings.untangle(context);
     // in a domain, where there are no rays, strands can slip off pinned ends
     const bool can_slip_off = Guard::Boundary::is_bounded && rays.are_needed();
@@ -174,7 +172,7 @@ private:
   // there are none, and it is to be measured later.
   double thickness_for_shape()
   {
-    using Default = Default_thickness<Network, typename Surroundings::Flow::Concurrency_tag>;
+    using Default = Default_thickness<Network, typename Flow::Concurrency_tag>;
     const double least = min_thickness_for(m_parameters);
     double usual = m_parameters.thickness;
     if(least > 0 && usual == 0)
@@ -190,8 +188,7 @@ private:
     const Shape_limits limits(m_curves, shape_goal(m_parameters),
                               std::vector<double>(m_curves.number_of_nodes(), result.thickness));
     result.shape_excesses = shape_excesses<Shape_point>(
-        Shape_check(typename Surroundings::Flow::Concurrency_tag(), m_curves, limits),
-        Curve_flow_traits_3<>());
+        Shape_check(typename Flow::Concurrency_tag(), m_curves, limits), Curve_flow_traits_3<>());
     const bool has_settled = result.status == Untangling_status::CONVERGED ||
                              result.status == Untangling_status::UNKNOTTED;
     if(has_settled && !result.shape_excesses.empty())
@@ -260,9 +257,19 @@ private:
   Network& m_curves;
   const Surroundings m_surroundings;
   const Untangling_parameters& m_parameters;
-  Visitor& m_visitor;
+  Run_visitor<Flow>& m_visitor;
   Run_watch m_watch;
 };
+
+template <typename Surroundings, typename Visitor>
+Untangling_result run_untangling(typename Surroundings::Network& curves,
+                                 const Surroundings& surroundings,
+                                 const Untangling_parameters& parameters,
+                                 Visitor& visitor)
+{
+  Run_visitor_of<typename Surroundings::Flow, Visitor> visitor_of_run(visitor);
+  return Untangling_run<Surroundings>(curves, surroundings, parameters, visitor_of_run)();
+}
 
 } // namespace internal
 } // namespace Volume_filling_curves
