@@ -32,11 +32,15 @@ build() {
   cmake --build "$directory" -j "$parallel_jobs" --target "${@:-all}" -- -k 0
 }
 
+# With jemalloc, clang++ takes a sixth less time, which it spends in malloc(): 268 instead of 324 s for
+# a unit of tests. g++ takes as long as without.
+clang=(-DCMAKE_CXX_COMPILER=clang++ "-DCMAKE_CXX_COMPILER_LAUNCHER=env;LD_PRELOAD=libjemalloc.so.2")
+
 # Options of builds with sanitizers. Without -g1, which takes a twelfth of the time to compile:
 # reports name functions, and lines if behaviour is undefined.
 with_assertions=(-DVFC_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug
   -DCMAKE_CXX_FLAGS_DEBUG="-O2 -D_GLIBCXX_ASSERTIONS")
-sanitized=("${with_assertions[@]}" -DVFC_SANITIZE=address,undefined -DCMAKE_CXX_COMPILER=clang++)
+sanitized=("${with_assertions[@]}" -DVFC_SANITIZE=address,undefined "${clang[@]}")
 
 # --- The count. Checks are lines "passed|failed|skipped <tab> name <tab> reason" of a file, which
 # --- a script shares with the scripts that it calls.
