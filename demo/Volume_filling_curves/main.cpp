@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,15 @@ int refuse(const std::vector<std::string>& arguments, const std::string& message
   return fail(session, FAILURE, message);
 }
 
+// Prints the help or the version that an option asked for.
+int print(const CLI::App& program, const CLI::ParseError& request)
+{
+  const int status = program.exit(request);
+  if(std::cout.flush()) return status;
+  std::cerr << "vfc: error: standard output cannot be written\n";
+  return FAILURE;
+}
+
 int run(const Command_line& command_line)
 {
   Session session(command_line.name, command_line.options);
@@ -90,7 +100,7 @@ int run_program(int argc, char** argv)
   try {
     command_line.program.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
-    if(error.get_exit_code() == 0) return command_line.program.exit(error); // --help, --version
+    if(error.get_exit_code() == 0) return print(command_line.program, error);
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     return refuse(arguments, complaint(error, command_line.program, arguments));
   }

@@ -196,6 +196,18 @@ TEST_F(Command_line_files, a_report_that_cannot_be_written_is_told_after_any_oth
   }
 }
 
+TEST_F(Command_line_files, a_standard_output_that_cannot_be_written_is_an_error)
+{
+  if(!exists("/dev/full")) GTEST_SKIP() << "the system has no /dev/full";
+  make_trefoil();
+  for(const std::string command :
+      {"--help-all", "--version", "fill --help", "measure trefoil.obj"}) {
+    const Finished finished = run(command + " >/dev/full 2>err #"); // instead of run()'s own files
+    EXPECT_EQ(finished.status, 1) << command;
+    EXPECT_NE(finished.err.find("standard output cannot be written"), std::string::npos);
+  }
+}
+
 TEST_F(Command_line_files, a_link_that_leads_nowhere_gets_its_file)
 {
   make_trefoil();

@@ -120,8 +120,8 @@ void check_volume_shares(const Filling_parameters<Point_3>& parameters, bool has
       refuse_value(internal_np::volume_shares_t(), shares[c],
                    "the share of component " + std::to_string(c) + " must be positive and finite");
   if(!shares.empty() && parameters.start != Filling_start::TREE)
-    throw std::invalid_argument("volume_shares: only fingers divide the volume, see "
-                                "Filling_start::TREE");
+    throw std::invalid_argument("volume_shares: only fingers divide the volume, and curves that "
+                                "start from a circle have none");
   if(!shares.empty() && !has_curves && parameters.ports.empty())
     throw std::invalid_argument("volume_shares: there are neither curves nor ports, and a single "
                                 "curve fills each connected part of the domain");
