@@ -4,7 +4,7 @@
 //
 // Author(s) : The Volume_filling_curves authors
 
-// Fills a box with a curve whose strands wind around an axis, like fibres around a pin. Compares
+// Fills a box with a curve whose strands wind around an axis, like fibers around a pin. Compares
 // the alignment with that of a filling without a direction field.
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>

@@ -16,12 +16,14 @@
 namespace vfc {
 namespace {
 
-constexpr std::array crashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::array signals_of_crashes = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 // Data that a signal handler may read.
 std::string line_of_crash;
 volatile std::sig_atomic_t descriptor = -1;
-std::array<char, 1 << 16> stack; // the usual one may have overflowed
+
+// Stack of the handler: the usual one may have overflowed.
+std::array<char, 1 << 16> stack;
 
 } // namespace
 
@@ -35,7 +37,7 @@ static void record_crash(int signal)
     if(written <= 0) break;
     text += written;
   }
-  ::raise(signal); // whose action is the system's again
+  ::raise(signal); // ends the process: SA_RESETHAND has restored the system's action
 }
 }
 
@@ -50,12 +52,12 @@ Crash_record::Crash_record(std::FILE* file, const std::string& line)
   struct sigaction action = {};
   action.sa_handler = record_crash;
   action.sa_flags = static_cast<int>(SA_ONSTACK | SA_NODEFER | SA_RESETHAND);
-  for(const int signal : crashes) ::sigaction(signal, &action, nullptr);
+  for(const int signal : signals_of_crashes) ::sigaction(signal, &action, nullptr);
 }
 
 Crash_record::~Crash_record()
 {
-  for(const int signal : crashes) std::signal(signal, SIG_DFL);
+  for(const int signal : signals_of_crashes) std::signal(signal, SIG_DFL);
   descriptor = -1;
 }
 

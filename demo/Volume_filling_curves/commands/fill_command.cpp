@@ -72,8 +72,8 @@ void plan_files(Session& session, const Fill_options& options)
   session.require_output();
 }
 
-// The certificate comes before the curve: no curve comes out of a run that was to be certified
-// without one.
+// Writes the certificate before the curve, so that no curve is left without the certificate that
+// was asked for.
 void write_certificate_and_start(const Fill_options& options,
                                  const curves::Isotopy_certificate& certificate,
                                  const Filling_result& result)
@@ -102,8 +102,8 @@ int fill_domain(Session& session,
   return filling::report(session, options, curve, domain, directions, result);
 }
 
-// Returns the curve of an arc and its images. If there is none, writes the arc: it is certified,
-// and may have taken long.
+// Returns the curve of an arc and its images. If they do not fit, writes the arc alone, which is
+// certified and may have taken long, and throws.
 Curve closed_up_or_arc_written(const Session& session,
                                const Fill_options& options,
                                const Curve& arc,
@@ -160,7 +160,7 @@ int fill_sector(Session& session,
   return filling::report(session, options, curve, whole, directions, result);
 }
 
-// Options that are for meshes: files with values at their vertices, and what changes them.
+// Refuses the options that need a mesh.
 void refuse_options_of_meshes(const Fill_options& options)
 {
   const std::string reason = " is for meshes, but " + options.mesh + " holds polygons";
@@ -182,7 +182,7 @@ int fill_polygons(Session& session, const Fill_options& options, const curves::R
   return fill_domain(session, domain, {}, directions, options, state);
 }
 
-// Reads the mesh; mending it takes its part of the time that the filling has.
+// Reads the mesh; mending it counts against the time limit.
 Mesh_and_defects mesh_of(Session& session, const Fill_options& options)
 {
   if(!options.may_repair) return read_mesh(session, options.mesh);

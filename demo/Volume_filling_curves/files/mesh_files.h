@@ -42,7 +42,7 @@ struct Mesh_and_defects
   std::size_t number_of_vertices_in_file = 0; // some may have been merged or left out
   std::shared_ptr<const Mesh_soup> unmended;  // of a mended mesh what the file has; no origins then
   Defects defects;
-  bool is_valid = false;
+  bool is_valid = false; // no defect is an error
 };
 
 Mesh_and_defects read_mesh_and_defects(const std::string& file);
@@ -50,7 +50,8 @@ Mesh_and_defects read_mesh_and_defects(const std::string& file);
 // Prints the warnings about a mesh. \throws Input_error with a line for every kind of error
 void accept(Session& session, const Mesh_findings& findings);
 
-// Reads a mesh and accepts it. \throws Input_error
+// Reads a mesh and accepts it; no defects are left, since the warnings are printed.
+// \throws Input_error
 Mesh_and_defects read_mesh(Session& session, const std::string& file);
 
 // Returns whether a file contains a surface rather than a curve: an OBJ file if it has faces and no

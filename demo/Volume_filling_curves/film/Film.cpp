@@ -106,7 +106,8 @@ std::string Film::to_json(double tube) const
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Strands of a filling are sqrt(volume / length) apart. A knot does not fill its box.
+// A quarter of the distance of strands, which is sqrt(volume / length) in a filling. Without a
+// surface the curve is taken to fill a tenth of the cube of its diagonal.
 double Film::usual_tube() const
 {
   constexpr double radius_per_distance = 0.25, filled_share = 0.1, max_share = 0.015;

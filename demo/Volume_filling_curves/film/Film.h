@@ -21,15 +21,18 @@
 
 namespace vfc {
 
-// The content of a film, as its page expects it: an object with title     a text tube      the
-// radius of the tube, in the unit of coordinates colors    of components, as "#rrggbb"; they repeat
-// low, high the corners of a box that holds everything frames    a list of {iteration, length,
-// nodes, strands, points}; strands is a list of triples: number of points, 1 if closed or else 0,
-// component; points are the coordinates of all strands, one after the other surface   null, or
-// {points, triangles} Coordinates are 32-bit numbers, indices 32-bit integers, both little-endian,
-// in base 64. They are those of the input, moved and scaled to a diagonal of 1 of the surface, or
-// else of the first curve, with the origin in its middle, which leaves all digits for the shape.
-// Lengths are the input's.
+// The content of a film, as its page expects it: an object with
+//   title     a text
+//   tube      the radius of the tube, in the unit of coordinates
+//   colors    of components, as "#rrggbb"; they repeat
+//   low, high the corners of a box that holds everything
+//   frames    a list of {iteration, length, nodes, strands, points}; strands is a list of triples:
+//             number of points, 1 if closed or else 0, component; points are the coordinates of all
+//             strands, one after the other
+//   surface   null, or {points, triangles}
+// Coordinates are 32-bit numbers, indices 32-bit integers, both little-endian, in base 64. The
+// input is moved and scaled so that the surface, or else the first curve, is centered at the origin
+// and has a diagonal of 1: all digits are left for the shape. Lengths are the input's.
 class Film
 {
 public:

@@ -22,12 +22,14 @@ std::vector<Frame_file> frames_in(const std::string& folder)
 {
   std::error_code error;
   std::vector<Frame_file> frames;
-  for(const auto& entry : fs::directory_iterator(folder, error)) {
-    if(!Frames::is_frame(entry.path())) continue;
-    const std::string name = entry.path().stem().string();
+  fs::directory_iterator entry(folder, error);
+  for(; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::path file = entry->path();
+    if(!Frames::is_frame(file)) continue;
+    const std::string name = file.stem().string();
     unsigned long long iteration = 0;
     if(parse(name.substr(name.find('_') + 1), iteration))
-      frames.push_back({static_cast<std::size_t>(iteration), entry.path().string()});
+      frames.push_back({static_cast<std::size_t>(iteration), file.string()});
   }
   if(error) throw Usage_error("--film: " + folder + ": cannot be read: " + error.message());
   if(frames.empty())

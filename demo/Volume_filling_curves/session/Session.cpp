@@ -18,7 +18,7 @@
 namespace vfc {
 namespace {
 
-constexpr const char* last_line = "vfc: interrupted\n"; // what is complete is written
+constexpr const char* last_line = "vfc: interrupted\n"; // complete files are written by then
 
 Verbosity verbosity(const Common_options& options)
 {
@@ -71,7 +71,8 @@ void Session::require_output() const
                       m_outputs.options());
 }
 
-// Error that cannot be reported, since the report would replace the input.
+// While the input is checked, no report is promised: if the report would replace the input, the
+// error must not be written there.
 void Session::add_input(const std::string& file, const std::string& replaced_by)
 {
   forget_last_words();
@@ -110,7 +111,7 @@ void Session::write_report(int exit_status)
 {
   m_report["exit_status"] = exit_status;
   if(!m_has_report) return;
-  m_has_report = false; // is tried once
+  m_has_report = false; // one attempt only
   forget_last_words();
   m_report["seconds"] = seconds();
   m_report["cpu_seconds"] = cpu_seconds() - m_start_cpu_seconds;

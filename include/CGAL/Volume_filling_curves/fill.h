@@ -30,7 +30,6 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
@@ -84,22 +83,23 @@ auto fill(Curve_network_3<Traits>& curves,
  * on their sets (see `Node_constraint`). A component all of whose nodes slide grows without
  * fingers, which would leave these sets; it needs `Filling_start::CIRCLE`.
  *
- * If no curves are given, a small circle is placed at the widest point of each connected part of
- * the inside that is wide enough. A part is wide enough if it holds a ball whose radius is an
- * eighth of r, or an eighth of the radius of the widest ball inside if that is less. Fingers then
- * grow from the curves through the whole domain, and open (see `Filling_start`). The shells of a
- * mesh define its parts. In any other domain parts are found from samples, and a part with a
- * passage narrower than the distance between samples may count as two. If more than 1 % of the
- * domain is too thin for r, the visitor's `on_thin_domain()` is called first.
+ * If neither curves nor ports are given, a small circle is placed at the widest point of each
+ * connected part of the inside that is wide enough. A part is wide enough if it holds a ball whose
+ * radius is an eighth of r, or an eighth of the radius of the widest ball inside if that is less.
+ * Fingers then grow from the curves through the whole domain, and open (see `Filling_start`). A
+ * mesh defines its parts by its shells, and polygons define theirs, as does every model of
+ * `VolumeFillingDomainWithSurface_3`. In other domains parts are found from samples, and a part
+ * with a passage narrower than the distance between samples may count as two. If more than 1 % of
+ * the domain is too thin for r, the visitor's `on_thin_domain()` is called first.
  *
  * The curve settles at about r from the boundary with `Wall::COVER` and at about 2 r with
  * `Wall::KEEP_CLEAR`. On nine domains, with `Wall::COVER`, 90 to 95 % of the volume lies within r
  * of the curve, and 99 % within 1.1 r to 1.4 r. If nearly every point must lie within d of the
  * curve, use r = d / 1.4. If the status is `Filling_status::CONVERGED` or
- * `Filling_status::PARTIAL`, strands are at least 1.6 r apart; without `round_bends` they are
- * closer, with 80 % of the volume within r. The result has the least distances, the tightest bend,
- * and the share of the length along which another strand is nearer than r. With ports, the least
- * distance from the boundary is that of their necks.
+ * `Filling_status::PARTIAL`, strands are at least 1.6 r apart. Without `round_bends` they can be
+ * closer, and about 80 % of the volume is within r. The result has the least distances, the
+ * tightest bend, and the share of the length along which another strand is nearer than r. With
+ * ports, the least distance from the boundary is that of their necks.
  *
  * In a planar domain, such as a polygon with holes, the curve lies exactly in the plane z = 0, and
  * areas replace volumes; 97 to 99 % of a plate lies within r of the curve, and 99 % within 1.15 r.
@@ -109,13 +109,13 @@ auto fill(Curve_network_3<Traits>& curves,
  * narrow for a bend stay empty. A settled curve need not fill its domain: if more than 1 % of the
  * volume is farther than 2 r from it, or another strand nearer than r along more than 5 % of its
  * length, the status is `Filling_status::PARTIAL`, unless the length or a limit of the shape is
- * missed; `Filling_result::reason` states the cause. Towards the end each step is about a fifth
- * shorter than the one before; otherwise the curve keeps oscillating.
+ * missed; `Filling_result::reason` states the cause. Towards the end each step is an eighth
+ * to a fifth shorter than the one before; otherwise the curve keeps oscillating.
  *
- * The time limit includes the survey of the domain, which then takes fewer samples, and the
- * measures of the result, which are then skipped. A step that is expected to end after the limit is
- * not started, and a step that overruns it is abandoned, unless there is a `checkpoint`: states are
- * saved between steps.
+ * The time limit includes the survey of the domain, which takes fewer samples if time is short.
+ * Measures of the result that take longer than a tenth of a second after a stop are skipped. A step
+ * that is expected to end after the limit is not started, and a step that overruns it is abandoned,
+ * unless there is a `checkpoint`: states are saved between steps.
  *
  * Scaling a domain and its lengths by a power of two scales the curve by the same factor, bit for
  * bit. Beyond 1e38 and below 1e-38 this requires a model of `ScalableVolumeFillingDomain_3`, as all
@@ -128,8 +128,9 @@ auto fill(Curve_network_3<Traits>& curves,
  * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
  * `Parallel_if_available_tag`
  * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, a model of
- * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2` or a range of the latter
+ * \tparam Domain a bounded model of `VolumeFillingDomain_3` with the same point type, a model of
+ * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2`, or a range of polygons with
+ * holes
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param curves the curves, replaced by the result
@@ -147,10 +148,12 @@ auto fill(Curve_network_3<Traits>& curves,
  * than 1e150 or smaller than 1e-150, or has no `scaled()` beyond 1e38 or below 1e-38; if hardly any
  * point of its box is inside, or its answers contradict each other; if a parameter is out of its
  * range (the message names it and, for a field, the point); if both a length and a thickness are
- * given; if a mesh or a polygon bounds no domain, see `Triangle_mesh_domain_3` and
- * `Polygon_domain_3`; if `resume_from` is the state of a different run; or if the curve would have
- * more than 20 million nodes, which take some 30 GB, or more than 2 million with the default
- * thickness
+ * given; if ports do not fit: their number is odd, curves are given as well, one of them is not at
+ * the boundary or has no room for its neck, or no path joins two of them; if the number of
+ * `volume_shares` is not that of components; if a mesh or a polygon bounds no domain, see
+ * `Triangle_mesh_domain_3` and `Polygon_domain_3`; if `resume_from` is the state of a different
+ * run; or if the curve would have more than 20 million nodes, which take some 30 GB, or more than 2
+ * million with the default thickness
  *
  * Exceptions of the visitor, of a field and of the domain pass through.
  */
@@ -185,19 +188,20 @@ Filling_result<typename Traits::Point_3> fill(
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, a model of
- * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2` or a range of the latter
+ * \tparam Domain a bounded model of `VolumeFillingDomain_3` with the same point type, a model of
+ * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2`, or a range of polygons with
+ * holes
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
- * \param domain the domain, or a closed triangle mesh, whose inside is filled
+ * \param domain the domain, or a closed triangle mesh or polygons that bound it
  * \param np \vfcNamedParams{Fill_mesh_with_polylines_signature}
  *
  * \returns how the run ended, which regions the curve did not reach, and statistics
  *
  * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
- * polylines, and if the domain has several parts, whose curves do not fit into a single empty
- * polyline. The polylines are unchanged in that case.
+ * polylines, and if a single empty polyline is given for a domain with several parts. After an
+ * exception the polylines are unchanged.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Polylines,
@@ -235,13 +239,14 @@ auto fill(Polylines& polylines,
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, a model of
- * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2` or a range of the latter
+ * \tparam Domain a bounded model of `VolumeFillingDomain_3` with the same point type, a model of
+ * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2`, or a range of polygons with
+ * holes
  * \tparam Point_3 the point type of the domain
  * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
  *
  * \param curves the curves, replaced by the result
- * \param domain the domain, or a closed triangle mesh, which bounds it
+ * \param domain the domain, or a closed triangle mesh or polygons that bound it
  * \param parameters the parameters
  * \param visitor receives the progress of the run, and can end it
  *
@@ -282,14 +287,14 @@ struct Finger_growth
  * \brief grows fingers from curves through a whole domain. This is the first stage of `fill()`, as
  * a building block for other fillings.
  *
- * Points at distances of 2.9 r are scattered in the domain, at least r/2 from its boundary, or r/8
- * in narrow regions. Fingers grow along a random spanning tree of these points, which starts at the
- * curves: an edge of the curve is halved, and one half is pulled out to the next point, with a
- * blunt tip 1.4 r wide. Each finger consists of three insertions of nodes, which the guard
- * certifies; so the result is ambient isotopic to the input. It is the outline of a tree, where
- * `fill()` would otherwise start from a small circle. To points that no straight finger reaches, a
- * path search finds paths with clearance r/14, and thin fingers follow them through necks and
- * around corners. The time is near-linear in the number of points.
+ * Points about 2.9 r apart (4 r in the plane, a tenth less along a field) are scattered in the
+ * domain, at least r/2 from its boundary, or r/8 in narrow regions. Fingers grow along a random
+ * spanning tree of these points, which starts at the curves: an edge of the curve is halved, and
+ * one half is pulled out to the next point, with a blunt tip at most 1.4 r wide. Each finger
+ * consists of three insertions of nodes, which the guard certifies; so the result is ambient
+ * isotopic to the input. A small circle thereby becomes the outline of a tree. To points that no
+ * straight finger reaches, a path search finds paths with clearance r/14, and thin fingers follow
+ * them through necks and around corners. The time is near-linear in the number of points.
  *
  * If there are several components, the one with the smallest share of the volume grows next, which
  * divides the domain evenly. Pinned nodes stay where they are; networks keep their graph. The nodes

@@ -42,19 +42,19 @@ TEST(Fill, keeps_the_ends_of_a_curve_between_two_ports)
 
 TEST(Fill, returns_the_least_distances_of_its_curve)
 {
-  const Ball large(Point(0, 0, 0), 1024); // filled in another unit
+  const Ball ball(Point(0, 0, 0), 1);
   Curve curve;
-  const auto result = VFC::fill(curve, large, preview(300));
+  const auto result = VFC::fill(curve, ball, preview(0.3));
   const auto bend = VFC::tightest_bend(curve);
   EXPECT_EQ(result.min_bend_radius, bend.radius);
   EXPECT_EQ(result.tightest_node, bend.node);
-  const auto strands = VFC::min_strand_distance(curve, 300);
+  const auto strands = VFC::min_strand_distance(curve, 0.3);
   EXPECT_EQ(result.min_strand_distance, strands.distance);
   EXPECT_EQ(result.closest_points, strands.points);
-  const auto wall = VFC::min_wall_distance(curve, large);
+  const auto wall = VFC::min_wall_distance(curve, ball);
   EXPECT_EQ(result.min_wall_distance, wall.distance);
   EXPECT_EQ(result.point_nearest_to_wall, wall.point);
-  EXPECT_EQ(result.crowded_fraction, VFC::crowded_fraction(curve, 300));
+  EXPECT_EQ(result.crowded_fraction, VFC::crowded_fraction(curve, 0.3));
 }
 
 TEST(Fill, is_partial_where_it_is_crowded_and_not_with_the_thickness_that_fits)
@@ -109,9 +109,6 @@ TEST(Fill, refuses_curves_that_are_not_inside)
   EXPECT_THROW(VFC::fill(crossing, ball, preview(0.2)), std::invalid_argument);
   Curve touching = polyline({Point(0, 0, 0), Point(0, 0, 1)});
   EXPECT_THROW(VFC::fill(touching, ball, preview(0.2)), std::invalid_argument);
-  Curve none;
-  EXPECT_THROW(VFC::fill(none, ball, np::thickness(-1.)), std::invalid_argument);
-  EXPECT_THROW(VFC::fill(none, ball, np::length(-1.)), std::invalid_argument);
 }
 
 TEST(Fill, reports_where_the_curve_did_not_get_to)
@@ -175,8 +172,10 @@ TEST(Fill, refuses_parameters_by_name)
   EXPECT_EQ(complaint(np::length(3).thickness([](const Point&) { return 0.2; })),
             "length is 3, but a thickness is given as well");
   EXPECT_EQ(complaint(np::length(-3)), "length is -3, but must be finite and not negative");
-  EXPECT_EQ(complaint(np::thickness(1e300)).substr(0, 55),
-            "thickness is 1e+300, but must not be larger than the do");
+  EXPECT_EQ(complaint(np::thickness(-1)), "thickness is -1, but must be finite and not negative");
+  EXPECT_EQ(complaint(np::thickness(1e300))
+                .find("thickness is 1e+300, but must not be larger than the domain"),
+            0u);
   EXPECT_EQ(complaint(np::time_limit(-1)), "time_limit is -1, but must not be negative");
 }
 

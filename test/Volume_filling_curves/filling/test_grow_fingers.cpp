@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -92,7 +93,7 @@ TEST(Grow_fingers, gets_through_a_neck_by_isotopy)
   }
 }
 
-// The lengths of the parts of a box that two components have got.
+// Each component gets as many nodes, hence about as much of the box, as the other.
 TEST(Grow_fingers, shares_the_volume_between_components)
 {
   const Box box(Point(0, 0, 0), Point(2, 1, 1));
@@ -106,7 +107,7 @@ TEST(Grow_fingers, shares_the_volume_between_components)
   EXPECT_NEAR(nodes[0] / nodes[1], 1, 0.15);
 }
 
-TEST(Grow_fingers, keeps_pinned_ends_and_long_edges_useful)
+TEST(Grow_fingers, keeps_pinned_ends_and_grows_from_a_single_long_edge)
 {
   const Box box(Point(0, 0, 0), Point(1, 1, 1));
   const Point a(0.01, 0.5, 0.5), b(0.99, 0.5, 0.5);

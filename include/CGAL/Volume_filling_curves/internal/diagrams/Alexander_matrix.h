@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -96,10 +97,10 @@ inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
 }
 
 // Returns whether the Alexander polynomial of a knot is that of the unknot, as far as two values
-// show. Returns false for very large curves, whose polynomial would take longer than a second.
+// show; false for curves too large to test within a second, which proves nothing about them.
 // \pre the curve is a single closed component, and has no garbage
 template <typename Network>
-bool may_be_unknot(const Network& curve)
+bool looks_like_small_unknot(const Network& curve)
 {
   constexpr std::size_t max_nodes = 10000, max_crossings = 1000;
   if(curve.number_of_nodes() > max_nodes) return false;

@@ -55,8 +55,8 @@ bool grow_tree(Guard& guard, const Survey& survey)
 // opens in a few iterations. Otherwise it grows, coarse to fine: first with a multiple of the
 // thickness, which takes few nodes and long steps, then with halves of it; fingers reach the rest.
 // While the curve opens or grows, a large cap of the medial radii pulls it into empty space, and a
-// large lambda brings the preconditioner close to the Hessian; then bends are rounded, or, without
-// `round_bends`, the curve settles with the required parameters.
+// large screening brings the preconditioner close to the Hessian; then bends are rounded, or,
+// without `round_bends`, the curve settles with the required parameters.
 template <typename Flow, typename Survey>
 class Filler
 {
@@ -121,9 +121,9 @@ private:
       run(Filling_stage::opening());
     } else {
       grow_coarse_to_fine();
-      if(grows_more_fingers()) run(Filling_stage::opening());
+      if(grow_more_fingers()) run(Filling_stage::opening());
     }
-    if(!m_shape.is_given() && is_thinned_in_narrow_regions()) run(Filling_stage::opening());
+    if(!m_shape.is_given() && thin_in_narrow_regions()) run(Filling_stage::opening());
   }
 
   void grow_coarse_to_fine()
@@ -137,7 +137,7 @@ private:
 
   // Returns whether fingers have grown into regions that the curve had not reached. They would
   // leave the sets of curves all of whose nodes slide.
-  bool grows_more_fingers()
+  bool grow_more_fingers()
   {
     if(m_runner.end() || slides_somewhere()) return false;
     return m_runner.decide_in_time([this] {
@@ -160,24 +160,25 @@ private:
     settle_strands(true);
     if(!(m_parameters.length > 0)) return;
     for(int k = 0; k < max_corrections_of_thickness && !m_runner.end(); ++k) {
-      const double excess = m_runner.decide([&] { return flow().length() / m_parameters.length; });
+      const double ratio = m_runner.decide([&] { return flow().length() / m_parameters.length; });
       const bool is_hard = k >= corrections_to_try;
-      if(std::abs(excess - 1) < (is_hard ? promised_tolerance : length_tolerance)) return;
-      if(!correct_thickness(excess)) return;
+      if(std::abs(ratio - 1) < (is_hard ? promised_tolerance : length_tolerance)) return;
+      if(!correct_thickness(ratio)) return;
       // steps that shrink follow a large change of the thickness too slowly
-      if(std::abs(excess - 1) > excess_to_open_for) run(Filling_stage::opening());
+      if(std::abs(ratio - 1) > excess_to_open_for) run(Filling_stage::opening());
       settle_strands(false);
     }
   }
 
-  // Adapts the thickness to the length: the cross sections of the strands fill the volume. Returns
-  // whether it changes; it stays above the minimum for the required shape, and below the maximum.
-  bool correct_thickness(double excess)
+  // Adapts the thickness to the ratio of lengths, as the cross sections of the strands fill the
+  // volume. Returns whether it changes; it stays above the minimum for the required shape, and
+  // below the maximum.
+  bool correct_thickness(double ratio)
   {
     const double former = m_thickness.number();
     const double min = min_thickness_for(m_parameters);
     const double max = (std::max)(min, m_survey.max_thickness_of_length());
-    m_thickness.set_number(std::clamp(std::sqrt(excess) * m_thickness.number(), min, max));
+    m_thickness.set_number(std::clamp(std::sqrt(ratio) * m_thickness.number(), min, max));
     return m_thickness.number() != former;
   }
 
@@ -186,7 +187,7 @@ private:
   {
     if(m_shape.is_given()) return round_bends();
     run(Filling_stage::settling());
-    if(can_thin && is_thinned_in_narrow_regions()) run(Filling_stage::settling());
+    if(can_thin && thin_in_narrow_regions()) run(Filling_stage::settling());
     run(Filling_stage::refining());
   }
 
@@ -251,7 +252,7 @@ private:
   // there for the required thickness. Returns whether there are such points. A curve with a
   // required shape stays as thick as required: thinned, its bends kept half of their radius in one
   // of three fillings of the anapsidea.
-  bool is_thinned_in_narrow_regions()
+  bool thin_in_narrow_regions()
   {
     if(m_runner.end()) return false;
     const Thickness pushed = pushed_share * m_thickness;

@@ -99,12 +99,14 @@ private:
     Result result = can_grow() ? grow() : stopped_at_start();
     result.necks = m_start.necks();
     check_necks(m_curves, result.necks);
-    report_parts(result);
+    report_survey(result);
+    report_reason(result);
     return result;
   }
 
-  // Whether there was time to survey the domain and to check the curves. A survey that was cut
-  // short may have placed other circles, so that no state is saved. A resumed run has its curve.
+  // Whether there was time to survey the domain and to check the curves. After a survey that was
+  // cut short, the run ends without saving a state: the circles may differ from those of a full
+  // survey. A resumed run already has its curve.
   bool can_grow()
   {
     const bool is_surveyed = !m_watch.must_stop();
@@ -178,7 +180,7 @@ private:
     return result;
   }
 
-  // A run that is stopped meanwhile resumes with the whole tree.
+  // If the run is stopped meanwhile, a resumed run grows the tree anew.
   void grow_first_tree(Isotopy_guard_3<Traits, Domain>& guard)
   {
     m_watch.checkpoint(Run_watch::Checkpoint::PART);
@@ -223,7 +225,7 @@ private:
     return result;
   }
 
-  void report_parts(Result& result) const
+  void report_survey(Result& result) const
   {
     result.parts = m_survey.number_of_wide_parts();
     if(!m_start.are_circles()) // otherwise each of them has a circle
@@ -231,18 +233,23 @@ private:
     result.thickness_fit = m_fit;
     result.default_thickness = m_survey.refused_thickness();
     result.start = m_start.placed();
-    if(result.status == Filling_status::LENGTH_NOT_REACHED)
-      result.reason = length_reason(m_unit * total_length(m_curves), m_unit * m_parameters.length);
+  }
+
+  // Scales the result. Regions are searched in the unit of the run, and reasons name lengths in
+  // that of the caller.
+  void report_reason(Result& result) const
+  {
     const bool has_settled_short = result.status == Filling_status::PARTIAL ||
                                    result.status == Filling_status::CONSTRAINT_NOT_REACHED ||
                                    result.status == Filling_status::STALLED;
-    if(!has_settled_short) return scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
-    const bool has_gaps = is_partial(result);
+    const bool has_gaps = has_settled_short && is_partial(result);
     const Missed_regions missed = has_gaps ? missed_regions(result) : Missed_regions();
-    const bool is_crowded = result.crowded_fraction > tolerated_crowded_fraction;
+    const bool is_crowded = has_gaps && result.crowded_fraction > tolerated_crowded_fraction;
     const double uncrowded = is_crowded ? m_unit * m_survey.uncrowded_thickness() : 0;
     scale<Space_of<Domain>>(result, m_unit, m_curves.traits());
-    result.reason = shape_reason(result.shape_excesses);
+    if(result.status == Filling_status::LENGTH_NOT_REACHED)
+      result.reason = length_reason(m_unit * total_length(m_curves), m_unit * m_parameters.length);
+    if(has_settled_short) result.reason = shape_reason(result.shape_excesses);
     if(has_gaps)
       result.reason +=
           (result.reason.empty() ? "" : "; ") + unfilled_reason(result, missed, uncrowded);

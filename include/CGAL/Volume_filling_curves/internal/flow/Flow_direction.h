@@ -87,8 +87,9 @@ public:
   // the sum of the norms of the nodes' gradients over that of their weights, pinned ones left out
   double gradient_per_length() const { return m_gradient_per_length; }
 
-  // The sum of the norms of the gradients over that of the length alone. A closed curve turns by
-  // 2 pi at least (Fenchel 1929): less is rounding in straight arcs, and counts as 2 pi.
+  // The sum of the norms of the gradients over that of length and direction field alone. A closed
+  // curve turns by 2 pi at least (Fenchel 1929): a smaller sum, as of straight arcs, is rounding,
+  // and counts as 2 pi.
   double loose_share() const { return m_free_pull / (std::max)(m_pull, 2 * CGAL_PI); }
 
 private:
@@ -143,7 +144,7 @@ private:
   std::vector<double> m_weights; // per node
   Medial_spheres m_spheres;
   double m_length = 0, m_gradient_per_length = 0;
-  double m_pull = 0, m_free_pull = 0; // of the length, and what nothing resists; in radians
+  double m_pull = 0, m_free_pull = 0; // of length and field, and what nothing resists; in radians
 };
 
 } // namespace internal

@@ -30,9 +30,9 @@ struct Run_stopped
 
 class Run_watch;
 
-// The watch of the run that a thread is in: as long as the scope exists, loops over blocks that the
-// thread begins, in whatever thread they run then, and those that call check_run(), end with
-// Run_stopped once the run is to stop. A null watch suspends an outer scope.
+// Makes a watch that of the current thread. While the scope exists, loops over blocks that the
+// thread starts, in whatever threads they run, and loops that call check_run(), or check() without
+// a watch, end with Run_stopped once the run is to stop. A null watch suspends an outer scope.
 class Watched_scope
 {
 public:
@@ -42,8 +42,8 @@ public:
   Watched_scope(const Watched_scope&) = delete;
   Watched_scope& operator=(const Watched_scope&) = delete;
 
-  // Calls a function of the user outside of the scope: what it calls of the library is none of the
-  // run, and would report to it, and call itself, otherwise.
+  // Calls a function of the user outside of any scope: if it calls the library, that is no part of
+  // the run, must not report to it, and must not call the function again.
   template <typename Function>
   static auto outside(const Function& f)
   {
@@ -63,8 +63,8 @@ private:
 
 // Clock of a run, its time limit, the function that reports progress and may end the run, and the
 // one that saves its state. Every loop that can last longer than some milliseconds calls
-// must_stop(), in any thread, which takes some 25 ns to read the clock. A run that is to stop never
-// continues.
+// must_stop(), in any thread, which takes some 25 ns to read the clock. A stop is final, except for
+// the measures that grant() allows.
 class Run_watch
 {
 public:
@@ -135,7 +135,8 @@ public:
   // Returns whether work that takes these seconds ends in time.
   bool leaves(double seconds) const { return this->seconds() + seconds < m_limit; }
 
-  // Grants these seconds to work after a stop; progress is not reported again.
+  // Grants these seconds to work after a stop. After an interruption, progress is not reported
+  // again.
   void grant(double seconds)
   {
     const double end = this->seconds() + seconds;
@@ -144,8 +145,8 @@ public:
     m_is_stopped = false;
   }
 
-  // The following functions are for the thread that constructed the watch, and have no effect in
-  // others.
+  // The following functions are for the thread that constructed the watch. In others, begin(),
+  // note_fraction() and note() have no effect.
 
   void begin(Run_stage stage)
   {
@@ -222,12 +223,6 @@ private:
   Run_progress m_progress;  // likewise
 };
 
-// Throws Run_stopped if the thread is in a run that is to stop.
-inline void check_run()
-{
-  if(Run_watch* const watch = Watched_scope::current()) watch->check();
-}
-
 // Calls a function in the scope of a watch, and returns whether it came to its end.
 template <typename Function>
 bool does_in_time(Run_watch& watch, const Function& f)
@@ -241,11 +236,17 @@ bool does_in_time(Run_watch& watch, const Function& f)
   return true;
 }
 
-// Functions that can do without a watch take a null pointer for none, or for that of the thread.
+// Without a watch, that of the thread counts, if it has one.
 inline void check(Run_watch* watch)
 {
   if(watch == nullptr) watch = Watched_scope::current();
   if(watch != nullptr) watch->check();
+}
+
+// Throws Run_stopped if the thread is in a run that is to stop.
+inline void check_run()
+{
+  check(nullptr);
 }
 
 inline void check_sometimes(Run_watch* watch, unsigned& counter)

@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Calls f(i) for each i < n in parallel. No template, so that the scheduler of TBB compiles once: the
-// runs of vfc take 164 s of the processor to compile instead of 175.
+// Calls f(i) for each i < n in parallel. No template, so that the scheduler of TBB compiles once:
+// the runs of vfc take 164 s of the processor to compile instead of 175.
 inline void for_each_in_parallel(std::size_t n, const std::function<void(std::size_t)>& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB

@@ -24,9 +24,7 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// The shape that is required of an untangled curve.
-
-// Returns no limits unless some are given.
+// Returns the shape that is required of an untangled curve; no limits if none are given.
 inline Shape_goal shape_goal(const Untangling_parameters& parameters)
 {
   Shape_goal goal;
@@ -58,7 +56,7 @@ public:
       : m_run(run), m_flow(flow), m_rules(rules)
   {}
 
-  // Takes and returns the status of the run, which changes only if this has to stop.
+  // Takes the status of the flow, and returns that of the run: another one only if it has to stop.
   Untangling_status operator()(Untangling_status status_of_flow)
   {
     m_flow.set_shape(shape_goal(m_run.parameters), Shape_phase::POLISHING);
@@ -79,7 +77,7 @@ public:
   bool has_changed_curve() const { return m_has_changed_curve; }
 
 private:
-  // Without room for its shape a curve may tremble for good.
+  // A curve without room for its shape may oscillate forever.
   static constexpr std::size_t max_steps = 200;
 
   bool is_over() const { return m_idle_steps.are_too_many() || m_flow.is_shaped(); }

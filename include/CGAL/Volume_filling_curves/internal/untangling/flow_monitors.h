@@ -119,7 +119,8 @@ private:
   {
     if(curve.number_of_components() != 1 || !curve.is_closed(0) || has_constrained_node(curve))
       return false;
-    if(m_answer == Answer::UNKNOWN) m_answer = may_be_unknot(curve) ? Answer::YES : Answer::NO;
+    if(m_answer == Answer::UNKNOWN)
+      m_answer = looks_like_small_unknot(curve) ? Answer::YES : Answer::NO;
     return m_answer == Answer::YES;
   }
 
