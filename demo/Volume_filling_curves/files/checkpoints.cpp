@@ -11,7 +11,6 @@
 #include "reports/versions.h"
 #include "session/Session.h"
 
-#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -30,8 +29,8 @@ curves::Run_state read_run_state(const Checkpoint_options& options)
   if(options.resume.empty()) return {};
   return resume(options, [&] {
     std::string content;
-    const std::error_code error = read_finite_file(options.resume, content);
-    if(error) throw curves::Run_state_error(error.message());
+    if(const std::error_code error = read_finite_file(options.resume, content))
+      throw curves::Run_state_error(error.message());
     return curves::Run_state(std::move(content));
   });
 }
@@ -42,18 +41,17 @@ void save_states(const Session& session,
 {
   parameters.build_name = commit();
   if(options.checkpoint.empty()) return;
-  using Clock = std::chrono::steady_clock;
-  parameters.checkpoint = [&session, options, last = Clock::now(),
+  parameters.checkpoint = [&session, options, last = session.seconds(),
                            is_kept = false](const auto& checkpoint) mutable {
-    const std::chrono::duration<double> seconds = Clock::now() - last;
-    if(is_kept || (!checkpoint.is_last && seconds.count() < options.save_every)) return;
+    const bool is_due = checkpoint.is_last || session.seconds() - last >= options.save_every;
+    if(is_kept || !is_due) return;
     try {
       Output_files::write(options.checkpoint, checkpoint.state().bytes());
     } catch(const Usage_error& error) { // the curve is worth more than the state
       is_kept = dynamic_cast<const Kept_file*>(&error) != nullptr; // of another run
       session.console().warn(error.what());
     }
-    last = Clock::now();
+    last = session.seconds();
   };
 }
 

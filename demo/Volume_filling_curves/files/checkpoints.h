@@ -7,7 +7,6 @@
 #ifndef VFC_CHECKPOINTS_H
 #define VFC_CHECKPOINTS_H
 
-#include "reports/Defect.h"
 #include "session/errors.h"
 
 #include <CGAL/Volume_filling_curves/internal/state/Run_state.h>

@@ -16,7 +16,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 
 namespace CGAL {
@@ -55,27 +54,21 @@ public:
 
 private:
   template <typename Part>
-  auto copy(Part& part) -> std::enable_if_t<std::is_trivially_copyable_v<Part>>
+  void copy(Part& part)
   {
-    copy_bytes(&part, sizeof part);
-  }
-
-  void copy(bool& part)
-  {
-    auto byte = static_cast<unsigned char>(part);
-    copy(byte);
-    part = byte != 0;
-  }
-
-  template <typename... Parts>
-  void copy(std::tuple<Parts&...>& parts)
-  {
-    std::apply(*this, parts);
+    if constexpr(std::is_same_v<Part, bool>) {
+      auto byte = static_cast<unsigned char>(part);
+      copy(byte);
+      part = byte != 0;
+    } else if constexpr(std::is_trivially_copyable_v<Part>)
+      copy_bytes(&part, sizeof part);
+    else
+      copy_items(part);
   }
 
   // a string, a vector or a field
   template <typename Items>
-  auto copy(Items& items) -> std::enable_if_t<!std::is_trivially_copyable_v<Items>>
+  void copy_items(Items& items)
   {
     using Item = std::decay_t<decltype(*items.data())>;
     static_assert(std::is_trivially_copyable_v<Item>);
@@ -83,21 +76,13 @@ private:
     copy(size);
     if(m_is_reading) {
       require(size <= m_rest.size() / sizeof(Item));
-      resize(items, size);
+      if constexpr(std::is_same_v<Items, Vector_field>) {
+        require(size % 3 == 0);
+        items.resize(static_cast<Eigen::Index>(size / 3), 3);
+      } else
+        items.resize(size);
     }
     copy_bytes(items.data(), size * sizeof(Item));
-  }
-
-  template <typename Items>
-  static void resize(Items& items, std::size_t size)
-  {
-    items.resize(size);
-  }
-
-  static void resize(Vector_field& field, std::size_t size)
-  {
-    require(size % 3 == 0);
-    field.resize(static_cast<Eigen::Index>(size / 3), 3);
   }
 
   void copy_bytes(void* part, std::size_t size)

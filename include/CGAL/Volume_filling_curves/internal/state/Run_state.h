@@ -38,9 +38,8 @@ public:
  * \brief The class `Run_state` is a snapshot of a run of `untangle()` or `fill()`. A run that
  * resumes from it ends with the same bits as an uninterrupted run.
  *
- * A state is a sequence of bytes, to be kept in a file; the page \ref vfc_interrupted_runs
- * describes its use. `Run_checkpoint` provides states, and `Curve_run_parameters::resume_from`
- * takes one.
+ * `Run_checkpoint` provides states, and `Curve_run_parameters::resume_from` takes one; the page
+ * \ref vfc_interrupted_runs describes their use.
  */
 class Run_state
 {
