@@ -23,38 +23,30 @@ namespace {
 using namespace CGAL::Volume_filling_curves;
 using Network = Curve_network_3<>;
 
-// Ends a search at once, which gives out its state then.
-struct Impatient : Default_curve_flow_visitor
-{
-  bool on_search(const Search_progress&) { return false; }
-};
-
-// A trefoil of a few edges; and whether it has ends, is searched, and has a certificate.
-Network trefoil(std::size_t run)
+// Takes a trefoil of a few edges, whose ends are open in run 1, and resumes a run: a search in run
+// 2, one with a certificate in run 3. Returns the last state.
+Run_state resume(std::size_t run, std::size_t iterations, const Run_state& former)
 {
   const Network knot = make_torus_knot(2, 3, 30);
-  std::vector<Network::Point_3> points;
-  for(const auto& p : knot.points()) points.push_back(p);
+  std::vector<Network::Point_3> points(knot.points().begin(), knot.points().end());
   if(run != 1) points.push_back(points.front());
   Network curve(std::vector{points});
   curve.pin_ends();
-  return curve;
-}
-
-// Returns the last state.
-Run_state resume(Network& curve, std::size_t run, std::size_t iterations, const Run_state& former)
-{
   Run_state state;
   Isotopy_certificate certificate;
   Untangling_parameters parameters;
   parameters.strategy = run == 2 ? Untangling_strategy::SEARCH : Untangling_strategy::FLOW;
   parameters.thickness = 0.5;
   if(run == 3) parameters.certificate = &certificate;
-  parameters.number_of_iterations = iterations;
+  parameters.number_of_iterations = run == 2 ? 0 : iterations; // a search is not saved halfway
   parameters.time_limit = 0.1;
   parameters.resume_from = &former;
   parameters.checkpoint = [&](const Run_checkpoint& moment) { state = moment.state(); };
-  untangle(curve, parameters, Impatient());
+  try {
+    untangle(curve, parameters);
+  } catch(const Run_state_error&) {
+  }
+  if(!is_embedded(curve)) std::abort();
   return state;
 }
 
@@ -82,15 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if(size < 1) return 0;
   const std::size_t run = data[0] % 4;
   static Run_state states[4];
-  Network curve = trefoil(run);
-  if(states[run].is_empty()) {
-    Network start = curve;
-    states[run] = resume(start, run, 1, {});
-  }
-  try {
-    resume(curve, run, 2, forged(states[run], data + 1, size - 1));
-  } catch(const Run_state_error&) {
-  }
-  if(!is_embedded(curve)) std::abort();
+  if(states[run].is_empty()) states[run] = resume(run, 1, {});
+  resume(run, 2, forged(states[run], data + 1, size - 1));
   return 0;
 }

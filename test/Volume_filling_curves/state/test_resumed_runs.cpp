@@ -6,6 +6,7 @@
 
 #include "support/exact_surface.h"
 #include "support/polygon_test_support.h"
+#include "support/refusal_of.h"
 #include "support/untangle_test_support.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
@@ -22,9 +23,11 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
-// Runs that are interrupted and resume end with the same bits as those that are not.
+// Runs that are interrupted and resume end with the same bits as those that are not, and resume
+// from no other state than their own.
 namespace test_resumed_runs {
 
 using namespace untangle_test;
@@ -44,16 +47,12 @@ struct Interruption : Default_curve_flow_visitor
   int iteration, answers;
   std::optional<Run_stage> stage;
 
-  template <typename Progress>
-  bool on_search(const Progress&)
-  {
-    return answers > 0 && answers-- > 0;
-  }
+  bool on_search(const Search_progress&) { return answers-- > 0; }
 
   template <typename Flow>
-  bool go_further(const Flow& flow)
+  bool go_further(const Flow&)
   {
-    return on_search(flow);
+    return answers-- > 0;
   }
 };
 
@@ -123,8 +122,7 @@ TEST(Resumed_runs, links_are_untangled_to_their_length)
 
 TEST(Resumed_runs, arcs_keep_their_rays)
 {
-  Network arc({{0, 0, 0}, {1, 2, 0}, {2, 0, 1}, {1, 1, 2}, {0, 1, 0.5}, {3, 0, 0}},
-              {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
+  Network arc = path({{0, 0, 0}, {1, 2, 0}, {2, 0, 1}, {1, 1, 2}, {0, 1, 0.5}, {3, 0, 0}});
   arc.pin_ends();
   for(const double thickness : {0., 0.3})
     expect_resumed(untangling, arc, parameters::thickness(thickness), {1, 5});
@@ -163,8 +161,7 @@ TEST(Resumed_runs, nodes_slide_in_a_domain)
 {
   const Box_domain_3<> box({-4, -4, -4}, {4, 4, 4});
   const auto run = [&](Network& curve, const auto& np) { return untangle(curve, box, np); };
-  Network arc({{-3.9, 1, 0}, {-2, 0, 1}, {0, 1, -1}, {2, -1, 0}, {3, 1, 1}},
-              {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
+  Network arc = path({{-3.9, 1, 0}, {-2, 0, 1}, {0, 1, -1}, {2, -1, 0}, {3, 1, 1}});
   arc.set_constraint(0, Node_constraint::on_boundary(0.1));
   arc.set_constraint(4,
                      Node_constraint::on_plane(arc.point(4), Network::Traits::Vector_3(1, 0, 0)));
@@ -222,6 +219,113 @@ TEST(Resumed_runs, two_chambers_are_filled_from_a_circle)
   expect_resumed(filling(domain), Network(),
                  sharp_bends.thickness(0.3).start(Filling_start::CIRCLE),
                  {10, Run_stage::BRANCHING, 20, 30});
+}
+
+const Network trefoil = make_torus_knot(2, 3, 40);
+const auto thick_flow = flow.thickness(0.3);
+
+// Takes all states of a run.
+Run_state state_of_trefoil()
+{
+  Network curve = trefoil;
+  Run_state state;
+  const auto keep = [&](const Run_checkpoint& checkpoint) { state = checkpoint.state(); };
+  untangle(curve, thick_flow.number_of_iterations(3).checkpoint(keep));
+  return state;
+}
+
+TEST(Run_state, bytes_that_are_damaged_or_cut_off_are_refused)
+{
+  const std::string bytes = state_of_trefoil().bytes();
+  EXPECT_EQ(Run_state(bytes).bytes(), bytes);
+  for(std::size_t i = 0; i < bytes.size(); i += i < 64 ? 1 : 61) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+    EXPECT_THROW(Run_state{damaged}, Run_state_error) << "byte " << i;
+    EXPECT_THROW(Run_state(bytes.substr(0, i)), Run_state_error) << i;
+  }
+  EXPECT_THROW(Run_state(bytes + '\0'), Run_state_error);
+}
+
+// The message with which a state is refused. The curve stays as it is.
+template <typename NamedParameters>
+std::string refusal(const Network& start, const NamedParameters& np, const Run_state& state)
+{
+  Network curve = start;
+  const std::string message =
+      refusal_of<Run_state_error>([&] { untangle(curve, np.resume_from(std::cref(state))); });
+  EXPECT_EQ(contents(curve), contents(start));
+  return message;
+}
+
+template <typename Number>
+std::string bytes_of(const Number& number)
+{
+  return {reinterpret_cast<const char*>(&number), sizeof number};
+}
+
+// A state with other numbers, and the checksum of these.
+Run_state forged(std::string body, const std::string& from, const std::string& to)
+{
+  return Run_state::sealed(body.replace(body.find(from), from.size(), to));
+}
+
+TEST(Run_state, curves_and_numbers_that_are_forged_are_refused)
+{
+  const Run_state state = state_of_trefoil();
+  const std::string body(state.body());
+  std::string fingerprint;
+  std::vector<internal::Vector> points;
+  internal::Byte_archive{body}(fingerprint, points);
+  const std::string node = bytes_of(points[0]), other_node = bytes_of(points[15]);
+  const std::string nan = bytes_of(std::numeric_limits<double>::quiet_NaN());
+  for(const Run_state& other :
+      {forged(body, node, other_node), forged(body, node, node.substr(8) + nan),
+       forged(body, bytes_of(0.3), nan), Run_state::sealed(body.substr(0, 2000))})
+    EXPECT_EQ(refusal(trefoil, thick_flow, other).find("the state contradicts itself: "), 0u);
+}
+
+TEST(Run_state, another_run_does_not_resume)
+{
+  const Run_state state = state_of_trefoil();
+  const std::string other = "the state is that of a run with another ";
+  EXPECT_EQ(refusal(trefoil, thick_flow.build_name("1a2b3c4"), state),
+            other + "build_name: , not 1a2b3c4");
+  EXPECT_EQ(refusal(trefoil, thick_flow.thickness(0.25), state),
+            other + "thickness: 0.29999999999999999, not 0.25");
+  EXPECT_EQ(refusal(trefoil, thick_flow.strategy(Untangling_strategy::SEARCH), state),
+            other + "strategy: flow, not search");
+  Network pinned = trefoil;
+  pinned.set_pinned(5);
+  for(const Network& curve : {make_torus_knot(2, 3, 41), pinned})
+    EXPECT_EQ(refusal(curve, thick_flow, state), other + "curve");
+}
+
+TEST(Run_state, a_filling_with_other_shares_or_ports_does_not_resume)
+{
+  const Box_domain_3<> box(Point(0, 0, 0), Point(2, 1, 1));
+  std::vector<Port<Point>> ports;
+  for(const double y : {0.2, 0.8})
+    for(const double x : {0., 2.}) ports.push_back({Point(x, y, 0.5)});
+  const auto resume = [&](const std::vector<double>& shares, const Run_state& former, int end) {
+    return run_from(filling(box), Network(),
+                    sharp_bends.thickness(0.25).ports(ports).volume_shares(shares), former, end)
+        .state;
+  };
+  const Run_state state = resume({1, 2}, {}, 1);
+  EXPECT_FALSE(resume({1, 2}, state, 2).is_empty());
+  EXPECT_THROW(resume({1, 3}, state, 2), Run_state_error);
+  ports[1].direction = {1, 0, 0.5};
+  EXPECT_THROW(resume({1, 2}, state, 2), Run_state_error);
+}
+
+TEST(Run_state, taking_states_changes_nothing_and_limits_may_be_others)
+{
+  const Run_state state = state_of_trefoil();
+  Network whole = trefoil, rest = trefoil;
+  untangle(whole, thick_flow);
+  untangle(rest, thick_flow.time_limit(1000).resume_from(std::cref(state)));
+  EXPECT_EQ(contents(rest), contents(whole));
 }
 
 } // namespace test_resumed_runs

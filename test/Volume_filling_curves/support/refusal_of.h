@@ -10,14 +10,13 @@
 #include <stdexcept>
 #include <string>
 
-// Returns the message of the std::invalid_argument by which a call refuses its input, or "" if it
-// accepts it.
-template <typename Call>
+// Returns the message of the exception by which a call refuses its input, or "" if it accepts it.
+template <typename Error = std::invalid_argument, typename Call>
 std::string refusal_of(const Call& call)
 {
   try {
     call();
-  } catch(const std::invalid_argument& error) {
+  } catch(const Error& error) {
     return error.what();
   }
   return "";
