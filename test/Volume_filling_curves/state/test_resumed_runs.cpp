@@ -281,7 +281,8 @@ TEST(Run_state, curves_and_numbers_that_are_forged_are_refused)
   const std::string nan = bytes_of(std::numeric_limits<double>::quiet_NaN());
   for(const Run_state& other :
       {forged(body, node, other_node), forged(body, node, node.substr(8) + nan),
-       forged(body, bytes_of(0.3), nan), Run_state::sealed(body.substr(0, 2000))})
+       forged(body, bytes_of(0.3), nan), forged(body, bytes_of(0.3), bytes_of(1e-300)),
+       Run_state::sealed(body.substr(0, 2000))})
     EXPECT_EQ(refusal(trefoil, thick_flow, other).find("the state contradicts itself: "), 0u);
 }
 

@@ -109,6 +109,14 @@ inline void check_thickness(double thickness, double size, const std::string& ow
     refuse_value(internal_np::thickness_t(), thickness, not_larger_than(owner, size));
 }
 
+// Returns whether edges of some `spacing` thicknesses are so short that curves of that length have
+// too many nodes: 20 million take some 20 GB.
+inline bool has_too_many_nodes(double length, double spacing, double thickness)
+{
+  constexpr double most = 2e7;
+  return length / most > spacing * thickness;
+}
+
 // Throws std::invalid_argument if a share is not positive and finite, if the start is not
 // Filling_start::TREE, which alone heeds shares, or if there are neither curves nor ports.
 template <typename Point_3>

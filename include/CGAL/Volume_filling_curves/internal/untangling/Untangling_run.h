@@ -91,6 +91,10 @@ private:
     check_embedded(m_curves);
     check_constraints<typename Guard::Boundary>(m_curves);
     check_thickness(m_parameters.thickness, box_diagonal(m_curves), "the curves");
+    if(m_parameters.thickness > 0 &&
+       needs_too_many_nodes((std::max)(m_parameters.thickness, min_thickness_for(m_parameters))))
+      refuse_value(internal_np::thickness_t(), m_parameters.thickness,
+                   "the curves would have more than 20 million nodes");
     check_shape();
     if(!m_parameters.keep_length) return;
     for(std::size_t v = 0; v < m_curves.number_of_nodes(); ++v)
@@ -99,6 +103,13 @@ private:
                      "node " + std::to_string(v) +
                          (m_curves.is_pinned(v) ? " is pinned" : " slides") +
                          ", so the curves cannot be scaled");
+  }
+
+  // Takes a thickness, or 0 for one that is to be measured.
+  bool needs_too_many_nodes(double thickness) const
+  {
+    return thickness > 0 && m_parameters.strategy != Untangling_strategy::SEARCH &&
+           has_too_many_nodes(total_length(m_curves), m_parameters.spacing, thickness);
   }
 
   void check_shape() const
@@ -136,6 +147,9 @@ private:
     if(m_parameters.certificate) guard.start_recording();
     Untangling_state state;
     saver.resume(m_curves, guard, state);
+    for(const double r : {state.thickness_of_rays, state.thickness, state.flow_run.thickness})
+      if(needs_too_many_nodes(r))
+        throw Run_state_error("the state contradicts itself: a thickness is too small");
     Untangling_result result = untangle_with_rays(guard, state, saver.is_resuming());
     guard.set_watch(nullptr); // the rest cannot be interrupted
     if(m_parameters.keep_length) rescale(guard, length, result);
