@@ -12,6 +12,7 @@
 #include "options/complaint.h"
 #include "options/option_groups.h"
 #include "reports/versions.h"
+#include "session/Console.h"
 #include "session/errors.h"
 #include "session/interruption.h"
 #include "session/run_command.h"
@@ -64,11 +65,11 @@ int refuse(const std::vector<std::string>& arguments, const std::string& message
 }
 
 // Prints the help or the version that an option asked for.
-int print(const CLI::App& program, const CLI::ParseError& request)
+int print_help(const CLI::App& program, const CLI::ParseError& request)
 {
   const int status = program.exit(request);
   if(std::cout.flush()) return status;
-  std::cerr << "vfc: error: standard output cannot be written\n";
+  Console(Verbosity::NORMAL).fail("standard output cannot be written");
   return FAILURE;
 }
 
@@ -100,7 +101,7 @@ int run_program(int argc, char** argv)
   try {
     command_line.program.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
-    if(error.get_exit_code() == 0) return print(command_line.program, error);
+    if(error.get_exit_code() == 0) return print_help(command_line.program, error);
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     return refuse(arguments, complaint(error, command_line.program, arguments));
   }

@@ -106,8 +106,9 @@ std::string Film::to_json(double tube) const
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// A quarter of the distance of strands, which is sqrt(volume / length) in a filling. Without a
-// surface the curve is taken to fill a tenth of the cube of its diagonal.
+// A quarter of the distance of strands, which is sqrt(volume / length) in a filling, but at most
+// 1.5 % of the diagonal. Without a surface the curve is taken to fill a tenth of the diagonal
+// cubed.
 double Film::usual_tube() const
 {
   constexpr double radius_per_distance = 0.25, filled_share = 0.1, max_share = 0.015;

@@ -86,11 +86,11 @@ auto fill(Curve_network_3<Traits>& curves,
  * If neither curves nor ports are given, a small circle is placed at the widest point of each
  * connected part of the inside that is wide enough. A part is wide enough if it holds a ball whose
  * radius is an eighth of r, or an eighth of the radius of the widest ball inside if that is less.
- * Fingers then grow from the curves through the whole domain, and open (see `Filling_start`). A
- * mesh defines its parts by its shells, and polygons define theirs, as does every model of
- * `VolumeFillingDomainWithSurface_3`. In other domains parts are found from samples, and a part
- * with a passage narrower than the distance between samples may count as two. If more than 1 % of
- * the domain is too thin for r, the visitor's `on_thin_domain()` is called first.
+ * Fingers then grow from the curves through the whole domain, and open (see `Filling_start`).
+ * Meshes, polygons and models of `VolumeFillingDomainWithSurface_3` define their parts themselves,
+ * a mesh by its shells. In other domains parts are found from samples, and a part with a passage
+ * narrower than the distance between samples may count as two. If more than 1 % of the domain is
+ * too thin for r, the visitor's `on_thin_domain()` is called first.
  *
  * The curve settles at about r from the boundary with `Wall::COVER` and at about 2 r with
  * `Wall::KEEP_CLEAR`. On nine domains, with `Wall::COVER`, 90 to 95 % of the volume lies within r
@@ -113,9 +113,9 @@ auto fill(Curve_network_3<Traits>& curves,
  * to a fifth shorter than the one before; otherwise the curve keeps oscillating.
  *
  * The time limit includes the survey of the domain, which takes fewer samples if time is short.
- * Measures of the result that take longer than a tenth of a second after a stop are skipped. A step
- * that is expected to end after the limit is not started, and a step that overruns it is abandoned,
- * unless there is a `checkpoint`: states are saved between steps.
+ * After a stop, a tenth of a second is left to measure the result; measures that are not complete
+ * by then are skipped. A step that is expected to end after the limit is not started, and a step
+ * that overruns it is abandoned, unless there is a `checkpoint`: states are saved between steps.
  *
  * Scaling a domain and its lengths by a power of two scales the curve by the same factor, bit for
  * bit. Beyond 1e38 and below 1e-38 this requires a model of `ScalableVolumeFillingDomain_3`, as all

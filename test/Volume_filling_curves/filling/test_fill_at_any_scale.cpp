@@ -161,7 +161,9 @@ std::vector<double> lengths_of_run(double unit)
   lengths.insert(lengths.end(), visitor.seen.begin(), visitor.seen.end());
   lengths.insert(lengths.end(),
                  {result.thickness, result.medial_radius, result.thickness_fit.fitting_thickness,
-                  result.start.at(0).at(0).x(), result.start[0][0].y()});
+                  result.start.at(0).at(0).x(), result.start[0][0].y(), result.min_bend_radius,
+                  result.min_strand_distance, result.closest_points[0].x(),
+                  result.min_wall_distance, result.point_nearest_to_wall.x()});
   for(const auto& region : result.empty_regions)
     lengths.insert(lengths.end(), {region.point.x(), region.radius});
   return divided(lengths, unit);

@@ -10,6 +10,7 @@
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_stage_runner.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -224,7 +224,7 @@ TEST(Resumed_runs, two_chambers_are_filled_from_a_circle)
 const Network trefoil = make_torus_knot(2, 3, 40);
 const auto thick_flow = flow.thickness(0.3);
 
-// Takes all states of a run.
+// Takes all states of a run, and returns the last one.
 Run_state state_of_trefoil()
 {
   Network curve = trefoil;
@@ -281,9 +281,10 @@ TEST(Run_state, curves_and_numbers_that_are_forged_are_refused)
   const std::string nan = bytes_of(std::numeric_limits<double>::quiet_NaN());
   for(const Run_state& other :
       {forged(body, node, other_node), forged(body, node, node.substr(8) + nan),
-       forged(body, bytes_of(0.3), nan), forged(body, bytes_of(0.3), bytes_of(1e-300)),
-       Run_state::sealed(body.substr(0, 2000))})
+       forged(body, bytes_of(0.3), nan), Run_state::sealed(body.substr(0, 2000))})
     EXPECT_EQ(refusal(trefoil, thick_flow, other).find("the state contradicts itself: "), 0u);
+  EXPECT_EQ(refusal(trefoil, thick_flow, forged(body, bytes_of(0.3), bytes_of(1e-300))),
+            "the state contradicts itself: a thickness is too small");
 }
 
 TEST(Run_state, another_run_does_not_resume)

@@ -221,7 +221,8 @@ TEST(Untangle_parameters, are_refused_by_name)
   EXPECT_EQ(complaint(curve, parameters::time_limit(-1)),
             "time_limit is -1, but must not be negative");
   EXPECT_EQ(complaint(curve, parameters::thickness(1e-9)),
-            "thickness is 1e-09, but the curves would have more than 20 million nodes");
+            "thickness is 1e-09, but the curves would have more than 20 million nodes with that "
+            "spacing");
   EXPECT_EQ(complaint(curve, parameters::thickness(1e300)).substr(0, 54),
             "thickness is 1e+300, but must not be larger than the c");
   EXPECT_EQ(contents(curve), before);

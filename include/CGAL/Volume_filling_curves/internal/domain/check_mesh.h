@@ -30,8 +30,9 @@ namespace internal {
 
 // Check of a mesh that should bound a domain, which reports the first kind of fault found and the
 // number of its faults. Vertices and faces are numbered from 0, in the order of the original mesh.
-// Copying changes the order of vertices; a function returns the original number of a vertex. \pre
-// all faces are triangles
+// Copying changes the order of vertices; the check takes a function that returns the original
+// number of a vertex.
+// \pre all faces are triangles
 template <typename Mesh>
 class Mesh_check
 {

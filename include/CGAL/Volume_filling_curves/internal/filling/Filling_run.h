@@ -100,7 +100,7 @@ private:
     result.necks = m_start.necks();
     check_necks(m_curves, result.necks);
     report_survey(result);
-    report_reason(result);
+    scale_and_give_reason(result);
     return result;
   }
 
@@ -235,9 +235,9 @@ private:
     result.start = m_start.placed();
   }
 
-  // Scales the result. Regions are searched in the unit of the run, and reasons name lengths in
-  // that of the caller.
-  void report_reason(Result& result) const
+  // Scales the result to the unit of the caller, and says why it falls short. Missed regions are
+  // searched before, in the unit of the run.
+  void scale_and_give_reason(Result& result) const
   {
     const bool has_settled_short = result.status == Filling_status::PARTIAL ||
                                    result.status == Filling_status::CONSTRAINT_NOT_REACHED ||

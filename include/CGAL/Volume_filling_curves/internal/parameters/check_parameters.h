@@ -109,8 +109,8 @@ inline void check_thickness(double thickness, double size, const std::string& ow
     refuse_value(internal_np::thickness_t(), thickness, not_larger_than(owner, size));
 }
 
-// Returns whether edges of some `spacing` thicknesses are so short that curves of that length have
-// too many nodes: 20 million take some 20 GB.
+// Returns whether curves of that length would have too many nodes if all edges were as short as the
+// spacing, in units of the thickness, allows: 20 million take some 20 GB.
 inline bool has_too_many_nodes(double length, double spacing, double thickness)
 {
   constexpr double most = 2e7;

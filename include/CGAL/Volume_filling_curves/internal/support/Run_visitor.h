@@ -17,8 +17,9 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What a run shows its `Flow` to. Runs thus compile once for all models of CurveFlowVisitor; a
-// virtual call costs nothing beside an iteration.
+// The visitor as a run sees it. Runs thus compile once for all models of CurveFlowVisitor; a
+// virtual call costs nothing compared with an iteration. A filling does not search, and untangling
+// has no thin domain: each run calls the functions that concern it.
 template <typename Flow>
 class Run_visitor
 {

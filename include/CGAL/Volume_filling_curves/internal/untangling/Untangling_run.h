@@ -94,7 +94,7 @@ private:
     if(m_parameters.thickness > 0 &&
        needs_too_many_nodes((std::max)(m_parameters.thickness, min_thickness_for(m_parameters))))
       refuse_value(internal_np::thickness_t(), m_parameters.thickness,
-                   "the curves would have more than 20 million nodes");
+                   "the curves would have more than 20 million nodes with that spacing");
     check_shape();
     if(!m_parameters.keep_length) return;
     for(std::size_t v = 0; v < m_curves.number_of_nodes(); ++v)
@@ -105,10 +105,11 @@ private:
                          ", so the curves cannot be scaled");
   }
 
-  // Takes a thickness, or 0 for one that is to be measured.
+  // Takes a thickness, or 0 for one that is to be measured. Curves that cannot be searched flow
+  // with every strategy.
   bool needs_too_many_nodes(double thickness) const
   {
-    return thickness > 0 && m_parameters.strategy != Untangling_strategy::SEARCH &&
+    return thickness > 0 &&
            has_too_many_nodes(total_length(m_curves), m_parameters.spacing, thickness);
   }
 
@@ -147,8 +148,11 @@ private:
     if(m_parameters.certificate) guard.start_recording();
     Untangling_state state;
     saver.resume(m_curves, guard, state);
+    // Flows get thinner, rays add length, and a measured thickness has no limit of its own: a state
+    // is refused only if it is far beyond the limit.
+    constexpr double slack = 100;
     for(const double r : {state.thickness_of_rays, state.thickness, state.flow_run.thickness})
-      if(needs_too_many_nodes(r))
+      if(needs_too_many_nodes(slack * r))
         throw Run_state_error("the state contradicts itself: a thickness is too small");
     Untangling_result result = untangle_with_rays(guard, state, saver.is_resuming());
     guard.set_watch(nullptr); // the rest cannot be interrupted

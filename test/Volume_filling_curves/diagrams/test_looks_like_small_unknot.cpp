@@ -17,7 +17,7 @@
 #include <string>
 
 // Which knots look like unknots.
-namespace test_may_be_unknot {
+namespace test_looks_like_small_unknot {
 
 using namespace flow_test;
 using CGAL::Volume_filling_curves::make_closed_braid;
@@ -26,33 +26,33 @@ using CGAL::Volume_filling_curves::make_random_polygon;
 using CGAL::Volume_filling_curves::make_torus_knot;
 using CGAL::Volume_filling_curves::parse_braid_word;
 
-bool may_be_unknot(const std::string& word)
+bool looks_like_small_unknot(const std::string& word)
 {
   return internal::looks_like_small_unknot(make_closed_braid(parse_braid_word(word), 200, 0, 1));
 }
 
-TEST(May_be_unknot, holds_for_unknots)
+TEST(Looks_like_small_unknot, holds_for_unknots)
 {
   EXPECT_TRUE(internal::looks_like_small_unknot(internal::closed_network({circle(30)})));
-  EXPECT_TRUE(may_be_unknot("1 2 -3 4"));
+  EXPECT_TRUE(looks_like_small_unknot("1 2 -3 4"));
   for(std::uint64_t seed = 0; seed < 10; ++seed)
     EXPECT_TRUE(internal::looks_like_small_unknot(make_hard_unknot(300, 40, seed))) << seed;
 }
 
-TEST(May_be_unknot, does_not_hold_for_knots)
+TEST(Looks_like_small_unknot, does_not_hold_for_knots)
 {
   for(const std::string word : {"1 1 1", "-1 -1 -1", "1 -2 1 -2", "1 1 1 1 1", "1 1 1 2 -1 2"})
-    EXPECT_FALSE(may_be_unknot(word)) << word;
+    EXPECT_FALSE(looks_like_small_unknot(word)) << word;
   EXPECT_FALSE(internal::looks_like_small_unknot(make_torus_knot(5, 3, 200))); // of determinant 1
 }
 
 // Kinoshita and Terasaka's knot: nobody sees it by this polynomial.
-TEST(May_be_unknot, holds_for_knots_with_a_trivial_polynomial)
+TEST(Looks_like_small_unknot, holds_for_knots_with_a_trivial_polynomial)
 {
-  EXPECT_TRUE(may_be_unknot("1 1 1 3 3 2 -3 -1 -1 2 -1 -3 -2"));
+  EXPECT_TRUE(looks_like_small_unknot("1 1 1 3 3 2 -3 -1 -1 2 -1 -3 -2"));
 }
 
-TEST(May_be_unknot, agrees_with_another_computation)
+TEST(Looks_like_small_unknot, agrees_with_another_computation)
 {
   std::size_t number_of_unknots = 0;
   for(std::uint64_t seed = 0; seed < 100; ++seed) {
@@ -67,4 +67,4 @@ TEST(May_be_unknot, agrees_with_another_computation)
   EXPECT_LT(number_of_unknots, 90u);
 }
 
-} // namespace test_may_be_unknot
+} // namespace test_looks_like_small_unknot
