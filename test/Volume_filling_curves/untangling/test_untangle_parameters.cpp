@@ -226,6 +226,10 @@ TEST(Untangle_parameters, are_refused_by_name)
   EXPECT_EQ(complaint(curve, parameters::thickness(1e300)).substr(0, 54),
             "thickness is 1e+300, but must not be larger than the c");
   EXPECT_EQ(contents(curve), before);
+  Network arc({{0, 0, 0}, {1, 0, 1}, {2, 1, 0}}, {{0, 1}, {1, 2}});
+  arc.pin_ends(); // so that it flows with every strategy
+  EXPECT_EQ(complaint(arc, parameters::strategy(Untangling_strategy::SEARCH).thickness(1e-9)),
+            complaint(curve, parameters::thickness(1e-9)));
   curve.set_pinned(3);
   EXPECT_EQ(complaint(curve, parameters::keep_length(true)),
             "keep_length is true, but node 3 is pinned, so the curves cannot be scaled");
