@@ -46,7 +46,7 @@ namespace Volume_filling_curves {
  * \ingroup PkgVolumeFillingCurvesRef
  *
  * \brief The class `Isotopy_guard_3` is the only way to change a `Curve_network_3`: it makes a
- * change if and only if it can certify it.
+ * change only if it can certify it.
  *
  * Exact predicates certify that a change is an ambient isotopy: the curve never passes through
  * itself. All changes consist of the elementary moves of knot theory \cgalCite{vfc:r-ebt-26}: an
@@ -119,15 +119,16 @@ public:
   /// returns the guarded network.
   const Curve_network& curve() const { return m_curve; }
 
-  /// sets the clearance, in the input's unit; 0 (default) stands for none. A change brings edges
-  /// without a common node nearer than that only if it leaves at least half of their distance.
+  /// sets the clearance, in the input's unit; 0 (default) or less stands for none. A change brings
+  /// edges without a common node nearer than that only if it leaves at least half of their
+  /// distance.
   void set_clearance(double distance) { m_clearance = internal::Clearance_rule(distance); }
 
   /// returns the clearance.
   double clearance() const { return m_clearance.distance(); }
 
   /// sets the distance from the boundary of the domain that the curve keeps, in the input's unit; 0
-  /// (default) stands for none. Needs a domain. Certified like containment, if the domain's
+  /// (default) or less stands for none. Needs a domain. Certified like containment, if the domain's
   /// distances are lower bounds.
   /// \pre the curve is farther than that from the boundary, see `min_wall_distance()`
   void set_wall_distance(double distance) { set_wall_distance(distance, 0); }
@@ -208,7 +209,7 @@ public:
         m_number_of_certified += n;
         return fraction;
       }
-      m_number_of_rejected += n;
+      m_number_of_refused += n;
     }
     return 0;
   }
@@ -239,13 +240,14 @@ public:
     const auto held =
         static_cast<size_type>(std::count(motion.fractions().begin(), motion.fractions().end(), 0));
     m_number_of_certified += n - held;
-    m_number_of_rejected += held;
+    m_number_of_refused += held;
     return motion.fractions();
   }
 
   /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if the ray is certified
-  /// to meet the curve only in `v`, and returns whether it did. No strand slips off an end that has
-  /// a ray. Nodes of rays are pinned and have no origin; certificates omit them.
+  /// to meet the curve only in `v`, and returns whether it did. A strand then slips off this end
+  /// only around the tip, which should lie beyond all that the curve reaches. Nodes of rays are
+  /// pinned and have no origin; certificates omit them.
   /// \pre the node has not been removed
   bool add_ray(size_type v, const Point_3& tip)
   {
@@ -316,11 +318,13 @@ public:
   /// \name Statistics
   /// @{
 
-  /// returns the number of changes of a node that were certified and made.
+  /// returns the number of changes of a node that were certified and made. A motion of all nodes
+  /// counts each.
   size_type number_of_certified_changes() const { return m_number_of_certified; }
 
-  /// returns the number of changes of a node that were refused.
-  size_type number_of_refused_changes() const { return m_number_of_rejected; }
+  /// returns the number of changes of a node that were refused. Each fraction that `move_nodes()`
+  /// tries in vain counts each node.
+  size_type number_of_refused_changes() const { return m_number_of_refused; }
 
   /// @}
 
@@ -334,12 +338,12 @@ public:
     m_boundary.set_wall_distance(distance, layer);
   }
 
-  // Sets the watch of motions of all nodes and of the users of the guard, or none if it is null:
-  // they throw Run_stopped before they change anything.
+  // Sets the watch, or none if it is null. Motions of all nodes throw Run_stopped before they move
+  // any; users of the guard, such as the remesher, stop between two certified changes.
   void set_watch(internal::Run_watch* watch) { m_watch = watch; }
   internal::Run_watch* watch() const { return m_watch; }
 
-  auto counts() { return std::tie(m_number_of_certified, m_number_of_rejected); }
+  auto counts() { return std::tie(m_number_of_certified, m_number_of_refused); }
   internal::Motion_record<Curve_network>* record() { return m_record.get(); } // or null
   /// \endcond
 
@@ -355,19 +359,19 @@ private:
   template <typename Change>
   bool change_if(bool is_certified, const Change& change)
   {
-    ++(is_certified ? m_number_of_certified : m_number_of_rejected);
+    ++(is_certified ? m_number_of_certified : m_number_of_refused);
     if(is_certified) change();
     return is_certified;
   }
 
-  // Returns whether all targets are in range, and counts the others as refused.
+  // Returns whether all targets are in range. If one is not, all nodes count as refused.
   bool are_in_range(const internal::Vector_field& targets)
   {
     CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
     CGAL_precondition_msg(static_cast<size_type>(targets.rows()) == m_curve.number_of_nodes(),
                           "`targets` has one row per node");
     const bool are_accepted = (targets.array().abs() <= internal::max_coordinate).all();
-    if(!are_accepted) m_number_of_rejected += m_curve.number_of_nodes();
+    if(!are_accepted) m_number_of_refused += m_curve.number_of_nodes();
     return are_accepted;
   }
 
@@ -391,7 +395,7 @@ private:
   std::unique_ptr<internal::Motion_record<Curve_network>> m_record;
   internal::Run_watch* m_watch = nullptr;
   size_type m_number_of_certified = 0;
-  size_type m_number_of_rejected = 0;
+  size_type m_number_of_refused = 0;
 };
 
 } // namespace Volume_filling_curves

@@ -14,6 +14,8 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 // The guard with a domain: what would go through a wall, however thin, or touch it is refused.
@@ -48,8 +50,11 @@ struct Around_a_wall
 
 TEST(Guarded_domain, nothing_goes_through_a_thin_wall)
 {
-  for(const double wall : {1e-1, 1e-6, 1e-12}) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(const auto& [wall, distance] :
+      {std::pair{1e-1, 0.}, {1e-6, 0.}, {1e-12, 0.}, {0.1, -10.}, {0.1, nan}}) {
     Around_a_wall u(wall);
+    u.guard.set_wall_distance(distance);
     EXPECT_FALSE(u.guard.remove_node(1));
     EXPECT_FALSE(u.guard.remove_node(2));
     EXPECT_FALSE(u.guard.insert_node(0, {1.5, 2, 0.5})); // into the other leg

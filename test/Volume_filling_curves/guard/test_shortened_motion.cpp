@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 // Moving each node as far as those near it let it.
@@ -123,17 +124,52 @@ TEST(Shortened_motion, keeps_the_clearance)
   EXPECT_EQ(network.point(2).z(), 2.25);
 }
 
-// An edge that was 2^-9 from another one cannot get past it, be it by a 64th of its way.
+// An edge that is 2^-9 from another one cannot get past it, be it by a 64th of its way.
+struct In_the_way
+{
+  In_the_way() { targets(2, 2) = targets(3, 2) = -1; }
+
+  Network network{{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0x1p-9}, {0.5, 1, 0x1p-9}}, {{0, 1}, {2, 3}}};
+  Targets targets = internal::coordinates(network);
+};
+
 TEST(Shortened_motion, holds_what_cannot_go_anywhere)
 {
-  Network network({Point(0, 0, 0), Point(1, 0, 0), Point(0.5, -1, 0x1p-9), Point(0.5, 1, 0x1p-9)},
-                  {{0, 1}, {2, 3}});
-  const Network start = network;
-  Targets targets = internal::coordinates(network);
-  targets(2, 2) = targets(3, 2) = -1;
-  Guard guard(network);
-  EXPECT_EQ(guard.advance_nodes(targets), (std::vector<double>{1, 1, 0, 0}));
-  EXPECT_EQ(contents(network), contents(start));
+  In_the_way edges;
+  const Network start = edges.network;
+  Guard guard(edges.network);
+  EXPECT_EQ(guard.advance_nodes(edges.targets), (std::vector<double>{1, 1, 0, 0}));
+  EXPECT_EQ(contents(edges.network), contents(start));
+}
+
+TEST(Shortened_motion, lets_nothing_pass_whatever_the_limits)
+{
+  for(const double x : {-1., -100., std::numeric_limits<double>::quiet_NaN()}) {
+    In_the_way edges;
+    Guard guard(edges.network);
+    guard.set_clearance(x);
+    EXPECT_EQ(guard.advance_nodes(edges.targets)[2], 0) << x;
+    EXPECT_EQ(guard.move_nodes(edges.targets), 0) << x;
+    guard.set_bend_limits({1, 1, [x](const Point&) { return x; }});
+    EXPECT_EQ(guard.advance_nodes(edges.targets)[2], 0) << x;
+    EXPECT_EQ(guard.move_nodes(edges.targets), 0) << x;
+  }
+}
+
+// Elsewhere an edge is in the way: otherwise the whole motion is tested at once.
+TEST(Shortened_motion, folds_corners_unless_there_is_a_clearance)
+{
+  for(const double clearance : {0., 1e-3}) {
+    Network network({Point(0, 0, 0), Point(1, 0, 0), Point(0.5, -1, 1), Point(0.5, 1, 1),
+                     Point(9, 0, 0), Point(10, 0, 0), Point(11, 0, 0)},
+                    {{0, 1}, {2, 3}, {4, 5}, {5, 6}});
+    Targets targets = internal::coordinates(network);
+    targets(2, 2) = targets(3, 2) = -1;
+    targets(5, 1) = 100;
+    Guard guard(network);
+    guard.set_clearance(clearance);
+    EXPECT_EQ(guard.advance_nodes(targets)[5] == 1, clearance == 0);
+  }
 }
 
 TEST(Shortened_motion, refuses_targets_out_of_range)

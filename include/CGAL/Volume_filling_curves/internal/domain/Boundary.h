@@ -65,7 +65,7 @@ public:
   // the boundary that counts as outside for the flow. \pre the layer is no wider than the distance
   void set_wall_distance(double distance, double layer = 0)
   {
-    m_wall_distance = distance;
+    m_wall_distance = (std::max)(0., distance); // 0 for NaN
     m_layer = layer;
   }
   double wall_distance() const { return m_wall_distance; }

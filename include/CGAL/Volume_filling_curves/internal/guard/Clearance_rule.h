@@ -11,6 +11,8 @@
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
@@ -24,7 +26,7 @@ class Clearance_rule
 {
 public:
   Clearance_rule() = default;
-  explicit Clearance_rule(double distance) : m_distance(distance) {}
+  explicit Clearance_rule(double distance) : m_distance((std::max)(0., distance)) {} // 0 for NaN
 
   double distance() const { return m_distance; }
   bool is_active() const { return m_distance > 0; }
@@ -40,7 +42,7 @@ public:
   template <typename Opening>
   bool allows_opening(double after, const Opening& before) const
   {
-    return after >= safe_opening || after >= kept_fraction * before();
+    return !is_active() || after >= safe_opening || after >= kept_fraction * before();
   }
 
   // The opening of the corner abc: the distance of the points at distance 1 from b towards a and c,

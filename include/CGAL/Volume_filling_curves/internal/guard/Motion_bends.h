@@ -44,7 +44,7 @@ public:
   std::vector<double> margins(double distance) const
   {
     std::vector<double> margins = multiples_of_edge_scales(m_limits.strand_distance);
-    for(double& margin : margins) margin = (std::max)(margin, distance);
+    for(double& margin : margins) margin = (std::max)(distance, margin); // not NaN
     return margins;
   }
 
