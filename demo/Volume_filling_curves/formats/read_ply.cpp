@@ -19,24 +19,24 @@ namespace {
 namespace files = CGAL::Volume_filling_curves::internal;
 using Kind = CGAL::Volume_filling_curves::Curve_defect_kind;
 
-bool is_vertex(const Ply_element& element)
+bool holds_vertices(const Ply_element& element)
 {
   return element.name == "vertex" || element.name == "vertices";
 }
 
-bool is_face(const Ply_element& element)
+bool holds_faces(const Ply_element& element)
 {
   return element.name == "face" || element.name == "faces";
 }
 
-bool is_strips(const Ply_element& element)
+bool holds_strips(const Ply_element& element)
 {
   return element.name == "tristrips";
 }
 
-// A surface's numbers, and values at its vertices, have the types of the binary form; those of
-// curves keep all digits.
-double in_type(double value, const Ply_property& property)
+// Rounds a number of a surface, or a value at its vertices, to its type, so that ASCII and binary
+// files give the same bits. Curves keep all digits.
+double rounded_to_type(double value, const Ply_property& property)
 {
   const Ply_type* const type = property.type;
   const bool is_float = type != nullptr && type->kind == Ply_type::REAL && type->size == 4;
@@ -57,11 +57,11 @@ public:
   {
     m_draft.is_complete = !m_draft.defects.has_error();
     for(const Ply_element& element : m_items.elements())
-      if(is_vertex(element)) m_number_of_vertices = element.count;
+      if(holds_vertices(element)) m_number_of_vertices += element.count;
     for(const Ply_element& element : m_items.elements())
       m_draft.is_complete = m_draft.is_complete && read(element);
-    const bool is_told = m_draft.is_complete || m_line_of_face > 0;
-    if(is_told && m_polygons == nullptr && !m_has_edges)
+    const bool can_judge = m_draft.is_complete || m_line_of_face > 0; // a face: it is a surface
+    if(can_judge && m_polygons == nullptr && !m_has_edges)
       m_draft.take_without_lines(m_line_of_face, m_items.next_line());
     return std::move(m_draft);
   }
@@ -69,11 +69,11 @@ public:
 private:
   bool read(const Ply_element& element)
   {
-    if(is_vertex(element)) return read_vertices(element);
-    const bool is_of_faces = is_face(element) || is_strips(element);
-    if(m_polygons != nullptr && is_of_faces) return read_faces(element);
+    if(holds_vertices(element)) return read_vertices(element);
+    const bool has_faces = holds_faces(element) || holds_strips(element);
+    if(m_polygons != nullptr && has_faces) return read_faces(element);
     if(m_polygons == nullptr && element.name == "edge") return read_edges(element);
-    if(is_of_faces && element.count > 0)
+    if(has_faces && element.count > 0)
       m_line_of_face = m_items.next_line() > 0 ? m_items.next_line() : element.line;
     return for_each(element, [] {});
   }
@@ -98,10 +98,19 @@ private:
       return m_items.refuse(element, Kind::MISSING_COORDINATES,
                             "vertices have no numbers x, y and z");
     return for_each(element, [&] {
-      const double pin = pinned == Ply_element::none ? 0 : m_items.value(pinned);
-      if(pin > 0 || pin < 0) m_draft.pinned.push_back(m_draft.points.size());
+      if(pinned != Ply_element::none && is_set(pinned))
+        m_draft.pinned.push_back(m_draft.points.size());
       add_vertex(element, xyz);
     });
+  }
+
+  bool is_set(std::size_t property)
+  {
+    const double value = m_items.value(property);
+    if(std::isnan(value))
+      m_items.complain(Kind::UNPARSABLE_NUMBER,
+                       files::quoted(m_items.word(property)) + " is not a number for pinned");
+    return value != 0;
   }
 
   void add_vertex(const Ply_element& element, const std::array<std::size_t, 3>& xyz)
@@ -109,7 +118,7 @@ private:
     Curve_draft::Point point;
     for(std::size_t k = 0; k < 3; ++k) {
       point[k] = m_items.value(xyz[k]);
-      if(m_polygons != nullptr) point[k] = in_type(point[k], element.properties[xyz[k]]);
+      if(m_polygons != nullptr) point[k] = rounded_to_type(point[k], element.properties[xyz[k]]);
       double number = 0;
       if(std::isnan(point[k]) && !files::parse_number(m_items.word(xyz[k]), number))
         return m_draft.add_unreadable_point(
@@ -141,7 +150,7 @@ private:
     if(list == Ply_element::none) list = element.index("vertex_index", true);
     if(list == Ply_element::none)
       return m_items.refuse(element, Kind::UNKNOWN_FORMAT, "faces have no list vertex_indices");
-    const bool are_strips = is_strips(element);
+    const bool are_strips = holds_strips(element);
     return for_each(element, [&] {
       m_corners.clear();
       for(const double *v = m_items.begin(list), *end = m_items.end(list); v != end; ++v)
@@ -167,14 +176,13 @@ private:
     if(v >= 0 && v < static_cast<double>(m_number_of_vertices) && v == std::floor(v))
       return m_corners.push_back(static_cast<std::size_t>(v));
     std::string text;
-    const int number_of_digits = 6;
-    files::append_number(text, v, number_of_digits);
+    files::append_number(text, v); // all digits, as of an index above a million
     m_items.complain(Kind::BAD_INDEX, "there is no vertex " + text + " (numbered from 0)");
   }
 
-  static constexpr double end_of_strip = -1; // in a list of several
+  static constexpr double end_of_strip = -1; // in a list of several strips
 
-  Curve_draft m_draft;
+  Curve_draft m_draft; // before m_items, which report defects to it
   Ply_items m_items;
   Polygons* m_polygons;
   std::vector<std::size_t> m_corners; // of an edge, a polygon or a strip
@@ -201,13 +209,19 @@ std::optional<std::vector<double>> read_ply_column(std::string_view text,
   std::optional<std::vector<double>> values;
   Ply_items items(text, defects);
   for(const Ply_element& element : items.elements()) {
-    const std::size_t column = is_vertex(element) ? element.index(property) : Ply_element::none;
+    const std::size_t column =
+        holds_vertices(element) ? element.index(property) : Ply_element::none;
     if(column != Ply_element::none) values.emplace();
-    for(std::size_t i = 0; i < element.count && items.next(element); ++i) {
+    for(std::size_t i = 0; i < element.count; ++i) {
+      if(!items.next(element)) return values;
       if(column == Ply_element::none) continue;
-      values->push_back(in_type(items.value(column), element.properties[column]));
+      values->push_back(rounded_to_type(items.value(column), element.properties[column]));
       if(std::isnan(values->back()))
-        defects.add({Kind::UNPARSABLE_NUMBER, "a value is not a number", items.line(), {i + 1}});
+        defects.add(
+            {Kind::UNPARSABLE_NUMBER,
+             files::quoted(items.word(column)) + " is not a number for " + std::string(property),
+             items.line(),
+             {i + 1}});
     }
   }
   return values;

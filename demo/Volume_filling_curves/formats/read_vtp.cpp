@@ -42,13 +42,6 @@ std::string without_blanks(std::string_view text)
   return result;
 }
 
-// Returns whether a word is a number other than zero.
-bool is_set(std::string_view word)
-{
-  double number = 0;
-  return files::parse_number(word, number) && number != 0;
-}
-
 // Reads a file of VTK's XML format for polygonal data: pieces with points and cells, the latter as
 // `connectivity`, the points of all of them, and `offsets`, where each ends. Lines are the cells of
 // a curve, polygons and strips of triangles those of a surface. Of the point data only `pinned`
@@ -233,11 +226,22 @@ private:
                     m_piece.points.back().line);
     for(std::size_t i = 0; i < m_piece.points.size(); i += 3) add_point(&m_piece.points[i]);
     for(std::size_t i = 0; i < m_piece.pinned.size() && first + i < m_file.points.size(); ++i)
-      if(is_set(m_piece.pinned[i].text)) m_file.pinned.push_back(first + i);
+      if(is_set(m_piece.pinned[i])) m_file.pinned.push_back(first + i);
     if(m_polygons != nullptr)
       return add_faces(first, m_piece.polygons, *m_polygons) &&
              add_faces(first, m_piece.strips, m_strips);
     return add_lines(first);
+  }
+
+  bool is_set(const Word& word)
+  {
+    double number = 0;
+    if(!files::parse_number(word.text, number))
+      m_file.defects.add({Kind::UNPARSABLE_NUMBER,
+                          files::quoted(word.text) + " is not a number for pinned",
+                          word.line,
+                          {}});
+    return number != 0;
   }
 
   void add_point(const Word* words)

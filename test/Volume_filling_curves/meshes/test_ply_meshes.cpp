@@ -82,6 +82,8 @@ TEST_F(Ply_mesh, tells_which_index_is_wrong_as_the_file_has_it)
           "there is no vertex 4 (numbered from 0)", 16);
   refuses(head + "3 0 2 1.5\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", "bad index",
           "there is no vertex 1.5 (numbered from 0)", 14);
+  refuses(head + "3 0 2 1\n3 0 12345678 3\n3 1 2 3\n3 2 0 3\n", "bad index",
+          "there is no vertex 12345678 (numbered from 0)", 15);
   refuses(start + vertices + faces + "end_header\n0 0 0\n1 0 zero\n0 1 0\n0 0 1\n" + corners,
           "unparsable number", "'zero' is not a number", 11);
 }
