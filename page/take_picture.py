@@ -33,7 +33,8 @@ def pull_until_refused(browser):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        browser = Browser(folder)
+        browser = Browser()
+        browser.open_tab(folder)
         browser.open(PAGE, 1100, 640)
         browser.wait("typeof picture !== 'undefined' && picture !== null")
         browser.value("element('knot').value = 'Links/Hopf link'; loadChoice()")

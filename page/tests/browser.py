@@ -11,36 +11,47 @@ import json
 import os
 import shutil
 import subprocess
+import tempfile
 import time
 
 
 class Browser:
-    def __init__(self, folder):
+    def __init__(self):
+        self.profile = tempfile.TemporaryDirectory()
         commands, self.commands = os.pipe()
         self.answers, answers = os.pipe()
         self.process = subprocess.Popen(
             ["bash", "-c", f'exec "$@" 3<&{commands} 4>&{answers}', "bash",
              shutil.which("chromium"), "--headless", "--no-sandbox", "--use-angle=swiftshader",
              "--enable-unsafe-swiftshader", "--remote-debugging-pipe", "--hide-scrollbars",
-             f"--user-data-dir={folder}/profile", "--host-resolver-rules=MAP * ~NOTFOUND"],
+             f"--user-data-dir={self.profile.name}", "--host-resolver-rules=MAP * ~NOTFOUND"],
             pass_fds=(commands, answers), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(commands)
         os.close(answers)
-        self.number, self.rest, self.session, self.complaints = 0, b"", None, []
-        self.file_input = None  # for which the page has opened a file dialog
-        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network"):
-            self.ask(f"{domain}.enable")
-        self.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+        self.number, self.rest, self.session = 0, b"", None
 
-    # It ends by itself, and its children with it: they write to its folder until then.
+    # It ends by itself, and its children with it: they write to its profile until then.
     def close(self):
         self.session = None
         self.ask("Browser.close")
         self.process.wait(timeout=60)
         os.close(self.commands)
         os.close(self.answers)
+        self.profile.cleanup()
+
+    def open_tab(self, folder):
+        """Opens a tab, to which all that follows applies, and which saves files to this folder."""
+        self.complaints = []
+        self.file_input = None  # for which the page has opened a file dialog
+        self.tab = self.ask("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.ask("Target.attachToTarget", targetId=self.tab, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.ask(f"{domain}.enable")
+        self.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+
+    def close_tab(self):
+        self.session = None
+        self.ask("Target.closeTarget", targetId=self.tab)
 
     def ask(self, method, **parameters):
         """The answer to a command; what the page complains about, or requests, is kept."""
@@ -65,6 +76,8 @@ class Browser:
         return json.loads(message)
 
     def listen(self, event):
+        if event.get("sessionId") != self.session:
+            return  # it is of a tab that is closed
         method, parameters = event["method"], event.get("params", {})
         if method in ("Runtime.exceptionThrown", "Log.entryAdded"):
             self.complaints.append(json.dumps(parameters))
