@@ -18,8 +18,8 @@ std::string to_csv(const Arcs& arcs)
     for(const auto& piece : path.pieces) {
       text += std::to_string(path.component) + ',' + std::to_string(number);
       for(const Curve::Point_3& p : {piece.start, piece.middle, piece.end})
-        for(const double x : {p.x(), p.y(), p.z()}) text += ',' + with_all_digits(x);
-      text += ',' + (piece.is_arc() ? with_all_digits(piece.radius) : "") + '\n';
+        for(const double x : {p.x(), p.y(), p.z()}) text += ',' + to_exact_text(x);
+      text += ',' + (piece.is_arc() ? to_exact_text(piece.radius) : "") + '\n';
     }
     ++number;
   }

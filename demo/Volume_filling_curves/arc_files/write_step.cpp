@@ -22,7 +22,7 @@ namespace vfc {
 namespace {
 
 using CGAL::Volume_filling_curves::internal::to_vector;
-using CGAL::Volume_filling_curves::internal::Vector;
+using Vector_3 = CGAL::Volume_filling_curves::internal::Vector;
 using Piece = CGAL::Volume_filling_curves::Arc_spline_piece<Curve::Point_3>;
 using Path = CGAL::Volume_filling_curves::Arc_spline_path<Curve::Point_3>;
 
@@ -32,7 +32,7 @@ constexpr double tolerance = 1e-7;
 // A real number has a point, and an exponent a capital E.
 std::string real(double x)
 {
-  std::string mantissa = with_all_digits(x), exponent;
+  std::string mantissa = to_exact_text(x), exponent;
   const std::size_t e = mantissa.find('e');
   if(e != std::string::npos) {
     exponent = 'E' + mantissa.substr(e + 1);
@@ -41,7 +41,7 @@ std::string real(double x)
   return mantissa + (mantissa.find('.') == std::string::npos ? "." : "") + exponent;
 }
 
-std::string reals(const Vector& v)
+std::string reals(const Vector_3& v)
 {
   return '(' + real(v.x()) + ',' + real(v.y()) + ',' + real(v.z()) + ')';
 }
@@ -144,9 +144,9 @@ private:
   std::vector<std::string> trimmed_curves(const Path& path)
   {
     std::vector<std::string> curves;
-    Vector last = to_vector(path.pieces.front().start);
+    Vector_3 last = to_vector(path.pieces.front().start);
     for(const Piece& piece : path.pieces) {
-      const Vector end = to_vector(piece.end);
+      const Vector_3 end = to_vector(piece.end);
       if((end - last).norm() <= tolerance) continue;
       curves.push_back(is_round(piece) ? arc(piece) : line(last, end));
       last = end;
@@ -157,12 +157,12 @@ private:
   // whether an arc rises above its chord by more than the tolerance
   static bool is_round(const Piece& piece)
   {
-    const Vector middle = (to_vector(piece.start) + to_vector(piece.end)) / 2;
+    const Vector_3 middle = (to_vector(piece.start) + to_vector(piece.end)) / 2;
     return piece.is_arc() && (to_vector(piece.middle) - middle).norm() > tolerance;
   }
 
-  std::string point(const Vector& p) { return entity("CARTESIAN_POINT(''," + reals(p) + ')'); }
-  std::string direction(const Vector& u) { return entity("DIRECTION(''," + reals(u) + ')'); }
+  std::string point(const Vector_3& p) { return entity("CARTESIAN_POINT(''," + reals(p) + ')'); }
+  std::string direction(const Vector_3& u) { return entity("DIRECTION(''," + reals(u) + ')'); }
 
   // the part of a line from its point on, or of a circle from its first axis on
   std::string trimmed(const std::string& curve, double parameter)
@@ -171,7 +171,7 @@ private:
                   real(parameter) + ")),.T.,.PARAMETER.)");
   }
 
-  std::string line(const Vector& from, const Vector& to)
+  std::string line(const Vector_3& from, const Vector_3& to)
   {
     const double length = (to - from).norm();
     const std::string start = point(from), along = direction((to - from) / length);
@@ -181,10 +181,10 @@ private:
 
   std::string arc(const Piece& piece)
   {
-    const Vector start = to_vector(piece.start), corner = to_vector(piece.corner);
-    const Vector along = (corner - start).normalized();
-    const Vector axis = along.cross(to_vector(piece.end) - corner).normalized();
-    const Vector outward = along.cross(axis).normalized();
+    const Vector_3 start = to_vector(piece.start), corner = to_vector(piece.corner);
+    const Vector_3 along = (corner - start).normalized();
+    const Vector_3 axis = along.cross(to_vector(piece.end) - corner).normalized();
+    const Vector_3 outward = along.cross(axis).normalized();
     const std::string center = point(start - piece.radius * outward);
     const std::string z = direction(axis), x = direction(outward);
     const std::string frame = entity("AXIS2_PLACEMENT_3D(''," + center + ',' + z + ',' + x + ')');

@@ -23,9 +23,9 @@ constexpr double margin = 0.02;       // around the curve, of the larger side
 constexpr double stroke_width = 2e-3; // likewise
 
 // The y axis of SVG points down.
-std::string coordinates(const Point& p)
+std::string coordinate_pair(const Point& p)
 {
-  return with_all_digits(p.x()) + ' ' + with_all_digits(0 - p.y());
+  return to_exact_text(p.x()) + ' ' + to_exact_text(0 - p.y());
 }
 
 // Seen with y up, clockwise is what SVG calls the sweep 1.
@@ -37,15 +37,15 @@ bool is_clockwise(const Piece& arc)
 
 std::string command(const Piece& piece)
 {
-  if(!piece.is_arc()) return "L" + coordinates(piece.end);
-  const std::string radius = with_all_digits(piece.radius);
+  if(!piece.is_arc()) return "L" + coordinate_pair(piece.end);
+  const std::string radius = to_exact_text(piece.radius);
   return "A" + radius + ' ' + radius + " 0 0 " + (is_clockwise(piece) ? '1' : '0') + ' ' +
-         coordinates(piece.end);
+         coordinate_pair(piece.end);
 }
 
 std::string path_element(const Path& path)
 {
-  std::string text = "<path d=\"M" + coordinates(path.pieces.front().start);
+  std::string text = "<path d=\"M" + coordinate_pair(path.pieces.front().start);
   for(const Piece& piece : path.pieces) text += '\n' + command(piece);
   return text + (path.is_closed ? "Z" : "") + "\"/>\n";
 }
@@ -63,8 +63,8 @@ CGAL::Bbox_3 box_of(const Arcs& arcs)
 // meters are unknown to SVG
 std::string side(double length, Length_unit unit)
 {
-  if(unit == Length_unit::METER) return with_all_digits(1000 * length) + "mm";
-  return with_all_digits(length) + (unit == Length_unit::INCH ? "in" : to_string(unit));
+  if(unit == Length_unit::METER) return to_exact_text(1000 * length) + "mm";
+  return to_exact_text(length) + (unit == Length_unit::INCH ? "in" : to_string(unit));
 }
 
 std::string head(const CGAL::Bbox_3& box, Length_unit unit)
@@ -72,10 +72,10 @@ std::string head(const CGAL::Bbox_3& box, Length_unit unit)
   const double size = (std::max)(box.x_span(), box.y_span()), space = margin * size;
   const double width = box.x_span() + 2 * space, height = box.y_span() + 2 * space;
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + side(width, unit) + "\" height=\"" +
-         side(height, unit) + "\" viewBox=\"" + with_all_digits(box.xmin() - space) + ' ' +
-         with_all_digits(-box.ymax() - space) + ' ' + with_all_digits(width) + ' ' +
-         with_all_digits(height) + "\">\n<g fill=\"none\" stroke=\"black\" stroke-width=\"" +
-         with_all_digits(stroke_width * size) + "\">\n";
+         side(height, unit) + "\" viewBox=\"" + to_exact_text(box.xmin() - space) + ' ' +
+         to_exact_text(-box.ymax() - space) + ' ' + to_exact_text(width) + ' ' +
+         to_exact_text(height) + "\">\n<g fill=\"none\" stroke=\"black\" stroke-width=\"" +
+         to_exact_text(stroke_width * size) + "\">\n";
 }
 
 } // namespace

@@ -61,7 +61,7 @@ std::string to_text(const Mesh_soup& soup, const std::string& extension)
   for(const auto& p : soup.points) {
     text += format.before_point;
     for(int axis = 0; axis < 3; ++axis) {
-      text += with_all_digits(p[axis]);
+      text += to_exact_text(p[axis]);
       text += axis < 2 ? ' ' : '\n';
     }
   }

@@ -22,7 +22,7 @@ std::string to_text(double number)
   return text;
 }
 
-std::string with_all_digits(double number)
+std::string to_exact_text(double number)
 {
   std::string text;
   internal::append_number(text, number, internal::fewest_digits);

@@ -21,9 +21,10 @@ using CGAL::Volume_filling_curves::internal::counted;
 std::string to_text(double number);
 
 // returns the shortest text that restores the same number
-std::string with_all_digits(double number);
+std::string to_exact_text(double number);
 
-// Each reads a number, finite or a nonnegative integer. Returns whether it is the whole text.
+// Read a finite number, and a nonnegative integer. Return whether the whole text is one; if it is
+// not, the number may have changed.
 bool parse(const std::string& text, double& number);
 bool parse(const std::string& text, unsigned long long& number);
 

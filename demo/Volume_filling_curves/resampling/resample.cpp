@@ -22,7 +22,7 @@ namespace {
 
 namespace curves = CGAL::Volume_filling_curves;
 using curves::internal::to_vector;
-using curves::internal::Vector;
+using Vector_3 = curves::internal::Vector;
 using Guard = curves::Isotopy_guard_3<>;
 using Strand = curves::internal::Curve_strand;
 
@@ -33,13 +33,13 @@ constexpr double min_gap = 1e-9; // of the step: a node that near to a new one t
 struct Station
 {
   std::size_t node;
-  Vector position;
+  Vector_3 position;
   bool stays;
 };
 
 using Stations = std::vector<Station>;
 
-Vector position(const Guard& guard, std::size_t v)
+Vector_3 position(const Guard& guard, std::size_t v)
 {
   return to_vector(guard.curve().point(v));
 }
@@ -56,7 +56,7 @@ double length_of(const Guard& guard, const Strand& strand)
 struct Part
 {
   std::size_t edge;
-  Vector begin, end;
+  Vector_3 begin, end;
   double from, to;
 };
 
@@ -73,7 +73,7 @@ Stations insert_in_part(Guard& guard, const Part& part, double step)
   if(is_forward) std::reverse(places.begin(), places.end());
   Stations inserted;
   for(const double place : places) {
-    const Vector p = part.begin + place * (part.end - part.begin);
+    const Vector_3 p = part.begin + place * (part.end - part.begin);
     if(guard.insert_node(part.edge, {p.x(), p.y(), p.z()}))
       inserted.push_back({curve.target(part.edge), p, true});
   }
@@ -118,7 +118,7 @@ void measure(const Guard& guard, const Stations& stations, Resampling& result)
   std::size_t last = 0;
   for(std::size_t i = 1; i < stations.size(); ++i) {
     if(guard.curve().is_removed_node(stations[i].node)) continue;
-    const Vector &a = stations[last].position, &b = stations[i].position;
+    const Vector_3 &a = stations[last].position, &b = stations[i].position;
     for(std::size_t k = last + 1; k < i; ++k)
       result.max_distance = (std::max)(
           result.max_distance,
