@@ -17,6 +17,7 @@ namespace {
 
 namespace files = CGAL::Volume_filling_curves::internal;
 
+// Whether each node is pinned; empty if none is, and then files have no such column.
 std::vector<bool> are_pinned(const Curve_paths& curve)
 {
   std::vector<bool> is_pinned(curve.pinned.empty() ? 0 : curve.points.size(), false);
@@ -24,16 +25,16 @@ std::vector<bool> are_pinned(const Curve_paths& curve)
   return is_pinned;
 }
 
-// An array of VTK's XML files, with one tuple in a line.
-template <typename AppendTuple>
+// An array of VTK's XML files, with one item in a line.
+template <typename AppendItem>
 void append_array(std::string& text,
                   const std::string& type_and_name,
                   std::size_t size,
-                  const AppendTuple& append_tuple)
+                  const AppendItem& append_item)
 {
   text += "<DataArray type=" + type_and_name + " format=\"ascii\">\n";
   for(std::size_t i = 0; i < size; ++i) {
-    append_tuple(i);
+    append_item(i);
     text += '\n';
   }
   text += "</DataArray>\n";
@@ -76,7 +77,7 @@ std::string to_ply(const Curve_paths& curve, const Node_columns& columns)
     files::append(line, curve.points[v]);
     for(const Node_column& column : columns) files::append_number(line += ' ', column.values[v]);
     if(!is_pinned.empty()) line += is_pinned[v] ? " 1" : " 0";
-    text.append(line, 1, std::string::npos).push_back('\n');
+    text.append(line, 1, std::string::npos).push_back('\n'); // without the first blank
   }
   for(const auto& path : curve.paths)
     for(std::size_t i = 1; i < path.size(); ++i)
@@ -107,6 +108,8 @@ std::string to_vtp(const Curve_paths& curve, const Node_columns& columns)
   return text + "</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
+// Geomview's format: the numbers of paths, points and colors; the number of points of each path,
+// negative if it is closed, and its number of colors; then all points.
 std::string to_vect(const Curve_paths& curve)
 {
   std::string counts, points;
@@ -120,11 +123,11 @@ std::string to_vect(const Curve_paths& curve)
   }
   std::string text = "VECT\n" + std::to_string(curve.paths.size()) + ' ' +
                      std::to_string(number_of_points) + " 0\n" + counts;
-  for(std::size_t i = 0; i < curve.paths.size(); ++i) text += "0\n"; // colors
+  for(std::size_t i = 0; i < curve.paths.size(); ++i) text += "0\n"; // colors of each
   return text + points;
 }
 
-// A polyline ends with an empty line.
+// Each path ends with an empty line; a closed one repeats its first point.
 std::string to_point_list(const Curve_paths& curve)
 {
   std::string text;

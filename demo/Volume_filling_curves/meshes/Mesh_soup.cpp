@@ -8,7 +8,7 @@
 
 namespace vfc {
 
-void Mesh_soup::number_points()
+void Mesh_soup::record_file_indices()
 {
   file_indices.clear();
   for(std::size_t v = 0; v < points.size(); ++v) file_indices.insert({points[v], v});

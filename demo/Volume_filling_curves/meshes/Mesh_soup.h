@@ -25,8 +25,9 @@ struct Mesh_soup
   using Point = Kernel::Point_3;
   using Face = std::array<std::size_t, 3>;
 
-  // Records the points as those of the file; the first of equal points counts.
-  void number_points();
+  // Records the points as those of the file; the first of equal points counts. Comes before
+  // `file_index()` and `numbers()`. \pre the coordinates are finite
+  void record_file_indices();
 
   // the index of a point in the file, from 0
   std::size_t file_index(std::size_t v) const { return file_indices.at(points[v]); }

@@ -127,7 +127,7 @@ void check_soup(Mesh_soup& soup, Mesh_findings& findings, Work_watch& watch)
   check_coordinates(soup, findings);
   check_indices(soup, findings);
   if(findings.has_error()) return;
-  soup.number_points();
+  soup.record_file_indices();
   watch.check();
   if(const auto fault = rules::size_fault(soup.points)) findings.add_error(*fault);
   merge_equal_points(soup, findings);

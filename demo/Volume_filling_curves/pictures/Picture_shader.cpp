@@ -27,7 +27,7 @@ double opacity(double optical_depth)
 Picture_shader::Picture_shader(const Scene_raster& raster,
                                const Tube_colors& colors,
                                std::size_t samples_per_side)
-    : m_raster(raster), m_colors(colors), m_side(samples_per_side)
+    : m_raster(raster), m_colors(colors), m_samples_per_side(samples_per_side)
 {
   for(std::size_t y = 0; y < raster.height(); ++y)
     for(std::size_t x = 0; x < raster.width(); ++x) {
@@ -40,7 +40,8 @@ Picture_shader::Picture_shader(const Scene_raster& raster,
 
 Rgb_image Picture_shader::operator()() const
 {
-  Rgb_image image{m_raster.width() / m_side, m_raster.height() / m_side, {}};
+  Rgb_image image{
+      m_raster.width() / m_samples_per_side, m_raster.height() / m_samples_per_side, {}};
   image.bytes.reserve(3 * image.width * image.height);
   for(std::size_t y = 0; y < image.height; ++y)
     for(std::size_t x = 0; x < image.width; ++x)
@@ -52,12 +53,14 @@ Rgb_image Picture_shader::operator()() const
 Color Picture_shader::pixel(std::size_t x, std::size_t y) const
 {
   Color sum{0, 0, 0};
-  for(std::size_t j = 0; j < m_side; ++j)
-    for(std::size_t i = 0; i < m_side; ++i) {
-      const Color color = shade(m_raster.sample(m_side * x + i, m_side * y + j));
+  for(std::size_t j = 0; j < m_samples_per_side; ++j)
+    for(std::size_t i = 0; i < m_samples_per_side; ++i) {
+      const Color color =
+          shade(m_raster.sample(m_samples_per_side * x + i, m_samples_per_side * y + j));
       for(std::size_t k = 0; k < 3; ++k) sum[k] += color[k];
     }
-  for(double& channel : sum) channel /= static_cast<double>(m_side * m_side);
+  for(double& channel : sum)
+    channel /= static_cast<double>(m_samples_per_side * m_samples_per_side);
   return sum;
 }
 

@@ -17,13 +17,14 @@
 
 namespace vfc {
 
-// Shader that computes the color of a pixel as the mean of its samples. The light comes from the
+// Shader of a raster: each pixel is the mean of its samples. The light comes from the
 // upper left, over the viewer's shoulder; distant parts are pale, and tubes are darker at their
 // outlines, which separates strands.
 class Picture_shader
 {
 public:
-  // A pixel has `samples_per_side` squared samples.
+  // A pixel has `samples_per_side` squared samples. Raster and colors must outlive the shader.
+  // \pre the raster is complete, and `samples_per_side` divides its width and height
   Picture_shader(const Scene_raster& raster,
                  const Tube_colors& colors,
                  std::size_t samples_per_side);
@@ -37,7 +38,8 @@ private:
 
   const Scene_raster& m_raster;
   const Tube_colors& m_colors;
-  std::size_t m_side;
+  std::size_t m_samples_per_side;
+  // the depths of the farthest and the nearest sample
   float m_back = std::numeric_limits<float>::infinity(), m_front = -m_back;
 };
 

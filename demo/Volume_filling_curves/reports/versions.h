@@ -11,11 +11,13 @@
 
 namespace vfc {
 
-// The commit that the program was built from, empty if there was no git. main() sets it.
+// The name of the commit that the program was built from, with "-dirty" if sources were changed;
+// empty if it is unknown, as without git. main() sets it, whose file alone is compiled anew for a
+// commit. States of runs store it, and are refused by other commits.
 void set_commit(const std::string& name);
 const std::string& commit();
 
-// The version of the package, and the lines that `vfc --version` prints.
+// The version of the package, and the lines that `vfc --version` prints, first "vfc VERSION".
 std::string package_version();
 std::string all_versions();
 

@@ -19,7 +19,8 @@ namespace Volume_filling_curves {
 
 namespace internal {
 
-// Requirements on a kernel: exact predicates, and points that hold every double.
+// Requirements on a kernel: exact predicates, and coordinates that hold every double: double, or an
+// exact field, which holds all rationals.
 template <typename Kernel>
 struct Is_exact_kernel
 {

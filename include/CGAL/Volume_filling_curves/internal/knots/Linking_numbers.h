@@ -32,7 +32,7 @@ namespace internal {
 // the sign of the crossing; hence the result is exact. Doubles only select the candidates, by boxes
 // of the central projection with a margin. If a test is degenerate, another viewpoint is used; few
 // viewpoints with 53-bit coordinates are coplanar with an edge and a node, even for curves on a
-// lattice. O(n log n + k) for k candidates.
+// lattice. O(n log n + k + c^2) for k candidates and c components.
 template <typename Network>
 class Linking_numbers
 {
@@ -67,16 +67,18 @@ public:
     return std::nullopt;
   }
 
-  // Two components that meet, if there is no result.
+  // If there is no result: two components with a degenerate test from the last viewpoint. They
+  // meet, unless all viewpoints were degenerate by accident.
   const std::array<std::size_t, 2>& meeting_components() const { return m_degenerate; }
 
 private:
-  static constexpr int max_viewpoints = 8;    // more than one is needed for invalid curves only
+  static constexpr int max_viewpoints = 8;    // valid curves hardly ever need a second
   static constexpr double view_distance = 3;  // box diagonals from the box's center
   static constexpr double box_margin = 1e-12; // of a projection of size 1/3; its rounding is 1e-15
 
   void look_from(int attempt)
   {
+    // arbitrary directions without symmetries
     m_frame = frame_of_quaternion(0.613 + 0.1 * attempt, 0.297, -0.531, 0.7717);
     Box box;
     for(std::size_t v = 0; v < m_curve.number_of_nodes(); ++v)

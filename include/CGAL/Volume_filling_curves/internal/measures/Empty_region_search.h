@@ -27,9 +27,10 @@ namespace internal {
 
 // Search for regions that the curve has not reached. Samples farther than 2 r from the curve form
 // regions, joined where they are close and the segment between them lies inside. From the sample
-// with the largest clearance, a ball ascends to its largest radius without leaving the previous
-// ball; the samples in it also belong to the region. A region counts if its ball has a radius of at
-// least r / 2. Linear in the number of samples, and near-linear in the number of empty ones.
+// with the largest clearance, a ball grows by moving its center, always within the previous ball,
+// so that it stays in the same part of the domain; the samples in it also belong to the region. A
+// region counts if its ball has a radius of at least r / 2. Linear in the number of samples, and
+// near-linear in the number of empty ones, for each of at most 256 balls.
 template <typename Traits, typename Domain, typename BoundaryDistance, typename Thickness>
 class Empty_region_search
 {
@@ -41,8 +42,9 @@ public:
     std::size_t number_of_samples;
   };
 
-  // `boundary_distance` is a function of the sample's number, `thickness` one of the point;
-  // `spacing` is the edge of the cube that holds one sample on average
+  // `distances` are those of the samples from the curve. `boundary_distance` is a function of the
+  // sample's number, `thickness` one of the point; `spacing` is the edge of the cube, or square,
+  // that holds one sample on average. All but samples and distances must outlive the search.
   Empty_region_search(const Distance_to_curve& curve,
                       const Domain& domain,
                       const Thickness& thickness,
@@ -98,8 +100,9 @@ private:
     double clearance;
   };
 
-  static constexpr std::size_t max_ascents = 256;
-  static constexpr double ascent_end = 1. / 16; // of r
+  static constexpr std::size_t max_ascents = 256; // each visits all empty samples
+  static constexpr double ascent_end = 1. / 16;   // of r: the last step
+  static constexpr double min_gain = 1e-3;        // of the step, which is halved otherwise
 
   void link()
   {
@@ -110,7 +113,8 @@ private:
     m_sets = std::move(linked.sets());
   }
 
-  // in the order of their first members, each in the order of the samples
+  // In the order of their first members, each in the order of the samples. The root of a set is its
+  // first member, see Disjoint_sets.
   std::vector<std::vector<std::size_t>> sets()
   {
     std::vector<std::vector<std::size_t>> result;
@@ -153,7 +157,7 @@ private:
   }
 
   // Radius of the largest ball around the center that is inside and farther than 2 r from the
-  // curve.
+  // curve; not positive if there is none.
   double clearance(const Vector& center) const
   {
     const auto point = to_point(center, m_traits);
@@ -168,7 +172,6 @@ private:
     Region ball{start, clearance(start), 0};
     double step = m_link;
     while(step > ascent_end * m_thickness(to_point(ball.center, m_traits))) {
-      check_run();
       Region next = ball;
       const double length = (std::min)(step, (std::max)(ball.radius, 0.));
       for(int i = 0; i < 6; ++i) {
@@ -183,8 +186,6 @@ private:
     }
     return ball;
   }
-
-  static constexpr double min_gain = 1e-3; // of the step; ends the ascent
 
   void unite_samples_in(const Region& ball, std::size_t start)
   {
@@ -220,8 +221,8 @@ private:
   const Traits& m_traits;
   Run_watch* m_watch;          // none if null
   std::vector<Sample> m_empty; // by gap, the largest first
-  double m_link = 0;           // their largest distance if they are linked
-  Disjoint_sets m_sets{0};     // of them
+  double m_link = 0;           // the largest distance of samples that are linked
+  Disjoint_sets m_sets{0};     // of the indices of m_empty
 };
 
 } // namespace internal
