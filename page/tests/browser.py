@@ -43,11 +43,11 @@ class Browser:
         """Opens a tab, to which all that follows applies, and which saves files to this folder."""
         self.complaints = []
         self.file_input = None  # for which the page has opened a file dialog
+        self.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
         self.tab = self.ask("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.ask("Target.attachToTarget", targetId=self.tab, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(f"{domain}.enable")
-        self.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
 
     def close_tab(self):
         self.session = None
@@ -77,7 +77,7 @@ class Browser:
 
     def listen(self, event):
         if event.get("sessionId") != self.session:
-            return  # it is of a tab that is closed
+            return  # of a closed tab, or of the browser
         method, parameters = event["method"], event.get("params", {})
         if method in ("Runtime.exceptionThrown", "Log.entryAdded"):
             self.complaints.append(json.dumps(parameters))

@@ -63,7 +63,7 @@ class In_folder(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("chromium"), "there is no chromium")
 class On_page(In_folder):
-    # One browser for all tests of a class: it takes 4 of the 7 s of the processor that a test takes.
+    # One browser for all tests of a class: its start takes 4 CPU s, more than the rest of a test.
     @classmethod
     def setUpClass(cls):
         cls.browser = Browser()
@@ -110,8 +110,8 @@ class On_page(In_folder):
         return float(self.text(name))
 
     def wait_until_tight(self, length):
-        """Waits for the picture of the tight curve, which is shorter than this: it comes after the message,
-        until which the page may have shown none of a curve that runs."""
+        """Waits for the picture of the tight curve, which is shorter than this. It comes after the message;
+        until then the page may still show the curve before the run, which does not run either."""
         self.wait_for_message("The curve is tight.")
         self.browser.wait(f"!picture.isRunning && Number(element('length').textContent) < {length}")
 

@@ -59,9 +59,10 @@ if(NOT TARGET vfc_parts)
     "/(arc_files|film|formats|meshes|pictures|repair|resampling|symmetry)/")
 endif()
 if(VFC_UNITY_BUILD)
-  # Two units of much the same size, by what the tests include: fill() or meshes, or neither. With
-  # clang++ and sanitizers they take 616 s of the processor, four units 750, since those compile more
-  # templates twice, and one 587, but 8 GB (10 GB with g++), and only one processor.
+  # Two units of much the same size, by what the tests include: fill(), or meshes or domains without
+  # untangle(), flows and certificates; or anything else. With clang++ and sanitizers they take 616 s
+  # of the processor, four units 750, since those compile more templates twice, and one 587, but 8 GB
+  # (10 GB with g++), and only one processor.
   foreach(source IN LISTS sources)
     file(STRINGS ${source} includes REGEX "^#include")
     set(unit untangle)

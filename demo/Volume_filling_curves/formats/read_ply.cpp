@@ -211,7 +211,7 @@ std::optional<std::vector<double>> read_ply_column(std::string_view text,
   for(const Ply_element& element : items.elements()) {
     const std::size_t column =
         holds_vertices(element) ? element.index(property) : Ply_element::none;
-    if(column != Ply_element::none) values.emplace();
+    if(column != Ply_element::none && !values) values.emplace();
     for(std::size_t i = 0; i < element.count; ++i) {
       if(!items.next(element)) return values;
       if(column == Ply_element::none) continue;
@@ -221,7 +221,7 @@ std::optional<std::vector<double>> read_ply_column(std::string_view text,
             {Kind::UNPARSABLE_NUMBER,
              files::quoted(items.word(column)) + " is not a number for " + std::string(property),
              items.line(),
-             {i + 1}});
+             {values->size()}});
     }
   }
   return values;

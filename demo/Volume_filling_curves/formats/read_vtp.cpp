@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <list>
 #include <optional>
@@ -236,7 +237,7 @@ private:
   bool is_set(const Word& word)
   {
     double number = 0;
-    if(!files::parse_number(word.text, number))
+    if(!files::parse_number(word.text, number) || std::isnan(number))
       m_file.defects.add({Kind::UNPARSABLE_NUMBER,
                           files::quoted(word.text) + " is not a number for pinned",
                           word.line,

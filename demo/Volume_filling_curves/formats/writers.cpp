@@ -108,8 +108,8 @@ std::string to_vtp(const Curve_paths& curve, const Node_columns& columns)
   return text + "</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
-// Geomview's format: the numbers of paths, points and colors; the number of points of each path,
-// negative if it is closed, and its number of colors; then all points.
+// Geomview's format: the numbers of paths, points and colors; for each path its number of points,
+// negative if it is closed; for each path its number of colors, 0; then all points.
 std::string to_vect(const Curve_paths& curve)
 {
   std::string counts, points;
@@ -123,7 +123,7 @@ std::string to_vect(const Curve_paths& curve)
   }
   std::string text = "VECT\n" + std::to_string(curve.paths.size()) + ' ' +
                      std::to_string(number_of_points) + " 0\n" + counts;
-  for(std::size_t i = 0; i < curve.paths.size(); ++i) text += "0\n"; // colors of each
+  for(std::size_t i = 0; i < curve.paths.size(); ++i) text += "0\n";
   return text + points;
 }
 

@@ -17,9 +17,9 @@
 
 namespace vfc {
 
-// Shader of a raster: each pixel is the mean of its samples. The light comes from the
-// upper left, over the viewer's shoulder; distant parts are pale, and tubes are darker at their
-// outlines, which separates strands.
+// Shader of a raster: each pixel is the mean of its samples. The light comes from the upper left,
+// over the viewer's shoulder; distant parts are pale, and tubes are darker at their outlines, which
+// separates strands.
 class Picture_shader
 {
 public:
@@ -39,7 +39,7 @@ private:
   const Scene_raster& m_raster;
   const Tube_colors& m_colors;
   std::size_t m_samples_per_side;
-  // the depths of the farthest and the nearest sample
+  // the depths of the farthest and the nearest sample of a tube
   float m_back = std::numeric_limits<float>::infinity(), m_front = -m_back;
 };
 

@@ -12,7 +12,7 @@
 namespace vfc {
 
 // The name of the commit that the program was built from, with "-dirty" if sources were changed;
-// empty if it is unknown, as without git. main() sets it, whose file alone is compiled anew for a
+// empty if it is unknown, as without git. main() sets it: its file alone is compiled anew for each
 // commit. States of runs store it, and are refused by other commits.
 void set_commit(const std::string& name);
 const std::string& commit();

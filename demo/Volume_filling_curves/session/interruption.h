@@ -19,7 +19,7 @@ namespace vfc {
 
 // A file that becomes larger than the system allows is an error like a full disk (SIGXFSZ would end
 // the program and leave a part of the file). SIGINT and SIGTERM end the program at once, with the
-// status for interruptions, until the first poll: reading and repair have nothing worth saving.
+// status for interruptions, until the first poll: reading has nothing worth saving.
 // From then on the first signal is a request to finish and save the result, and the second one ends
 // the program at once. A first signal also waits until a file is complete, see Complete_file.
 

@@ -124,7 +124,7 @@ public:
   /// distance.
   void set_clearance(double distance) { m_clearance = internal::Clearance_rule(distance); }
 
-  /// returns the clearance.
+  /// returns the clearance, 0 if there is none.
   double clearance() const { return m_clearance.distance(); }
 
   /// sets the distance from the boundary of the domain that the curve keeps, in the input's unit; 0
@@ -245,8 +245,8 @@ public:
   }
 
   /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if the ray is certified
-  /// to meet the curve only in `v`, and returns whether it did. A strand then slips off this end
-  /// only around the tip, which should lie beyond all that the curve reaches. Nodes of rays are
+  /// to meet the curve only in `v`, and returns whether it did. A strand can then slip off this
+  /// end only around the tip, which should lie beyond all that the curve reaches. Nodes of rays are
   /// pinned and have no origin; certificates omit them.
   /// \pre the node has not been removed
   bool add_ray(size_type v, const Point_3& tip)

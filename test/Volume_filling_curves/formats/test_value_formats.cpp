@@ -107,7 +107,7 @@ TEST(Ply_reader, pins_what_is_not_zero)
   EXPECT_TRUE(arc.is_pinned(1));
   EXPECT_FALSE(arc.is_pinned(2));
   EXPECT_EQ(complaint(read_ply(header + "0 0 0 0\n1 0 0 yes\n2 0 0 0\n0 1\n1 2\n")),
-            "12: 'yes' is not a number for pinned");
+            "13: 'yes' is not a number for pinned");
 }
 
 std::string vtp(const std::string& piece)
@@ -162,10 +162,14 @@ TEST(Vtp_reader, says_where_a_file_is_wrong)
             "7: the number of coordinates is no multiple of 3");
   EXPECT_EQ(complaint(read_vtp(vtp(piece("0 0 0 1 0 0 0 o 0", "0 1 2", "3")))),
             "7: 'o' is not a number");
-  const std::string pinned = "<PointData>" + array("pinned", "0 yes 0") + "</PointData>\n";
-  EXPECT_EQ(complaint(read_vtp(
-                vtp("<Piece>\n" + pinned + piece(points, "0 1 2", "3").substr(sizeof("<Piece>"))))),
-            "6: 'yes' is not a number for pinned");
+  for(const std::string word : {"yes", "nan"}) {
+    const std::string pinned =
+        "<PointData>" + array("pinned", "0 " + word + " 0") + "</PointData>\n";
+    const std::string start = "<Piece>\n";
+    EXPECT_EQ(
+        complaint(read_vtp(vtp(start + pinned + piece(points, "0 1 2", "3").substr(start.size())))),
+        "6: '" + word + "' is not a number for pinned");
+  }
   EXPECT_EQ(complaint(read_vtp(vtp(piece(points, "0\n1\n3", "3")))),
             "11: '3' is not the index of one of 3 points");
   EXPECT_EQ(complaint(read_vtp(vtp(piece(points, "0 1 2", "2 1")))),

@@ -124,7 +124,7 @@ TEST(Shortened_motion, keeps_the_clearance)
   EXPECT_EQ(network.point(2).z(), 2.25);
 }
 
-// An edge that is 2^-9 from another one cannot get past it, be it by a 64th of its way.
+// An edge that is 2^-9 from another one cannot get past it, not even by a 64th of its way.
 struct In_the_way
 {
   In_the_way() { targets(2, 2) = targets(3, 2) = -1; }

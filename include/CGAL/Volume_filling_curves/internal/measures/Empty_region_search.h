@@ -101,8 +101,8 @@ private:
   };
 
   static constexpr std::size_t max_ascents = 256; // each visits all empty samples
-  static constexpr double ascent_end = 1. / 16;   // of r: the last step
-  static constexpr double min_gain = 1e-3;        // of the step, which is halved otherwise
+  static constexpr double ascent_end = 1. / 16;   // of r: shorter steps end an ascent
+  static constexpr double min_gain = 1e-3;        // of the step: with less, the step is halved
 
   void link()
   {
