@@ -13,6 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_thickness.h>
@@ -89,8 +90,8 @@ public:
   /// the type of the indices of nodes
   using size_type = typename Curve_network::size_type;
 
-  /// a thickness that varies in space; must be safe to call concurrently, and return positive
-  /// values
+  /// a thickness that varies in space; must be safe to call concurrently, and return positive,
+  /// finite values
   using Thickness_field = std::function<double(const Point_3&)>;
 
   /// a direction at each point, whose sign and length do not matter; zero where there is none
@@ -119,7 +120,8 @@ public:
    *
    * \throws std::invalid_argument if a parameter is not positive and finite (`thickness`,
    * `coupling` and `time_step` may also be 0), if `spacing` is larger than 1, or if a node slides
-   * along the boundary and there is no domain
+   * along the boundary and there is no domain; if the curve is smaller than 1e-150 and no thickness
+   * is given; if the curve would have more than 20 million nodes
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
@@ -166,12 +168,14 @@ public:
   ///
   /// \pre the network has no garbage
   ///
-  /// \throws std::invalid_argument if `spacing` is not positive, or larger than 1
+  /// \throws std::invalid_argument if `spacing` is not positive, larger than 1, or so small that
+  /// the curve would have more than 20 million nodes
   void set_spacing(double spacing)
   {
     Curve_flow_parameters parameters = m_parameters;
     parameters.spacing = spacing;
     internal::check_parameters(parameters);
+    check_number_of_nodes(spacing);
     m_parameters = parameters;
     m_motion.remesh_until_even();
     update();
@@ -254,6 +258,9 @@ public:
   }
 
   /// moves the curve by one step, remeshes it, and returns whether it moved.
+  ///
+  /// \throws std::invalid_argument if a field returns a value out of its range; the curve may have
+  /// moved, and `update()` comes before the next step then
   bool step()
   {
     ++m_state.statistics.iterations;
@@ -382,9 +389,21 @@ private:
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
           curve(), parameters_in_domain().number_of_directions, m_guard.watch());
       m_thickness.set(Thickness(measure()));
+      if(!m_thickness.is_given() && curve().number_of_edges() > 0)
+        throw std::invalid_argument("the curve is too small to measure a thickness");
     }
+    m_thickness.update();
+    check_number_of_nodes(m_parameters.spacing);
     m_motion.remesh_until_even();
     update();
+  }
+
+  // Refuses edges so short that the curve would exhaust memory.
+  void check_number_of_nodes(double spacing) const
+  {
+    if(internal::has_too_many_nodes(internal::total_length(curve()), spacing, thickness()))
+      internal::refuse_value(internal_np::spacing_t(), spacing,
+                             "the curve would have more than 20 million nodes with that thickness");
   }
 
   // In the plane only two directions are orthogonal to a curve. Both act along one line, like two

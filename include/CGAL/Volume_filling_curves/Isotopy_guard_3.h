@@ -108,7 +108,7 @@ public:
 
   /// constructs a guard that keeps `curve` inside `domain`, which must outlive the guard.
   /// \pre the curve lies inside `domain`
-  /// \throws std::invalid_argument if the domain is unbounded
+  /// \throws std::invalid_argument if the domain is unbounded, or smaller than 1e-150
   Isotopy_guard_3(Curve_network_3<Traits>& curve, const Domain& domain)
       : Isotopy_guard_3(curve, Boundary(domain))
   {}
@@ -172,7 +172,7 @@ public:
   /// `Curve_network_3::is_removable()`), and a closed component keeps 3 edges.
   bool remove_node(size_type v)
   {
-    return change_if(m_curve.is_removable(v) &&
+    return change_if(m_curve.is_removable(v) && !internal::has_ray(m_curve, v) &&
                          m_certifier.is_removal_safe(v, m_clearance, m_bends),
                      [&] { m_editor.remove_node(v); });
   }
@@ -191,13 +191,14 @@ public:
    *
    * \pre the network has no garbage
    * \pre `targets` has one row per node
-   * \pre `min_fraction` is positive
+   * \pre `min_fraction` is positive and at most 1
    */
   template <typename ConcurrencyTag = Sequential_tag>
   double move_nodes(const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& targets,
                     double min_fraction = 1)
   {
-    CGAL_precondition_msg(min_fraction > 0, "`min_fraction` is positive");
+    CGAL_precondition_msg(min_fraction > 0 && min_fraction <= 1,
+                          "`min_fraction` is positive and at most 1");
     if(!are_in_range(targets)) return 0;
     const size_type n = m_curve.number_of_nodes();
     const Limits limits(ConcurrencyTag(), m_curve, targets, m_clearance, m_boundary, m_bends);
@@ -245,9 +246,10 @@ public:
   }
 
   /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if the ray is certified
-  /// to meet the curve only in `v`, and returns whether it did. A strand can then slip off this
-  /// end only around the tip, which should lie beyond all that the curve reaches. Nodes of rays are
-  /// pinned and have no origin; certificates omit them.
+  /// to meet the curve only in `v`, and returns whether it did. A strand can then slip off this end
+  /// only around the tip, which should lie beyond all that the curve reaches. Nodes of rays are
+  /// pinned and have no origin. Remove all rays before you start recording or ask for a
+  /// certificate, which would count their nodes.
   /// \pre the node has not been removed
   bool add_ray(size_type v, const Point_3& tip)
   {
@@ -281,7 +283,8 @@ public:
   /// adds an observer of every change. It must outlive the guard or be removed before.
   void add_observer(Observer& observer) { m_editor.add(observer); }
 
-  /// removes an observer.
+  /// removes an observer, or does nothing if it was not added. Observers must not be added or
+  /// removed while they are called.
   void remove_observer(Observer& observer) { m_editor.remove(observer); }
 
   /// starts recording changes, and discards any former record.

@@ -198,9 +198,9 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  *
  * This is the 25th percentile of the medial radii of all points and directions; spheres that touch
  * nothing count as infinite. It is a length in the input's unit, scales with the curve, does not
- * depend on the division into edges, and is 0 for a curve without extent. For curves with junctions
- * it is at least the thickness at which the number of nodes grows to about four times the input's,
- * or to two thousand. Takes near-linear time for most curves.
+ * depend on the division into edges, and is 0 for a curve smaller than 1e-150. For curves with
+ * junctions it is at least the thickness at which the number of nodes grows to about four times the
+ * input's, or to two thousand. Takes near-linear time for most curves.
  *
  * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`

@@ -40,8 +40,9 @@ namespace Volume_filling_curves {
  * A node is removed if the triangle that it spans with its two neighbors meets the rest of the
  * curves only in these neighbors; hence the result is ambient isotopic to the input. At the end no
  * further node can be removed by this rule. Remaining nodes do not move. Pinned nodes, ends of open
- * curves and junctions stay, and a closed curve keeps at least 3 nodes. `Curve_network_3::origin()`
- * returns the input index of a node.
+ * curves, junctions and sliding nodes that are not `Curve_network_3::is_removable()` stay, and a
+ * closed curve keeps at least 3 nodes. `Curve_network_3::origin()` returns the input index of a
+ * node.
  *
  * With a `max_distance`, every edge of the result lies within that Fréchet distance of the section
  * of the input that it replaces: two points can traverse both from end to end, never turning back

@@ -268,6 +268,12 @@ TEST(Node_constraint, of_all_nodes_of_a_component_lets_no_fingers_grow)
   }
 }
 
+TEST(Node_constraint, takes_all_finite_points)
+{
+  const Point far(1e308, 1e308, 1e308);
+  EXPECT_EQ(Node_constraint::on_plane(far, Vector_3(0, 0, 1)).point()[2], 1e308);
+}
+
 TEST(Node_constraint, passes_to_nodes_inserted_between_nodes_that_slide_together)
 {
   const Node_constraint none, pin = Node_constraint::fixed();

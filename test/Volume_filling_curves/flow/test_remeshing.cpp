@@ -249,6 +249,31 @@ TEST(Rescaling, stays_where_the_curve_is)
   EXPECT_LT((after - center).norm(), 1e-11);
 }
 
+// A guard that refuses the first motion.
+struct Reluctant_guard
+{
+  const Network& curve() const { return guard.curve(); }
+  double clearance() const { return guard.clearance(); }
+  void set_clearance(double distance) { guard.set_clearance(distance); }
+
+  double move_nodes(const internal::Vector_field& targets)
+  {
+    return std::exchange(has_refused, true) ? guard.move_nodes(targets) : 0;
+  }
+
+  Guard guard;
+  bool has_refused = false;
+};
+
+TEST(Rescaling, goes_on_with_shorter_steps_when_one_is_refused)
+{
+  Network knot = make_torus_knot(2, 3, 80);
+  const double wanted = 6 * internal::total_length(knot);
+  Reluctant_guard guard{Guard(knot)};
+  internal::rescale_to_length(guard, wanted);
+  EXPECT_NEAR(internal::total_length(knot), wanted, 1e-11 * wanted);
+}
+
 TEST(Rescaling, ends_where_rounding_is_coarse)
 {
   const Network start = make_torus_knot(2, 3, 80);
@@ -259,6 +284,18 @@ TEST(Rescaling, ends_where_rounding_is_coarse)
     internal::rescale_to_length(guard, 1.5 * internal::total_length(start));
     EXPECT_NEAR(internal::total_length(knot) / internal::total_length(start), 1.5, 1e-15 * shift);
   }
+}
+
+TEST(Remeshing, refuses_spacings_that_would_exhaust_memory)
+{
+  Network ring = internal::closed_network({circle(40)});
+  Guard guard(ring);
+  Curve_flow_parameters parameters;
+  parameters.spacing = 1e-9;
+  EXPECT_THROW(Flow(guard, parameters), std::invalid_argument);
+  Flow flow(guard);
+  EXPECT_THROW(flow.set_spacing(1e-9), std::invalid_argument);
+  EXPECT_TRUE(flow.step());
 }
 
 // A spacing of -1 was never reached.

@@ -7,6 +7,7 @@
 #include "support/exact_surface.h"
 #include "support/guard_test_support.h"
 
+#include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -194,6 +196,16 @@ TEST(Guarded_domain, an_unbounded_domain_is_none)
   Network network = path({{0, 0, 0}, {1, 0, 0}});
   Isotopy_guard_3<> guard(network, everywhere);
   EXPECT_TRUE(guard.move_node(0, {-1e150, 0, 0}));
+}
+
+TEST(Guarded_domain, a_domain_too_small_for_squares_of_its_size_is_refused)
+{
+  constexpr double size = 1e-165;
+  const Box_domain_3<> box(Point(0, 0, 0), Point(size, size, size));
+  Network network =
+      path({{0.4 * size, 0.5 * size, 0.5 * size}, {0.6 * size, 0.5 * size, 0.5 * size}});
+  using Box_guard = Isotopy_guard_3<Curve_flow_traits_3<>, Box_domain_3<>>;
+  EXPECT_THROW(Box_guard(network, box), std::invalid_argument);
 }
 
 TEST(Guarded_domain, the_brute_force_notices_what_is_outside)

@@ -244,6 +244,30 @@ TEST(Isotopy_guard, keeps_rays_clear_and_in_range)
   EXPECT_EQ(guard.number_of_refused_changes(), 3u);
 }
 
+TEST(Isotopy_guard, keeps_ends_that_have_rays)
+{
+  Network network({{0, 0, 0}, {1, 0, 0}}, {{0, 1}});
+  Guard guard(network);
+  ASSERT_TRUE(guard.insert_node(0, {0.5, 0, 0}));
+  ASSERT_TRUE(guard.add_ray(1, {5, 0, 0}));
+  EXPECT_FALSE(guard.remove_node(1));
+  EXPECT_TRUE(guard.remove_node(2));
+  guard.remove_rays();
+  EXPECT_EQ(network.number_of_nodes(), 2u);
+  EXPECT_EQ(network.point(1), Network::Point_3(1, 0, 0));
+}
+
+TEST(Isotopy_guard, removes_rays_behind_gaps_in_the_numbering)
+{
+  Network network({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1}, {1, 2}, {2, 3}});
+  Guard guard(network);
+  ASSERT_TRUE(guard.remove_node(1));
+  ASSERT_TRUE(guard.add_ray(3, {9, 0, 0}));
+  guard.remove_rays();
+  EXPECT_FALSE(network.has_garbage());
+  EXPECT_EQ(network.number_of_nodes(), 3u);
+}
+
 // A node that goes to and fro for ever leaves no trail behind.
 TEST(Isotopy_guard, does_not_slow_down_with_the_number_of_changes)
 {

@@ -136,6 +136,15 @@ TEST(Observers, hear_of_every_change)
   EXPECT_EQ(network.number_of_nodes(), 4u);
 }
 
+TEST(Observers, can_be_removed_without_having_been_added)
+{
+  Network network = path();
+  Guard guard(network);
+  Mirror mirror(network);
+  guard.remove_observer(mirror);
+  EXPECT_TRUE(guard.move_node(1, Point(1, 1, 0)));
+}
+
 TEST(Observers, hear_nothing_once_removed)
 {
   Network network = path();

@@ -6,6 +6,7 @@
 
 #include "support/flow_test_support.h"
 
+#include <CGAL/Volume_filling_curves/Curve_flow_3.h>
 #include <CGAL/Volume_filling_curves/curve_measures.h>
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/medial_radii.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 // Statistics of the medial spheres of each node.
@@ -24,6 +26,17 @@ namespace test_medial_radii {
 
 using namespace flow_test;
 using namespace CGAL::Volume_filling_curves;
+
+// The lengths of its edges underflow.
+TEST(Default_thickness, of_a_curve_smaller_than_any_square_is_none)
+{
+  std::vector<Network::Point_3> points;
+  for(int k = 0; k <= 10; ++k) points.emplace_back(k * 1e-162, 0, 0);
+  Network curve(points);
+  EXPECT_EQ(default_thickness(curve), 0);
+  Isotopy_guard_3<> guard(curve);
+  EXPECT_THROW(Curve_flow_3 flow(guard), std::invalid_argument);
+}
 
 TEST(Medial_radii, of_a_circle_are_those_of_its_spheres)
 {

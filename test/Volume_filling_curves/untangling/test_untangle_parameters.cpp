@@ -223,6 +223,9 @@ TEST(Untangle_parameters, are_refused_by_name)
   EXPECT_EQ(complaint(curve, parameters::thickness(1e-9)),
             "thickness is 1e-09, but the curves would have more than 20 million nodes with that "
             "spacing");
+  EXPECT_EQ(complaint(curve, parameters::spacing(1e-9).strategy(Untangling_strategy::FLOW)),
+            "spacing is 1e-09, but the curve would have more than 20 million nodes with that "
+            "thickness");
   EXPECT_EQ(complaint(curve, parameters::thickness(1e300)).substr(0, 54),
             "thickness is 1e+300, but must not be larger than the c");
   EXPECT_EQ(contents(curve), before);

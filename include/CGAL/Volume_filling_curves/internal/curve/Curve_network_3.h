@@ -352,6 +352,7 @@ public:
 
   /// returns the first node of component `c`; the nodes of `c` have the indices from
   /// `first_node(c)` up to `first_node(c + 1)`, exclusive.
+  /// \pre the network has no garbage
   size_type first_node(size_type c) const { return m_topology.first_node(c); }
 
   /// returns whether component `c` is a closed curve without ends and junctions.

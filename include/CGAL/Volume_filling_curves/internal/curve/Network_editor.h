@@ -26,8 +26,8 @@ namespace internal {
 
 // Editor of the points and edges of a network, which does not test for isotopy: Isotopy_guard_3
 // owns an editor and certifies each change first. Other code only edits its own copies. Observers
-// are called after every change, as in the mutation manager of geometry-central. Constant time for
-// changes of one node.
+// are called after every change of points or edges, as in the mutation manager of geometry-central.
+// Constant time for changes of one node.
 template <typename Network>
 class Network_editor
 {
@@ -51,7 +51,8 @@ public:
 
   void remove(Observer& observer)
   {
-    m_observers.erase(std::find(m_observers.begin(), m_observers.end(), &observer));
+    const auto found = std::find(m_observers.begin(), m_observers.end(), &observer);
+    if(found != m_observers.end()) m_observers.erase(found);
   }
 
   void move_node(std::size_t v, const Point_3& target)
@@ -159,9 +160,23 @@ template <typename Network>
 std::vector<std::size_t> tips_of_rays(const Network& curve)
 {
   std::vector<std::size_t> tips;
-  for(std::size_t v = 0; v < curve.number_of_nodes(); ++v)
+  for(const std::size_t v : curve.nodes())
     if(is_tip_of_ray(curve, v)) tips.push_back(v);
   return tips;
+}
+
+// Returns whether a ray begins at node v. Constant time, unless a neighbor is pinned and has no
+// origin, as the nodes of rays: then the strand beyond it is followed.
+template <typename Network>
+bool has_ray(const Network& curve, std::size_t v)
+{
+  for(std::size_t k = 0; k < curve.degree(v); ++k) {
+    std::size_t before = v, w = curve.neighbor(v, k);
+    while(curve.degree(w) == 2 && curve.is_pinned(w) && curve.origin(w) == curve.null_node())
+      before = std::exchange(w, curve.neighbor(w, curve.neighbor(w, 0) == before ? 1 : 0));
+    if(is_tip_of_ray(curve, w)) return true;
+  }
+  return false;
 }
 
 // returns the nodes of a ray, from the tip to the end of the curve
@@ -176,7 +191,7 @@ std::vector<std::size_t> nodes_from_tip(const Network& curve, std::size_t tip)
   return nodes;
 }
 
-// Takes away all rays, and leaves no garbage. Leaves the curve alone if there are none.
+// Takes away all rays, and leaves no garbage.
 template <typename Network>
 void remove_rays(const Network& curve, Network_editor<Network>& editor)
 {
@@ -187,7 +202,7 @@ void remove_rays(const Network& curve, Network_editor<Network>& editor)
       editor.remove_leaf(v);
       v = next;
     }
-  if(!tips.empty()) editor.collect_garbage();
+  if(curve.has_garbage()) editor.collect_garbage();
 }
 
 } // namespace internal

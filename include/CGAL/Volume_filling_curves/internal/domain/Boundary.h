@@ -28,12 +28,13 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Boundary of a domain for the flow: exact tests of triangles, and the largest radius of a sphere
-// inside that touches a node. Distance queries to a tree of faces are slow far from the surface;
-// hence distances at the centers of the cells of a grid are measured once and cached. The distance
-// is 1-Lipschitz, hence the cached values give lower bounds, which answer nearly all queries. The
-// distance of the point itself is measured only near the boundary, where queries are fast. Answers
-// do not depend on the order of the queries. Safe to query in parallel.
+// Boundary of a domain for the flow: tests of triangles, as certain as the domain's answers, and
+// the largest radius of a sphere inside that touches a node. Distance queries to a tree of faces
+// are slow far from the surface; hence distances at the centers of the cells of a grid are measured
+// once and cached. The distance is 1-Lipschitz, hence the cached values give lower bounds, which
+// answer nearly all queries. The distance of the point itself is measured only near the boundary,
+// where queries are fast. Answers do not depend on the order of the queries. Safe to query in
+// parallel.
 template <typename Domain>
 class Boundary
 {
@@ -42,13 +43,16 @@ class Boundary
 public:
   static constexpr bool is_bounded = true;
 
-  // \throws std::invalid_argument if the domain is unbounded
+  // \throws std::invalid_argument if the domain is unbounded, or so small that squares underflow
   explicit Boundary(const Domain& domain) : m_domain(&domain)
   {
     const CGAL::Bbox_3 box = domain.bbox();
     m_low = {box.xmin(), box.ymin(), box.zmin()};
-    const double diagonal = (Vector(box.xmax(), box.ymax(), box.zmax()) - m_low).norm();
+    const double diagonal = stable_norm(Vector(box.xmax(), box.ymax(), box.zmax()) - m_low);
     if(!std::isfinite(diagonal)) throw std::invalid_argument("the domain is unbounded");
+    if(!(box.xmin() <= box.xmax() && box.ymin() <= box.ymax() && box.zmin() <= box.zmax()) ||
+       diagonal < min_extent)
+      throw std::invalid_argument("the box of the domain is empty, or smaller than 1e-150");
     m_rounding = rounding_in(box, slack * diagonal);
     m_cell = diagonal / cells_along_diagonal;
     for(int i = 0; i < 3; ++i)

@@ -115,7 +115,7 @@ private:
   {
     std::vector<double> lengths(1, 0.); // from the first section
     for(std::size_t i = 0; i < size(); ++i)
-      lengths.push_back(lengths[i] + (m_nodes[(i + 1) % size()] - m_nodes[i]).norm());
+      lengths.push_back(lengths[i] + stable_norm(m_nodes[(i + 1) % size()] - m_nodes[i]));
     for(std::size_t i = 0; i < size(); ++i) {
       const auto [c, s] = cos_sin(-turns * (lengths[i] / lengths.back()));
       m_axes[i] = c * m_axes[i] + s * m_normals[i].cross(m_axes[i]);

@@ -56,7 +56,8 @@ public:
                        double squared_after,
                        const SquaredDistance& squared_before) const
   {
-    const double d = m_limits.strand_distance * (std::min)(edge_scale(e), edge_scale(f));
+    const double limit = m_limits.strand_distance * (std::min)(edge_scale(e), edge_scale(f));
+    const double d = (std::max)(0., limit);
     return squared_after >= d * d || m_neighbors.are_neighbors(e, f) ||
            squared_after >= squared_before();
   }

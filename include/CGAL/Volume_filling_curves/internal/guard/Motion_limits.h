@@ -69,8 +69,7 @@ public:
   const std::array<std::uint32_t, 2>& pair(std::size_t k) const { return m_pairs[k]; }
 
   // Returns the position of node v after a fraction of its displacement, as it will be stored:
-  // inside the swept box for any rounding, and exactly the start and the target at 0 and 1, even if
-  // their difference overflows.
+  // inside the swept box for any rounding, and exactly the start and the target at 0 and 1.
   Point_3 position(std::size_t v, double fraction) const
   {
     const Vector a = row(m_start, v), b = row(m_target, v);

@@ -46,6 +46,7 @@ public:
   double operator()()
   {
     const double diagonal = box_diagonal();
+    if(!(diagonal >= min_extent)) return 0; // lengths of edges would underflow
     double thickness = first_guess * diagonal;
     for(int k = 0; k < max_refinements && thickness > 0; ++k) {
       sample(samples_per_thickness * thickness);

@@ -11,6 +11,7 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
@@ -63,7 +64,8 @@ public:
   bool are_needed() const { return !m_ends.empty(); }
 
   // Adds the rays for a flow, and sets its thickness if none is given, since it must be measured
-  // without rays. Does nothing if a length is not positive and finite: the flow will refuse it.
+  // without rays. Does nothing if a length is not positive and finite, or so small that there would
+  // be too many nodes: the flow will refuse it.
   // \pre the curve is embedded and has no garbage
   // \throws Run_stopped if the guard's watch ends the measuring
   template <typename ConcurrencyTag>
@@ -73,7 +75,9 @@ public:
     if(parameters.thickness == 0)
       parameters.thickness = Default_thickness<Network, ConcurrencyTag>(
           m_curve, parameters.number_of_directions, m_guard.watch())();
-    if(!is_positive(parameters.thickness) || !is_positive(parameters.spacing)) return;
+    if(!is_positive(parameters.thickness) || !is_positive(parameters.spacing) ||
+       has_too_many_nodes(total_length(m_curve), parameters.spacing, parameters.thickness))
+      return;
     set_ball(parameters.thickness);
     add_rays();
     divide(max_spacing * parameters.spacing * parameters.thickness);

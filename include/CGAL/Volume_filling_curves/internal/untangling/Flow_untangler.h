@@ -118,8 +118,8 @@ private:
   // Whether the curve is smooth on the scale of the thickness. While rays turn, it flows on.
   bool is_smooth()
   {
-    if(m_state.coarse_phase.is_on() || m_flow.gradient_norm() >= m_run.parameters.tolerance)
-      return false;
+    if(m_state.coarse_phase.is_on() || !(m_flow.gradient_norm() < m_run.parameters.tolerance))
+      return false; // also for NaN
     if(!m_state.are_rays_turning) m_state.are_rays_turning = !m_run.rays.can_turn_outwards();
     return !m_state.are_rays_turning || m_state.turns_of_rays == max_turns;
   }

@@ -36,6 +36,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,7 +77,7 @@ public:
     Untangling_result result;
     try {
       result = untangle(total_length(input));
-    } catch(const Run_state_error&) {
+    } catch(const std::invalid_argument&) { // of a state, or of what only the run finds out
       m_curves = std::move(input);
       throw;
     }

@@ -37,17 +37,17 @@ double rescale_to_length(Guard& guard, double wanted)
   const Clearance_scope<Guard> scope(guard, 0);
   double step = 1 + 1 / std::sqrt(std::sqrt(static_cast<double>(curve.number_of_nodes())));
   double error = std::numeric_limits<double>::infinity();
-  for(double rest = wanted / start; std::abs(rest - 1) > precision && std::abs(rest - 1) < error;
-      rest = wanted / total_length(curve)) {
-    error = std::abs(rest - 1);
+  for(double rest = wanted / start; std::abs(rest - 1) > precision && std::abs(rest - 1) < error;) {
     const double factor = std::clamp(rest, 1 / step, step);
     Vector_field x = coordinates(curve);
     const Vector center = centroid(x);
     for(Eigen::Index v = 0; v < x.rows(); ++v)
       set_row(x, v, factor * (row(x, v) - center) + center);
-    if(guard.move_nodes(x) == 1) continue;
-    step = std::sqrt(step);
-    if(step < min_step) break;
+    if(guard.move_nodes(x) == 1) {
+      error = std::abs(rest - 1);
+      rest = wanted / total_length(curve);
+    } else if((step = std::sqrt(step)) < min_step)
+      break;
   }
   return total_length(curve) / start;
 }

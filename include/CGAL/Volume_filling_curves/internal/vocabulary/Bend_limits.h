@@ -37,8 +37,8 @@ namespace Volume_filling_curves {
 template <typename Point_3>
 struct Bend_limits
 {
-  double bend_radius = 0;     ///< R, in the input's unit; 0 stands for none
-  double strand_distance = 0; ///< d, in the input's unit; 0 stands for none
+  double bend_radius = 0;     ///< R, in the input's unit; 0 or less stands for none
+  double strand_distance = 0; ///< d, in the input's unit; 0 or less stands for none
 
   /// a factor of both, as a function of the point, for a thickness that varies. A pair of edges has
   /// the smaller one of their values. It must be positive, and safe to call concurrently. None by

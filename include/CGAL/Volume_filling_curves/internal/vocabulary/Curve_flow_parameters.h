@@ -110,8 +110,8 @@ struct Curve_flow_parameters
   double max_radius = 0.9;
 
   /// The least length of an edge, in units of r, at most 1: with longer edges a curve cannot bend
-  /// enough. Edges longer than twice this length are split. `untangle()` and `fill()` use longer
-  /// edges until the last stage.
+  /// enough. Edges longer than twice this length are split. `untangle()` uses longer edges until
+  /// the last stage, and `fill()` once fingers have opened; with `round_bends` also at the end.
   double spacing = 0.2;
 
   /// The weight lambda of `M` in the preconditioner, in units of 1 / r^2: the locality of the flow.

@@ -148,9 +148,9 @@ struct Filling_parameters : Curve_run_parameters
 
   /// Whether the curve keeps a bend radius and a distance between strands, with edges of at least
   /// 0.3 r; `true` by default. Where it cannot, the run ends as
-  /// `Filling_status::CONSTRAINT_NOT_REACHED`. `false` is for previews: bends have about 0.15 r,
-  /// and a run takes 0.3 to 0.7 of the time; a `bend_radius` or `strand_distance` that is given
-  /// holds nevertheless.
+  /// `Filling_status::CONSTRAINT_NOT_REACHED`. `false` is for previews: bend radii are then about
+  /// 0.15 r, and a run takes 0.3 to 0.7 of the time; a `bend_radius` or `strand_distance` that is
+  /// given holds nevertheless.
   bool round_bends = true;
 };
 
@@ -172,7 +172,7 @@ struct Finger_parameters
   double thickness = 0;
 
   /// A thickness that varies in space, instead of `thickness`: a function of the point, which must
-  /// be positive. None by default.
+  /// be positive and finite. None by default.
   std::function<double(const Point_3&)> thickness_field;
 
   /// A direction field for the fingers to follow: a function of the point that returns a vector, a

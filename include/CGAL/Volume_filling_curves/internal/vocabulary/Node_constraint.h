@@ -106,6 +106,7 @@ public:
   double distance() const { return m_distance; }
 
   /// returns the constraint in a space whose coordinates are multiplied by `factor`.
+  /// \pre `factor` is positive
   Node_constraint scaled(double factor) const
   {
     Node_constraint result = *this;
@@ -133,7 +134,8 @@ private:
     double largest = 0, squares = 0;
     for(const double a : axis) largest = (std::max)(largest, std::abs(a));
     for(const double a : axis) squares += (a / largest) * (a / largest);
-    if(!std::isfinite(squares + point[0] + point[1] + point[2]))
+    if(!(std::isfinite(squares) && std::isfinite(point[0]) && std::isfinite(point[1]) &&
+         std::isfinite(point[2])))
       throw std::invalid_argument("node constraint: coordinates must be finite, and the direction "
                                   "of a line or the normal of a plane not zero");
     const double length = std::sqrt(squares);
