@@ -127,6 +127,7 @@ public:
 private:
   bool is_inside_exactly(const Vector& p) const
   {
+    if(!p.allFinite()) return false;
     using Number = CGAL::Exact_rational;
     Number d2 = 0;
     for(int i = 0; i < 3; ++i) {

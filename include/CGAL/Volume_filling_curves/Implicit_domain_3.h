@@ -124,7 +124,7 @@ public:
   }
 
   /// returns a lower bound of the distance from `p` to the boundary, or 0 if `p` is not inside.
-  double distance(const Point_3& p) const { return (std::max)(-value(p) / m_lipschitz, 0.); }
+  double distance(const Point_3& p) const { return (std::max)(0., -value(p) / m_lipschitz); }
 
   /// returns a lower bound of the distance from `p` to the boundary along the unit vector
   /// `direction`, at most `limit`. The search ends where the boundary is nearer than a thousandth
@@ -135,7 +135,7 @@ public:
     const double farthest = (std::min)(limit, diagonal());
     double t = 0, last_step = 0;
     for(int i = 0; i < max_steps && t < farthest; ++i) {
-      const double step = (std::max)(-value(origin + t * u) / m_lipschitz, 0.);
+      const double step = (std::max)(0., -value(origin + t * u) / m_lipschitz); // 0 for NaN
       t += step;
       if(step <= march_end * farthest && step <= last_step) break; // neither far nor getting away
       last_step = step;

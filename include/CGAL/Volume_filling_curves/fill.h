@@ -13,11 +13,13 @@
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Polylines_in_place.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Any_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Inset_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_call.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
+#include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
@@ -311,8 +313,9 @@ struct Finger_growth
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if a parameter is out of its range, if no thickness is given, or if
- * a field is out of its range at a point; the message names the parameter and the point
+ * \throws std::invalid_argument if a parameter is out of its range, if no thickness is given, if it
+ * is too small for the curves or the domain, or if a field is out of its range at a point; the
+ * message names the parameter and the point
  *
  * Exceptions of a field and of the domain pass through.
  */
@@ -329,6 +332,11 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
   const internal::Thickness<Point_3> thickness(parameters.thickness, parameters.thickness_field);
   if(!thickness.is_given())
     throw std::invalid_argument("thickness: there is none, and fingers have no default");
+  if(!thickness.varies() &&
+     internal::has_too_many_nodes(internal::total_length(guard.curve()), 1, thickness.number()))
+    internal::refuse_value(internal_np::thickness_t(), thickness.number(),
+                           "the curves would have more than 20 million nodes");
+  const internal::Garbage_scope scope(guard);
   internal::Run_watch watch(parameters.time_limit, parameters.progress);
   watch.begin(Run_stage::BRANCHING);
   internal::Finger_tree tree(guard, guard.boundary().domain(), thickness, parameters.random_seed,

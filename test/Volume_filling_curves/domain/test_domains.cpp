@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
@@ -90,6 +91,16 @@ TEST(Ball_domain, agrees_with_its_closed_forms)
       ASSERT_EQ(t, 0);
     }
   }
+}
+
+TEST(Domain, has_no_points_that_are_not_finite)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Ball_domain_3<> ball(Point(0, 0, 0), 1);
+  for(const double x : {nan, infinity, -infinity}) EXPECT_FALSE(ball.is_inside(Point(x, 0, 0)));
+  const auto undefined = [](const Point& p) { return p.x() > 0.5 ? std::sqrt(-1.) : -1.; };
+  const Implicit_domain_3<decltype(undefined)> domain(undefined, {-1, -1, -1, 1, 1, 1});
+  EXPECT_EQ(domain.distance(Point(0.9, 0, 0)), 0);
 }
 
 TEST(Ball_domain, decides_exactly_next_to_the_sphere)

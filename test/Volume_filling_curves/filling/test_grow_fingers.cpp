@@ -130,6 +130,29 @@ TEST(Grow_fingers, takes_a_thickness_that_varies)
   EXPECT_GT(nodes[1], 30);
 }
 
+// The cube around the box, which is divided, is larger.
+TEST(Grow_fingers, asks_for_the_thickness_in_the_box_only)
+{
+  const Box box(Point(0, 0, 0), Point(1, 1, 1));
+  Network curve = triangle(Point(0.5, 0.5, 0.5), 0.03);
+  const auto growth =
+      grow(curve, box, np::thickness([](const Point& p) { return 0.1 - 0.09 * p.x(); }));
+  EXPECT_GT(growth.number_of_fingers, 100u);
+}
+
+TEST(Grow_fingers, leaves_no_garbage_when_it_is_stopped)
+{
+  const Ball ball(Point(0, 0, 0), 1);
+  Network curve = triangle(Point(0, 0, 0), 0.1);
+  int calls = 0;
+  const auto progress = [&](const Run_progress&) -> bool {
+    if(++calls == 20) throw std::runtime_error("stop");
+    return true;
+  };
+  EXPECT_THROW(grow(curve, ball, np::thickness(0.05).progress(progress)), std::runtime_error);
+  EXPECT_FALSE(curve.has_garbage());
+}
+
 TEST(Grow_fingers, scales_and_depends_on_the_seed)
 {
   Network small = triangle(Point(0, 0, 0), 0.125), large = triangle(Point(0, 0, 0), 0.5);
@@ -152,6 +175,7 @@ TEST(Grow_fingers, refuses_what_it_cannot_use_and_ends_in_time)
   Network curve = triangle(Point(0, 0, 0), 0.1);
   EXPECT_THROW(grow(curve, ball, np::default_values()), std::invalid_argument);
   EXPECT_THROW(grow(curve, ball, np::thickness(-1.)), std::invalid_argument);
+  EXPECT_THROW(grow(curve, ball, np::thickness(1e-9)), std::invalid_argument);
   EXPECT_EQ(grow(curve, ball, np::thickness(0.1).time_limit(0)).number_of_fingers, 0u);
 }
 

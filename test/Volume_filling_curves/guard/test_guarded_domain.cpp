@@ -198,6 +198,23 @@ TEST(Guarded_domain, an_unbounded_domain_is_none)
   EXPECT_TRUE(guard.move_node(0, {-1e150, 0, 0}));
 }
 
+// Beyond 1e51, or below 1e-53, the sixth powers of lengths overflow or underflow.
+TEST(Guarded_domain, nothing_leaves_a_mesh_of_any_size)
+{
+  for(const int exponent : {-300, -200, 200, 300}) {
+    const double s = std::ldexp(1., exponent);
+    Soup soup = exact_surface::two_legs(0.1);
+    for(Point& p : soup.points) p = {s * p.x(), s * p.y(), s * p.z()};
+    const Mesh_domain domain(meshes::to_mesh(soup));
+    const Point p(0.5 * s, 0.5 * s, 0.5 * s);
+    EXPECT_NEAR(domain.distance(p) / s, 0.5, 1e-12);
+    Network network = path({p, {0.6 * s, 0.5 * s, 0.5 * s}});
+    Guard guard(network, domain);
+    EXPECT_FALSE(guard.move_node(0, {5 * s, 0.5 * s, 0.5 * s}));
+    EXPECT_TRUE(guard.move_node(0, {0.4 * s, 0.5 * s, 0.5 * s}));
+  }
+}
+
 TEST(Guarded_domain, a_domain_too_small_for_squares_of_its_size_is_refused)
 {
   constexpr double size = 1e-165;

@@ -216,6 +216,17 @@ TEST(Identify_chain, the_fingerprint_lists_all_sections_between_nodes_a_stride_a
   EXPECT_EQ(identity.fingerprint[14].share, 1);
 }
 
+TEST(Identify_chain, the_fingerprint_is_the_whole_if_the_stride_is_as_long)
+{
+  const Chain chain(rope().begin() + 10, rope().begin() + 33);
+  for(const std::size_t stride : {std::size_t(22), static_cast<std::size_t>(-1)}) {
+    const auto fingerprint =
+        VFC::identify_chain(chain, VFC::parameters::closures(5).stride(stride)).fingerprint;
+    ASSERT_EQ(fingerprint.size(), 1u);
+    EXPECT_EQ(fingerprint[0].last, 22u);
+  }
+}
+
 TEST(Identify_chain, short_straight_flat_and_lattice_chains_are_closed)
 {
   const std::vector<Chain> trivial{{{0, 0, 0}, {1, 0, 0}},

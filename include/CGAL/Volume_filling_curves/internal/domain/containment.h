@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -120,6 +121,8 @@ void check_inside(const Network& curve, const Domain& domain)
  * \param domain the domain
  * \param np \vfcNamedParams{Progress_signature}
  *
+ * \pre the network has no garbage
+ *
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
@@ -129,6 +132,7 @@ template <typename Traits,
                                       const Domain& domain,
                                       const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::find_containment(curve, domain, watch);
   });
@@ -149,6 +153,7 @@ template <typename Traits,
  * \param np \vfcNamedParams{Progress_signature}
  *
  * \pre the curve lies inside the domain, see `containment()`
+ * \pre the network has no garbage
  *
  * \throws Run_interrupted if `progress` returns `false`
  */
@@ -161,6 +166,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
     const Domain& domain,
     const NamedParameters& np = parameters::default_values())
 {
+  CGAL_precondition_msg(!curve.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
     const internal::Least_depth<ConcurrencyTag, Curve_network_3<Traits>, Domain> depths(
         curve, domain, watch);

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -88,7 +89,8 @@ public:
 
 private:
   static constexpr double candidates_along_distance = 3;
-  static constexpr int max_halvings = 20;       // of the box
+  static constexpr int max_halvings = 20;                    // of the box
+  static constexpr std::size_t max_candidates = 200'000'000; // 5 GB; a million nodes need a million
   static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
 
   struct Cube // or square
@@ -109,9 +111,14 @@ private:
     divide({low, side}, random);
   }
 
+  // Outside the domain's box, where the distance may not be defined, that of the nearest point of
+  // the box.
   double size_of_cube(const Vector& p) const
   {
-    return m_distance(to_point(p, m_traits)) / candidates_along_distance;
+    const CGAL::Bbox_3 box = m_domain.bbox();
+    const Vector q = p.cwiseMax({box.xmin(), box.ymin(), box.zmin()})
+                         .cwiseMin({box.xmax(), box.ymax(), box.zmax()});
+    return m_distance(to_point(q, m_traits)) / candidates_along_distance;
   }
 
   void divide(const Cube& cube, Random_source& random)
@@ -129,6 +136,8 @@ private:
   // the random order.
   void add_candidate(const Vector& p)
   {
+    if(m_is_kept.size() == max_candidates)
+      throw std::invalid_argument("thickness: it is too small for the domain, or for a part of it");
     m_is_kept.push_back(
         CGAL::do_overlap(m_domain.bbox(), Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z())));
     if(m_is_kept.back()) m_candidates.push_back(p);

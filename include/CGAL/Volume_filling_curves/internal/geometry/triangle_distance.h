@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -28,11 +29,24 @@ using Corners = std::array<Vector, 3>;
 // returns the squared distance of p to the triangle if it is below `bound`, and else `bound`. That
 // of a sliver, the direction of whose normal is lost to rounding, may come out too small, but not
 // too large.
-inline double squared_distance_to_triangle(const Vector& p, const Corners& corners, double bound)
+inline double squared_distance_to_triangle(const Vector& p,
+                                           const Corners& corners,
+                                           double bound,
+                                           bool is_in_own_unit = false)
 {
   const auto& [a, b, c] = corners;
   const Vector ab = b - a, ac = c - a, ap = p - a, normal = ab.cross(ac);
   const double square = normal.squaredNorm(), height = normal.dot(ap);
+  // sixth powers of lengths beyond 1e51 and below 1e-53 overflow and underflow
+  if(!is_in_own_unit && !(square > 1e-120 && square < 1e200)) {
+    const double size =
+        (std::max)({ab.cwiseAbs().maxCoeff(), ac.cwiseAbs().maxCoeff(), ap.cwiseAbs().maxCoeff()});
+    if(!(size > 0) || !std::isfinite(size)) return (std::min)(bound, ap.squaredNorm());
+    const double unit = std::ldexp(1., -std::ilogb(size)), squared_unit = unit * unit;
+    const double distance = squared_distance_to_triangle(
+        unit * ap, {Vector(), unit * ab, unit * ac}, squared_unit * bound, true);
+    return (std::min)(bound, distance / squared_unit);
+  }
   if(height * height >= bound * square && square > 0) return bound; // the plane is too far
   const Vector turned = normal.cross(ap);
   // the barycentric coordinates of the foot of p, times the square of the normal

@@ -175,8 +175,9 @@ private:
   void find_fingerprint(Chain_identity& identity)
   {
     std::vector<std::size_t> nodes;
-    for(std::size_t v = 0; v + 1 < m_chain.size(); v += m_parameters.stride) nodes.push_back(v);
-    nodes.push_back(m_chain.size() - 1);
+    const std::size_t last = m_chain.size() - 1, stride = (std::min)(m_parameters.stride, last);
+    for(std::size_t v = 0; v < last; v += stride) nodes.push_back(v);
+    nodes.push_back(last);
     const std::size_t number = nodes.size() * (nodes.size() - 1) / 2;
     m_watch.begin(Run_stage::MEASURING);
     for(std::size_t i = 0; i < nodes.size(); ++i)
