@@ -27,7 +27,7 @@ using Piece = CGAL::Volume_filling_curves::Arc_spline_piece<Curve::Point_3>;
 using Path = CGAL::Volume_filling_curves::Arc_spline_path<Curve::Point_3>;
 
 // Readers take points closer than that, in the unit of the file, for one (OpenCASCADE).
-constexpr double tolerance = 1e-7;
+constexpr double length_tolerance = 1e-7;
 
 // A real number has a point, and an exponent a capital E.
 std::string real(double x)
@@ -55,7 +55,7 @@ public:
   {
     const std::vector<std::string> curves = trimmed_curves(path);
     if(curves.empty())
-      throw std::invalid_argument(name + " is shorter than " + to_text(tolerance) +
+      throw std::invalid_argument(name + " is shorter than " + to_text(length_tolerance) +
                                   ", which readers of STEP take for a point");
     std::vector<std::string> segments;
     for(std::size_t k = 0; k < curves.size(); ++k) {
@@ -132,8 +132,8 @@ private:
     const std::string angle = entity("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
     const std::string solid = entity("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
     const std::string uncertainty =
-        entity("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(" + real(tolerance) + ")," + length +
-               ",'distance_accuracy_value','')");
+        entity("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(" + real(length_tolerance) + ")," +
+               length + ",'distance_accuracy_value','')");
     return entity("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" +
                   uncertainty + "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + length + ',' + angle + ',' +
                   solid + "))REPRESENTATION_CONTEXT('',''))");
@@ -147,7 +147,7 @@ private:
     Vector_3 last = to_vector(path.pieces.front().start);
     for(const Piece& piece : path.pieces) {
       const Vector_3 end = to_vector(piece.end);
-      if((end - last).norm() <= tolerance) continue;
+      if((end - last).norm() <= length_tolerance) continue;
       curves.push_back(is_round(piece) ? arc(piece) : line(last, end));
       last = end;
     }
@@ -158,7 +158,7 @@ private:
   static bool is_round(const Piece& piece)
   {
     const Vector_3 middle = (to_vector(piece.start) + to_vector(piece.end)) / 2;
-    return piece.is_arc() && (to_vector(piece.middle) - middle).norm() > tolerance;
+    return piece.is_arc() && (to_vector(piece.middle) - middle).norm() > length_tolerance;
   }
 
   std::string point(const Vector_3& p) { return entity("CARTESIAN_POINT(''," + reals(p) + ')'); }

@@ -139,8 +139,8 @@ void write_files(Session& session,
   session.end_stage("writing");
 }
 
-// Returns whether the curve has its former length, if it is to. Strands that are in the way of the
-// scaling end it early.
+// Returns whether the curve has its former length, if it is to. Strands in the way of the scaling,
+// and coarse coordinates, end it early.
 bool is_length_kept(const Session& session,
                     const Untangle_options& options,
                     const Curve& curve,
