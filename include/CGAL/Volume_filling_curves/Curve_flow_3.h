@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_thickness.h>
@@ -121,7 +121,7 @@ public:
    * \throws std::invalid_argument if a parameter is not positive and finite (`thickness`,
    * `coupling` and `time_step` may also be 0), if `spacing` is larger than 1, or if a node slides
    * along the boundary and there is no domain; if the curve is smaller than 1e-150 and no thickness
-   * is given; if the curve would have more than 20 million nodes
+   * is given; or if the curve would have far more than 20 million nodes
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
@@ -146,7 +146,9 @@ public:
         m_thickness(guard, thickness, m_parameters),
         m_motion(guard, m_thickness, m_parameters, m_state)
   {
-    if(!is_under_way) start();
+    if(is_under_way) return;
+    m_thickness.set(given_or_measured(m_parameters, thickness));
+    start();
   }
 
   // Changes the largest displacement of a node in a step, in units of the thickness.
@@ -168,14 +170,14 @@ public:
   ///
   /// \pre the network has no garbage
   ///
-  /// \throws std::invalid_argument if `spacing` is not positive, larger than 1, or so small that
-  /// the curve would have more than 20 million nodes
+  /// \throws std::invalid_argument if `spacing` is not positive, is larger than 1, or is so small
+  /// that the curve would have far more than 20 million nodes
   void set_spacing(double spacing)
   {
     Curve_flow_parameters parameters = m_parameters;
     parameters.spacing = spacing;
     internal::check_parameters(parameters);
-    check_number_of_nodes(spacing);
+    check_number_of_nodes(spacing, m_thickness.at_current_nodes());
     m_parameters = parameters;
     m_motion.remesh_until_even();
     update();
@@ -205,8 +207,10 @@ public:
   /// \cond SKIP_IN_MANUAL
   void set_parameters(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
-    m_parameters = checked(parameters, thickness);
-    m_thickness.set(thickness);
+    const Curve_flow_parameters p = checked(parameters, thickness);
+    const Thickness given = given_or_measured(p, thickness);
+    m_parameters = p;
+    m_thickness.set(given);
     m_motion.start_anew();
     start();
   }
@@ -259,8 +263,9 @@ public:
 
   /// moves the curve by one step, remeshes it, and returns whether it moved.
   ///
-  /// \throws std::invalid_argument if a field returns a value out of its range; the curve may have
-  /// moved, and `update()` comes before the next step then
+  /// \throws std::invalid_argument if a field returns a value out of its range. The curve may have
+  /// moved then: before the next step, set another field, and call `update()` unless
+  /// `set_parameters()` has set it.
   bool step()
   {
     ++m_state.statistics.iterations;
@@ -273,11 +278,13 @@ public:
   /// since the last step.
   ///
   /// \pre the network has no garbage
+  ///
+  /// \throws std::invalid_argument if a field returns a value out of its range
   void update()
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     m_thickness.update();
-    m_direction.update(curve(), m_guard.boundary(), parameters_in_domain(), m_thickness.at_nodes(),
+    m_direction.update(curve(), m_guard.boundary(), in_domain(m_parameters), m_thickness.at_nodes(),
                        m_state.statistics, m_guard.watch());
   }
 
@@ -381,36 +388,48 @@ private:
     return parameters;
   }
 
-  void start()
+  // Returns the thickness, measured if it is not given. Throws std::invalid_argument if the curve
+  // cannot flow with it and the parameters.
+  Thickness given_or_measured(const Curve_flow_parameters& parameters, Thickness thickness) const
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     internal::check_constraints<typename Guard::Boundary>(curve());
-    if(!m_thickness.is_given()) {
+    if(!thickness.is_given()) {
       internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
-          curve(), parameters_in_domain().number_of_directions, m_guard.watch());
-      m_thickness.set(Thickness(measure()));
-      if(!m_thickness.is_given() && curve().number_of_edges() > 0)
+          curve(), in_domain(parameters).number_of_directions, m_guard.watch());
+      thickness = Thickness(measure());
+      if(!thickness.is_given() && curve().number_of_edges() > 0)
         throw std::invalid_argument("the curve is too small to measure a thickness");
     }
-    m_thickness.update();
-    check_number_of_nodes(m_parameters.spacing);
+    check_number_of_nodes(parameters.spacing, thickness.at_each(curve().points()));
+    return thickness;
+  }
+
+  void start()
+  {
     m_motion.remesh_until_even();
     update();
   }
 
-  // Refuses edges so short that the curve would exhaust memory.
-  void check_number_of_nodes(double spacing) const
+  // Refuses edges so short that the curve would exhaust memory. Runs check their size before they
+  // start; their estimates are rough, and flows get thinner, hence the slack.
+  void check_number_of_nodes(double spacing, const std::vector<double>& thickness) const
   {
-    if(internal::has_too_many_nodes(internal::total_length(curve()), spacing, thickness()))
+    constexpr double slack = 4;
+    double length = 0; // in units of the thickness
+    for(const size_type e : curve().edges()) {
+      const double r = (thickness[curve().source(e)] + thickness[curve().target(e)]) / 2;
+      length += internal::edge_vector(curve(), e).norm() / r;
+    }
+    if(internal::has_too_many_nodes(length / slack, spacing, 1))
       internal::refuse_value(internal_np::spacing_t(), spacing,
                              "the curve would have more than 20 million nodes with that thickness");
   }
 
   // In the plane only two directions are orthogonal to a curve. Both act along one line, like two
   // pairs of opposite directions in space: half of the weight makes strands equally stiff.
-  Curve_flow_parameters parameters_in_domain() const
+  static Curve_flow_parameters in_domain(Curve_flow_parameters p)
   {
-    Curve_flow_parameters p = m_parameters;
     if(!internal::Space_of<Domain>::is_plane) return p;
     p.number_of_directions = 2;
     p.medial_weight /= 2;

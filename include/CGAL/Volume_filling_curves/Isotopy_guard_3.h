@@ -108,7 +108,8 @@ public:
 
   /// constructs a guard that keeps `curve` inside `domain`, which must outlive the guard.
   /// \pre the curve lies inside `domain`
-  /// \throws std::invalid_argument if the domain is unbounded, or smaller than 1e-150
+  /// \throws std::invalid_argument if the domain is unbounded or smaller than 1e-150, or if its box
+  /// is empty
   Isotopy_guard_3(Curve_network_3<Traits>& curve, const Domain& domain)
       : Isotopy_guard_3(curve, Boundary(domain))
   {}
@@ -247,9 +248,9 @@ public:
 
   /// adds a ray from `v`, a node with one edge, to a new last node at `tip` if the ray is certified
   /// to meet the curve only in `v`, and returns whether it did. A strand can then slip off this end
-  /// only around the tip, which should lie beyond all that the curve reaches. Nodes of rays are
-  /// pinned and have no origin. Remove all rays before you start recording or ask for a
-  /// certificate, which would count their nodes.
+  /// only around the tip, which should lie beyond all that the curve reaches. Rays and their nodes
+  /// have no origin; the tip is pinned. Remove all rays before you call `start_recording()` or
+  /// `certificate()`.
   /// \pre the node has not been removed
   bool add_ray(size_type v, const Point_3& tip)
   {
@@ -280,7 +281,8 @@ public:
   /// \name Observers and Certificate
   /// @{
 
-  /// adds an observer of every change. It must outlive the guard or be removed before.
+  /// adds an observer of every change of points or edges. It must outlive the guard or be removed
+  /// before.
   void add_observer(Observer& observer) { m_editor.add(observer); }
 
   /// removes an observer, or does nothing if it was not added. Observers must not be added or
@@ -288,7 +290,7 @@ public:
   void remove_observer(Observer& observer) { m_editor.remove(observer); }
 
   /// starts recording changes, and discards any former record.
-  /// \pre the network has no garbage
+  /// \pre the network has no garbage, and there are no rays
   void start_recording()
   {
     CGAL_precondition_msg(!m_curve.has_garbage(), "the network has no garbage");
@@ -309,7 +311,7 @@ public:
 
   /// returns the certificate of the motion from the start of the recording to the current network.
   /// The recording continues. Takes time linear in the length of the record.
-  /// \pre changes are recorded
+  /// \pre changes are recorded, and there are no rays
   Isotopy_certificate certificate() const
   {
     CGAL_precondition_msg(is_recording(), "changes are recorded");

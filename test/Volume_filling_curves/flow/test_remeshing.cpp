@@ -295,6 +295,10 @@ TEST(Remeshing, refuses_spacings_that_would_exhaust_memory)
   EXPECT_THROW(Flow(guard, parameters), std::invalid_argument);
   Flow flow(guard);
   EXPECT_THROW(flow.set_spacing(1e-9), std::invalid_argument);
+  EXPECT_THROW(flow.set_parameters(parameters), std::invalid_argument);
+  const auto mostly_tiny = [](const auto& p) { return p.x() > 0 ? 1e-9 : 0.1; };
+  EXPECT_THROW(flow.set_parameters(Curve_flow_parameters(), mostly_tiny), std::invalid_argument);
+  EXPECT_EQ(flow.parameters().spacing, 0.2);
   EXPECT_TRUE(flow.step());
 }
 

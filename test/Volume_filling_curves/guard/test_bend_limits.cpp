@@ -152,6 +152,18 @@ Limits limits()
   return result;
 }
 
+TEST(Bend_limits, of_less_than_zero_are_none)
+{
+  Curve strands({Point(0, 0, 0), Point(1, 1, 0), Point(0, 0.4, 0), Point(0.6, 1, 0)},
+                {{0, 1}, {2, 3}});
+  Guard guard(strands);
+  guard.set_bend_limits({1, -1, {}});
+  Field targets = vfc::internal::coordinates(strands);
+  targets(2, 1) = 0.3; // nearer, but their boxes overlap before
+  targets(3, 1) = 0.9;
+  EXPECT_EQ(guard.move_nodes(targets), 1);
+}
+
 TEST(Bend_limits, refuse_a_move_that_bends_tighter)
 {
   for(const bool are_set : {false, true}) {

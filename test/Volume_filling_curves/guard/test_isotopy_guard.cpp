@@ -250,6 +250,7 @@ TEST(Isotopy_guard, keeps_ends_that_have_rays)
   Guard guard(network);
   ASSERT_TRUE(guard.insert_node(0, {0.5, 0, 0}));
   ASSERT_TRUE(guard.add_ray(1, {5, 0, 0}));
+  ASSERT_TRUE(guard.insert_node(2, {3, 0, 0})); // into the ray
   EXPECT_FALSE(guard.remove_node(1));
   EXPECT_TRUE(guard.remove_node(2));
   guard.remove_rays();

@@ -150,8 +150,6 @@ TEST(Shortened_motion, lets_nothing_pass_whatever_the_limits)
     guard.set_clearance(x);
     EXPECT_EQ(guard.advance_nodes(edges.targets)[2], 0) << x;
     EXPECT_EQ(guard.move_nodes(edges.targets), 0) << x;
-    guard.set_bend_limits({1, x, {}});
-    EXPECT_EQ(guard.move_nodes(edges.targets), 0) << x;
     guard.set_bend_limits({1, 1, [x](const Point&) { return x; }});
     EXPECT_EQ(guard.advance_nodes(edges.targets)[2], 0) << x;
     EXPECT_EQ(guard.move_nodes(edges.targets), 0) << x;

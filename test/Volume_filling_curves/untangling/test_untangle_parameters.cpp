@@ -223,14 +223,16 @@ TEST(Untangle_parameters, are_refused_by_name)
   EXPECT_EQ(complaint(curve, parameters::thickness(1e-9)),
             "thickness is 1e-09, but the curves would have more than 20 million nodes with that "
             "spacing");
-  EXPECT_EQ(complaint(curve, parameters::spacing(1e-9).strategy(Untangling_strategy::FLOW)),
-            "spacing is 1e-09, but the curve would have more than 20 million nodes with that "
-            "thickness");
+  const std::string too_many_nodes =
+      "spacing is 1e-09, but the curve would have more than 20 million nodes with that thickness";
+  for(const auto strategy : {Untangling_strategy::AUTO, Untangling_strategy::FLOW})
+    EXPECT_EQ(complaint(curve, parameters::spacing(1e-9).strategy(strategy)), too_many_nodes);
   EXPECT_EQ(complaint(curve, parameters::thickness(1e300)).substr(0, 54),
             "thickness is 1e+300, but must not be larger than the c");
   EXPECT_EQ(contents(curve), before);
   Network arc({{0, 0, 0}, {1, 0, 1}, {2, 1, 0}}, {{0, 1}, {1, 2}});
   arc.pin_ends(); // so that it flows with every strategy
+  EXPECT_EQ(complaint(arc, parameters::spacing(1e-9)), too_many_nodes);
   EXPECT_EQ(complaint(arc, parameters::strategy(Untangling_strategy::SEARCH).thickness(1e-9)),
             complaint(curve, parameters::thickness(1e-9)));
   curve.set_pinned(3);

@@ -165,14 +165,15 @@ std::vector<std::size_t> tips_of_rays(const Network& curve)
   return tips;
 }
 
-// Returns whether a ray begins at node v. Constant time, unless a neighbor is pinned and has no
-// origin, as the nodes of rays: then the strand beyond it is followed.
+// Returns whether a ray begins at node v, an end of the input, which has an origin. Linear in the
+// number of inserted nodes next to it.
 template <typename Network>
 bool has_ray(const Network& curve, std::size_t v)
 {
+  if(curve.origin(v) == curve.null_node()) return false;
   for(std::size_t k = 0; k < curve.degree(v); ++k) {
     std::size_t before = v, w = curve.neighbor(v, k);
-    while(curve.degree(w) == 2 && curve.is_pinned(w) && curve.origin(w) == curve.null_node())
+    while(curve.degree(w) == 2 && curve.origin(w) == curve.null_node())
       before = std::exchange(w, curve.neighbor(w, curve.neighbor(w, 0) == before ? 1 : 0));
     if(is_tip_of_ray(curve, w)) return true;
   }

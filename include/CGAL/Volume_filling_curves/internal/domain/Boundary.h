@@ -43,16 +43,17 @@ class Boundary
 public:
   static constexpr bool is_bounded = true;
 
-  // \throws std::invalid_argument if the domain is unbounded, or so small that squares underflow
+  // \throws std::invalid_argument if the box of the domain is empty or infinite, or so small that
+  // squares underflow
   explicit Boundary(const Domain& domain) : m_domain(&domain)
   {
     const CGAL::Bbox_3 box = domain.bbox();
     m_low = {box.xmin(), box.ymin(), box.zmin()};
+    if(!(box.xmin() <= box.xmax() && box.ymin() <= box.ymax() && box.zmin() <= box.zmax()))
+      throw std::invalid_argument("the box of the domain is empty");
     const double diagonal = stable_norm(Vector(box.xmax(), box.ymax(), box.zmax()) - m_low);
     if(!std::isfinite(diagonal)) throw std::invalid_argument("the domain is unbounded");
-    if(!(box.xmin() <= box.xmax() && box.ymin() <= box.ymax() && box.zmin() <= box.zmax()) ||
-       diagonal < min_extent)
-      throw std::invalid_argument("the box of the domain is empty, or smaller than 1e-150");
+    if(diagonal < min_extent) throw std::invalid_argument("the domain is smaller than 1e-150");
     m_rounding = rounding_in(box, slack * diagonal);
     m_cell = diagonal / cells_along_diagonal;
     for(int i = 0; i < 3; ++i)

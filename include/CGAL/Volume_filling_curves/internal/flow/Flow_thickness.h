@@ -37,14 +37,18 @@ public:
   // Evaluates the thickness at the nodes of the current curve.
   void update()
   {
-    m_at_nodes = m_thickness.at_each(m_guard.curve().points());
+    m_at_nodes = at_current_nodes();
     m_parameters.thickness = m_thickness.mean(m_at_nodes);
     // A step keeps strands a tenth of the thickness apart; closer ones could hardly move again.
     constexpr double clearance_over_thickness = 0.1;
     m_guard.set_clearance(m_at_nodes.empty() ? 0 : clearance_over_thickness * min());
   }
 
-  bool is_given() const { return m_thickness.is_given(); }
+  std::vector<double> at_current_nodes() const
+  {
+    return m_thickness.at_each(m_guard.curve().points());
+  }
+
   bool varies() const { return m_thickness.varies(); }
 
   const std::vector<double>& at_nodes() const { return m_at_nodes; }

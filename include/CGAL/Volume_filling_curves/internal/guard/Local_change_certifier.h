@@ -20,9 +20,10 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Certifier of single changes, in which a node moves, is inserted or is removed, or a ray is added:
-// tests whether the change is an elementary move of knot theory, stays inside the domain, and keeps
-// the clearance and the limits of bends. Constant time for edges of similar lengths.
+// Certifier of single changes, in which a node moves, is inserted or is removed: tests whether the
+// change is an elementary move of knot theory, stays inside the domain, and keeps the clearance and
+// the limits of bends. A new ray must meet the curve only in its end, stay inside, and keep the
+// clearance. Constant time for edges of similar lengths.
 template <typename Network, typename Boundary>
 class Local_change_certifier
 {

@@ -22,8 +22,8 @@ namespace internal {
 // indices or in the reverse order. When a node moves, its predecessors in this order have moved and
 // its successors have not. Every test therefore reads known positions, and the proof
 // consists of independent tests of single edges and pairs of edges: if all pass, the motion is an
-// ambient isotopy (Reidemeister 1926, elementary moves). Exact, and in constant time,
-// apart from questions to the domain.
+// ambient isotopy (Reidemeister 1926, elementary moves). The tests are exact and
+// take constant time, apart from questions to the domain.
 template <typename Network>
 class Swept_pairs
 {

@@ -42,7 +42,7 @@ public:
         m_watch(watch)
   {}
 
-  // Returns a length, 0 for a curve without extent. \throws Run_stopped
+  // Returns a length, 0 for a curve smaller than 1e-150. \throws Run_stopped
   double operator()()
   {
     const double diagonal = box_diagonal();

@@ -149,8 +149,8 @@ private:
     if(m_parameters.certificate) guard.start_recording();
     Untangling_state state;
     saver.resume(m_curves, guard, state);
-    // Flows get thinner, rays add length, and a measured thickness has no limit of its own: a state
-    // is refused only if it is far beyond the limit.
+    // Flows get thinner, and rays add length: a state is refused only if it is far beyond the
+    // limit.
     constexpr double slack = 100;
     for(const double r : {state.thickness_of_rays, state.thickness, state.flow_run.thickness})
       if(needs_too_many_nodes(slack * r))
@@ -169,7 +169,7 @@ private:
   {
     Untangling_parameters parameters = m_parameters; // adding rays sets the thickness
     Closing_rays<Guard> rays(guard);
-    const Garbage_scope scope(guard); // ends before the rays, which are found among the last nodes
+    const Garbage_scope scope(guard);
     if(is_resuming) {
       rays.set_sphere(state.sphere);
       parameters.thickness = state.thickness_of_rays;

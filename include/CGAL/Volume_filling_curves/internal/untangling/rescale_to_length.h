@@ -35,8 +35,9 @@ double rescale_to_length(Guard& guard, double wanted)
   const double start = total_length(curve);
   if(!(start > 0)) return 1;
   const Clearance_scope<Guard> scope(guard, 0);
-  double step = 1 + 1 / std::sqrt(std::sqrt(static_cast<double>(curve.number_of_nodes())));
-  double error = std::numeric_limits<double>::infinity();
+  const double max_step =
+      1 + 1 / std::sqrt(std::sqrt(static_cast<double>(curve.number_of_nodes())));
+  double step = max_step, error = std::numeric_limits<double>::infinity();
   for(double rest = wanted / start; std::abs(rest - 1) > precision && std::abs(rest - 1) < error;) {
     const double factor = std::clamp(rest, 1 / step, step);
     Vector_field x = coordinates(curve);
@@ -46,6 +47,7 @@ double rescale_to_length(Guard& guard, double wanted)
     if(guard.move_nodes(x) == 1) {
       error = std::abs(rest - 1);
       rest = wanted / total_length(curve);
+      step = (std::min)(step * step, max_step); // longer again
     } else if((step = std::sqrt(step)) < min_step)
       break;
   }

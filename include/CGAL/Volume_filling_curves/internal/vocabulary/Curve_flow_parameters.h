@@ -111,7 +111,8 @@ struct Curve_flow_parameters
 
   /// The least length of an edge, in units of r, at most 1: with longer edges a curve cannot bend
   /// enough. Edges longer than twice this length are split. `untangle()` uses longer edges until
-  /// the last stage, and `fill()` once fingers have opened; with `round_bends` also at the end.
+  /// the last stage. `fill()` uses edges of at least 0.3 r once fingers have opened, or from the
+  /// start if it starts from circles: until the last stage, or with `round_bends` to the end.
   double spacing = 0.2;
 
   /// The weight lambda of `M` in the preconditioner, in units of 1 / r^2: the locality of the flow.

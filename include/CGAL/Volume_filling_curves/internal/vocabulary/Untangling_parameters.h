@@ -86,9 +86,9 @@ struct Untangling_parameters : Curve_run_parameters
   double tolerance = 7e-3;
 
   /// Whether to stop once the curves are proved to be unknotted and unlinked and are short: 8
-  /// thicknesses per component, or 50 iterations after the proof. If `false`, a single curve ends
-  /// as a regular polygon of that length with at least 64 nodes, and several curves flow on until
-  /// they are tight, as small loops.
+  /// thicknesses per component, or 50 iterations after the proof. If `false`, a single unknot ends
+  /// as a regular polygon of that length with at least 64 nodes, and several unlinked unknots flow
+  /// on until they are tight, as small loops.
   bool stop_at_proof = true;
 
   /// Whether to tighten the curves to a lower `ropelength()` once the flow has converged or
