@@ -18,7 +18,7 @@ struct Option_group
   std::initializer_list<const char*> options;
 };
 
-const Option_group groups[] = {
+const Option_group known_groups[] = {
     {"Input",
      {"--network", "--closed", "--open", "--free-ends", "--curve", "--start", "--obstacle"}},
     {"Shape of the result",
@@ -42,7 +42,7 @@ bool is_for_few(const CLI::App& command, const std::string& name)
 
 void group_options(CLI::App& command)
 {
-  for(const Option_group& group : groups)
+  for(const Option_group& group : known_groups)
     for(const char* const name : group.options)
       if(CLI::Option* const option = command.get_option_no_throw(name))
         if(is_for_few(command, name)) option->group(group.name);

@@ -14,7 +14,7 @@
 namespace vfc {
 namespace {
 
-constexpr std::size_t max_listed = 1000;
+constexpr std::size_t max_listed_defects = 1000;
 
 // Adds the first defects, and how many there are.
 template <typename Nodes>
@@ -26,16 +26,16 @@ void add(Defects& defects,
          const Nodes& nodes,
          const Curve& curve)
 {
-  for(std::size_t k = 0; k < (std::min)(max_listed, indices.size()); ++k) {
+  for(std::size_t k = 0; k < (std::min)(max_listed_defects, indices.size()); ++k) {
     std::vector<std::size_t> numbers = nodes(indices[k]);
     const std::size_t component = curve.component(numbers[0]) + 1;
     for(std::size_t& v : numbers) v = curve.origin(v) + 1;
     defects.emplace_back(kind, file, numbers, component, message);
   }
-  if(indices.size() > max_listed)
+  if(indices.size() > max_listed_defects)
     defects.emplace_back(kind, file, std::vector<std::size_t>(), 0,
                          std::to_string(indices.size()) + " of this kind in total, the first " +
-                             std::to_string(max_listed) + " are listed");
+                             std::to_string(max_listed_defects) + " are listed");
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
+#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_thickness.h>
@@ -416,14 +416,10 @@ private:
   void check_number_of_nodes(double spacing, const std::vector<double>& thickness) const
   {
     constexpr double slack = 4;
-    double length = 0; // in units of the thickness
-    for(const size_type e : curve().edges()) {
-      const double r = (thickness[curve().source(e)] + thickness[curve().target(e)]) / 2;
-      length += internal::edge_vector(curve(), e).norm() / r;
-    }
-    if(internal::has_too_many_nodes(length / slack, spacing, 1))
+    if(internal::has_too_many_nodes(internal::length_in_units(curve(), thickness) / slack, spacing,
+                                    1))
       internal::refuse_value(internal_np::spacing_t(), spacing,
-                             "the curve would have more than 20 million nodes with that thickness");
+                             "the curve would have far more than 20 million nodes");
   }
 
   // In the plane only two directions are orthogonal to a curve. Both act along one line, like two

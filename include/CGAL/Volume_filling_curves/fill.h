@@ -332,10 +332,10 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
   const internal::Thickness<Point_3> thickness(parameters.thickness, parameters.thickness_field);
   if(!thickness.is_given())
     throw std::invalid_argument("thickness: there is none, and fingers have no default");
-  if(!thickness.varies() &&
-     internal::has_too_many_nodes(internal::total_length(guard.curve()), 1, thickness.number()))
-    internal::refuse_value(internal_np::thickness_t(), thickness.number(),
-                           "the curves would have more than 20 million nodes");
+  const double length =
+      internal::length_in_units(guard.curve(), thickness.at_each(guard.curve().points()));
+  if(internal::has_too_many_nodes(length, 1, 1))
+    throw std::invalid_argument("thickness: the curves would have more than 20 million nodes");
   const internal::Garbage_scope scope(guard);
   internal::Run_watch watch(parameters.time_limit, parameters.progress);
   watch.begin(Run_stage::BRANCHING);

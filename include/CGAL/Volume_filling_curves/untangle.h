@@ -83,8 +83,8 @@ namespace Volume_filling_curves {
  * no straight ray leads from it to the outside, or if a node is pinned or slides although the
  * length is to be kept (the message names nodes); if a coordinate is beyond 1e150 or the size is
  * below 1e-150; if a parameter is out of its range (the message names it); if curves of that
- * spacing and of the given or measured thickness would have more than 20 million nodes; or if
- * `resume_from` is the state of a different run
+ * spacing and thickness would have more than 20 million nodes; or if `resume_from` is the state of
+ * a different run
  *
  * If one of these is thrown, the curves are unchanged. Exceptions of the visitor pass through.
  */

@@ -144,12 +144,11 @@ TEST(Grow_fingers, leaves_no_garbage_when_it_is_stopped)
 {
   const Ball ball(Point(0, 0, 0), 1);
   Network curve = triangle(Point(0, 0, 0), 0.1);
-  int calls = 0;
-  const auto progress = [&](const Run_progress&) -> bool {
-    if(++calls == 20) throw std::runtime_error("stop");
+  const auto progress = [](const Run_progress& p) -> bool {
+    if(p.fraction > 0.25) throw std::runtime_error("stop");
     return true;
   };
-  EXPECT_THROW(grow(curve, ball, np::thickness(0.05).progress(progress)), std::runtime_error);
+  EXPECT_THROW(grow(curve, ball, np::thickness(0.03).progress(progress)), std::runtime_error);
   EXPECT_FALSE(curve.has_garbage());
 }
 
@@ -176,6 +175,8 @@ TEST(Grow_fingers, refuses_what_it_cannot_use_and_ends_in_time)
   EXPECT_THROW(grow(curve, ball, np::default_values()), std::invalid_argument);
   EXPECT_THROW(grow(curve, ball, np::thickness(-1.)), std::invalid_argument);
   EXPECT_THROW(grow(curve, ball, np::thickness(1e-9)), std::invalid_argument);
+  EXPECT_THROW(grow(curve, ball, np::thickness([](const Point&) { return 1e-9; })),
+               std::invalid_argument);
   EXPECT_EQ(grow(curve, ball, np::thickness(0.1).time_limit(0)).number_of_fingers, 0u);
 }
 

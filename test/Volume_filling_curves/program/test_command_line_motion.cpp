@@ -281,7 +281,7 @@ TEST_F(Command_line_motion, files_that_appear_during_a_run_are_kept)
   EXPECT_EQ(run("check saved.obj").status, 0);
 }
 
-// A trefoil so far away that its coordinates are rounded to about 1e-5 of its size.
+// A trefoil so far away that its coordinates are multiples of 1.5e-5.
 TEST_F(Command_line_motion, a_length_that_is_not_kept_is_no_success)
 {
   constexpr int number_of_nodes = 60;

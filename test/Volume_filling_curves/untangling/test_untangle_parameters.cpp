@@ -224,7 +224,7 @@ TEST(Untangle_parameters, are_refused_by_name)
             "thickness is 1e-09, but the curves would have more than 20 million nodes with that "
             "spacing");
   const std::string too_many_nodes =
-      "spacing is 1e-09, but the curve would have more than 20 million nodes with that thickness";
+      "spacing is 1e-09, but the curve would have far more than 20 million nodes";
   for(const auto strategy : {Untangling_strategy::AUTO, Untangling_strategy::FLOW})
     EXPECT_EQ(complaint(curve, parameters::spacing(1e-9).strategy(strategy)), too_many_nodes);
   EXPECT_EQ(complaint(curve, parameters::thickness(1e300)).substr(0, 54),

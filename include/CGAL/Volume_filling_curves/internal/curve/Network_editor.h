@@ -165,8 +165,8 @@ std::vector<std::size_t> tips_of_rays(const Network& curve)
   return tips;
 }
 
-// Returns whether a ray begins at node v, an end of the input, which has an origin. Linear in the
-// number of inserted nodes next to it.
+// Returns whether a ray begins at node v. Rays begin at nodes with an origin. Linear in the number
+// of nodes without one next to it.
 template <typename Network>
 bool has_ray(const Network& curve, std::size_t v)
 {

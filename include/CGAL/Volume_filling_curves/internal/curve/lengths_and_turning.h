@@ -41,6 +41,17 @@ double total_length(const Network& curve)
   return sum;
 }
 
+// returns the length of all edges, each in units of the mean of the values at its ends
+template <typename Network>
+double length_in_units(const Network& curve, const std::vector<double>& values)
+{
+  double length = 0;
+  for(const std::size_t e : curve.edges())
+    length +=
+        2 * edge_vector(curve, e).norm() / (values[curve.source(e)] + values[curve.target(e)]);
+  return length;
+}
+
 // Turning angles of a curve at its nodes, in radians, and bend radii. Linear.
 
 // The sum of the turning angles at the nodes inside component c; 0 if it has a junction.

@@ -91,6 +91,7 @@ private:
   static constexpr double candidates_along_distance = 3;
   static constexpr int max_halvings = 20;                    // of the box
   static constexpr std::size_t max_candidates = 200'000'000; // 5 GB; a million nodes need a million
+  static constexpr std::size_t max_cubes = 2'000'000'000;    // 8 GB; also those outside of the box
   static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
 
   struct Cube // or square
@@ -136,7 +137,7 @@ private:
   // the random order.
   void add_candidate(const Vector& p)
   {
-    if(m_is_kept.size() == max_candidates)
+    if(m_candidates.size() == max_candidates || m_is_kept.size() == max_cubes)
       throw std::invalid_argument("thickness: it is too small for the domain, or for a part of it");
     m_is_kept.push_back(
         CGAL::do_overlap(m_domain.bbox(), Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z())));

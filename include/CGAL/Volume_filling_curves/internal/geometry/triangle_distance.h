@@ -37,11 +37,13 @@ inline double squared_distance_to_triangle(const Vector& p,
   const auto& [a, b, c] = corners;
   const Vector ab = b - a, ac = c - a, ap = p - a, normal = ab.cross(ac);
   const double square = normal.squaredNorm(), height = normal.dot(ap);
-  // sixth powers of lengths beyond 1e51 and below 1e-53 overflow and underflow
-  if(!is_in_own_unit && !(square > 1e-120 && square < 1e200)) {
+  // sixth powers of lengths may overflow or underflow
+  const bool is_moderate = square > 1e-120 && square < 1e200 && std::abs(height) < 1e150;
+  if(!is_in_own_unit && !is_moderate) {
     const double size =
         (std::max)({ab.cwiseAbs().maxCoeff(), ac.cwiseAbs().maxCoeff(), ap.cwiseAbs().maxCoeff()});
-    if(!(size > 0) || !std::isfinite(size)) return (std::min)(bound, ap.squaredNorm());
+    if(!std::isfinite(size)) return (std::min)(bound, ap.squaredNorm());
+    if(size < min_extent) return 0;
     const double unit = std::ldexp(1., -std::ilogb(size)), squared_unit = unit * unit;
     const double distance = squared_distance_to_triangle(
         unit * ap, {Vector(), unit * ab, unit * ac}, squared_unit * bound, true);
