@@ -17,7 +17,6 @@
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
-#include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
@@ -169,7 +168,6 @@ private:
   {
     Untangling_parameters parameters = m_parameters; // adding rays sets the thickness
     Closing_rays<Guard> rays(guard);
-    const Garbage_scope scope(guard);
     if(is_resuming) {
       rays.set_sphere(state.sphere);
       parameters.thickness = state.thickness_of_rays;
