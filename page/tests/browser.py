@@ -79,7 +79,7 @@ class Browser:
         if event.get("sessionId") != self.session:
             return  # of a closed tab, or of the browser
         method, parameters = event["method"], event.get("params", {})
-        if method in ("Runtime.exceptionThrown", "Log.entryAdded"):
+        if method in ("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded"):
             self.complaints.append(json.dumps(parameters))
         if method == "Page.fileChooserOpened":
             self.file_input = parameters["backendNodeId"]
