@@ -26,6 +26,10 @@ if(VFC_SANITIZE)
     list(APPEND sanitizer_flags
       -fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitizer_ignorelist.txt)
   endif()
+  if(VFC_SANITIZE MATCHES address AND VFC_SANITIZE MATCHES undefined)
+    # AddressSanitizer finds what it finds; without it, clang++ takes a tenth less time.
+    list(APPEND sanitizer_flags -fno-sanitize=object-size)
+  endif()
   target_compile_options(Volume_filling_curves_development INTERFACE ${sanitizer_flags})
   target_link_options(Volume_filling_curves_development INTERFACE ${sanitizer_flags})
 endif()
