@@ -119,7 +119,8 @@ Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
  * \returns whether the certificate is valid, and otherwise the fault
  *
  * \throws std::invalid_argument if a polyline has too few distinct points, or a coordinate that is
- * not finite or beyond 1e150
+ * not finite or beyond 1e150; for other classes, if a coordinate is not finite, or if an edge has a
+ * node that is not among `nodes()`
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Start,

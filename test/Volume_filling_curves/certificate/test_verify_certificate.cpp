@@ -12,7 +12,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <set>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -218,6 +220,44 @@ TEST(Verify_certificate, refuses_a_start_that_is_not_embedded)
     for(Lattice_point& p : curve.points) p = random_point(3, k % 2 == 0, random);
     EXPECT_EQ(message(to_network(curve)).empty(), is_embedded(curve));
   }
+}
+
+// A caller's own curve: the network, with other nodes.
+struct Other_nodes
+{
+  const Network& network;
+  std::vector<std::size_t> listed;
+  double shift = 0;
+
+  const std::vector<std::size_t>& nodes() const { return listed; }
+  auto edges() const { return network.edges(); }
+  Point point(std::size_t v) const
+  {
+    const Point p = network.point(v);
+    return {p.x() + shift, p.y(), p.z()};
+  }
+  std::size_t source(std::size_t e) const { return network.source(e); }
+  std::size_t target(std::size_t e) const { return network.target(e); }
+};
+
+TEST(Verify_certificate, takes_nodes_in_any_order_and_refuses_curves_that_make_no_sense)
+{
+  Network network({Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 1)},
+                  {{0, 1}, {1, 2}, {2, 3}});
+  Guard guard(network);
+  guard.start_recording();
+  const Isotopy_certificate certificate = guard.certificate();
+  for(const std::vector<std::size_t>& order :
+      {std::vector<std::size_t>{3, 1, 2, 0}, {0, 3, 1, 2}, {0, 1, 2, 3}})
+    EXPECT_TRUE(verify_certificate(certificate, Other_nodes{network, order}, network).is_valid);
+  for(const std::vector<std::size_t>& some :
+      {std::vector<std::size_t>{0, 1, 2}, {3, 2, 1}, {0, 1, 3}, {}})
+    EXPECT_THROW((void)verify_certificate(certificate, Other_nodes{network, some}, network),
+                 std::invalid_argument);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(
+      (void)verify_certificate(certificate, Other_nodes{network, {0, 1, 2, 3}, infinity}, network),
+      std::invalid_argument);
 }
 
 TEST(Verify_certificate, is_right_at_the_ends_of_the_range_of_numbers)

@@ -15,9 +15,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -34,7 +37,9 @@ public:
   using Edge = std::array<std::uint64_t, 2>;
 
   // `Curve` has the functions nodes(), edges(), point(), source() and target() of a
-  // Curve_network_3.
+  // Curve_network_3; nodes() may list them in any order.
+  // \throws std::invalid_argument if a coordinate is not finite, or if an edge has a node that
+  // nodes() does not list
   template <typename Curve>
   explicit Canonical_curve(const Curve& curve)
   {
@@ -42,11 +47,15 @@ public:
     std::vector<std::size_t> nodes;
     for(const std::size_t v : curve.nodes()) {
       points.push_back(to_position(curve.point(v)));
-      for(double& x : points.back())
+      for(double& x : points.back()) {
+        if(!std::isfinite(x))
+          throw std::invalid_argument("node " + std::to_string(v) +
+                                      " has a coordinate that is not finite");
         if(x == 0) x = 0; // -0 counts as 0
+      }
       nodes.push_back(v);
+      if(v >= m_ranks.size()) m_ranks.resize(v + 1, unlisted);
     }
-    m_ranks.resize(nodes.empty() ? 0 : nodes.back() + 1);
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(),
@@ -55,8 +64,7 @@ public:
       m_ranks[nodes[i]] = m_points.size();
       m_points.push_back(points[i]);
     }
-    for(const std::size_t e : curve.edges())
-      add_edge(m_ranks[curve.source(e)], m_ranks[curve.target(e)]);
+    for(const std::size_t e : curve.edges()) add_edge(rank(curve.source(e)), rank(curve.target(e)));
     std::sort(m_edges.begin(), m_edges.end());
   }
 
@@ -88,6 +96,16 @@ public:
   }
 
 private:
+  static constexpr std::uint64_t unlisted = (std::numeric_limits<std::uint64_t>::max)();
+
+  std::uint64_t rank(std::size_t v) const
+  {
+    if(v >= m_ranks.size() || m_ranks[v] == unlisted)
+      throw std::invalid_argument("an edge has node " + std::to_string(v) +
+                                  ", which is not among the nodes of the curve");
+    return m_ranks[v];
+  }
+
   void add_edge(std::uint64_t v, std::uint64_t w)
   {
     m_edges.push_back({(std::min)(v, w), (std::max)(v, w)});
