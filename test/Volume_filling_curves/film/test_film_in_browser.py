@@ -121,17 +121,17 @@ def pixels(png):
 
 
 def unfiltered(kind, line, above, channels):
-    """A row of bytes, from the differences to what its neighbors let expect (PNG, section 9)."""
+    """A row of bytes, from the differences to what its neighbors predict (PNG, section 9)."""
     if kind == 0:
         return bytearray(line)
     row = bytearray(line)
     for i, up in enumerate(above):
         left, corner = (row[i - channels], above[i - channels]) if i >= channels else (0, 0)
         if kind == 4:  # Paeth's
-            expected = min((left, up, corner), key=lambda x: abs(left + up - corner - x))
+            predicted = min((left, up, corner), key=lambda x: abs(left + up - corner - x))
         else:
-            expected = (left, up, (left + up) // 2)[kind - 1]
-        row[i] = (row[i] + expected) & 255
+            predicted = (left, up, (left + up) // 2)[kind - 1]
+        row[i] = (row[i] + predicted) & 255
     return row
 
 
@@ -153,7 +153,9 @@ def check_playing(browser, film, iterations):
 
 
 def check_screen(browser, folder, film, has_domain):
+    """Of the last frame."""
     with playing(browser, film):
+        move_slider(browser, "frame", "document.getElementById('frame').max")
         rows = screen(browser, folder)[:HEIGHT - 160]  # without the controls
     colors = [color for row in rows for color in row]
     red = sum(r > g + 60 and r > b + 60 for r, g, b in colors) / len(colors)
