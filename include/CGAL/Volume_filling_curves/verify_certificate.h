@@ -101,8 +101,8 @@ Certificate_verdict verdict_of(replay::Certificate_verifier& verifier,
  * altered, truncated or made for other curves is rejected. So is a forged one with matching hashes,
  * unless its operations are a valid proof all the same.
  *
- * The numbering of nodes, the direction of edges and pins do not matter. Domains are ignored; the
- * overload below takes one.
+ * The numbering of nodes, the direction of edges and pins do not matter; nodes without an edge do
+ * not count. Domains are ignored; the overload below takes one.
  *
  * Takes constant time per operation if edges have similar lengths: one or two microseconds.
  *

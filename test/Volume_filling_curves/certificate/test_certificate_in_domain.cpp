@@ -16,8 +16,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -176,6 +178,50 @@ TEST(Certificate_in_domain, refuses_a_forged_move_through_the_wall)
     EXPECT_FALSE(verdict_in(forged, Mesh_domain(mesh)).is_valid);
   }
   EXPECT_TRUE(verdict_in(with_moves(motion, {moved(1e-9), moved(0.5)}), mesh).is_valid);
+}
+
+// A caller's own curve: a network with another node, which has no edge.
+struct With_lone_node
+{
+  const Network& network;
+  Point lone;
+
+  std::vector<std::size_t> nodes() const
+  {
+    std::vector<std::size_t> result(network.number_of_nodes() + 1);
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    return result;
+  }
+  auto edges() const { return network.edges(); }
+  Point point(std::size_t v) const
+  {
+    return v < network.number_of_nodes() ? network.point(v) : lone;
+  }
+  std::size_t source(std::size_t e) const { return network.source(e); }
+  std::size_t target(std::size_t e) const { return network.target(e); }
+};
+
+// Nothing would stop such a node from going anywhere.
+TEST(Certificate_in_domain, has_no_nodes_without_an_edge)
+{
+  const meshes::Mesh mesh = meshes::to_mesh(meshes::cube(4));
+  Network network = square(1, Point(2, 2, 2));
+  Guard guard(network);
+  guard.start_recording();
+  const With_lone_node start{network, Point(3.5, 2, 2)}, end{network, Point(5, 2, 2)};
+  EXPECT_TRUE(verify_certificate(guard.certificate(), start, end, mesh).is_valid);
+  const internal::Canonical_curve first(start), last(end);
+  Pieces forged;
+  forged.header.nodes = first.points().size();
+  forged.header.edges = first.edges().size();
+  forged.header.components = first.number_of_components();
+  forged.header.curve = first.digest();
+  forged.operations.push_back({Kind::MOVE, 4, 0, {5, 2, 2}});
+  forged.trailer.nodes = last.points().size();
+  forged.trailer.edges = last.edges().size();
+  forged.trailer.curve = last.digest();
+  const Certificate_verdict verdict = verify_certificate(put_together(forged), start, end, mesh);
+  EXPECT_EQ(verdict.message, "moving node 4: there is no node 4");
 }
 
 TEST(Certificate_in_domain, refuses_forged_insertions_and_removals)

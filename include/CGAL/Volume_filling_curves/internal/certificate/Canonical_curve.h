@@ -30,7 +30,8 @@ namespace internal {
 
 // Canonical form of a curve, independent of the numbering of its nodes and of its file, and the
 // hash of this form: the nodes in lexicographic order of their coordinates, and the undirected
-// edges in lexicographic order of their nodes' ranks. Removed nodes are left out. O(n log n).
+// edges in lexicographic order of their nodes' ranks. Nodes without an edge are no part of a curve,
+// and left out: no rule of an isotopy binds them. O(n log n).
 class Canonical_curve
 {
 public:
@@ -43,9 +44,12 @@ public:
   template <typename Curve>
   explicit Canonical_curve(const Curve& curve)
   {
+    const std::vector<bool> has_edge = nodes_with_an_edge(curve);
+    m_ranks.assign(has_edge.size(), unlisted);
     std::vector<Position> points;
     std::vector<std::size_t> nodes;
     for(const std::size_t v : curve.nodes()) {
+      if(!has_edge[v]) continue;
       points.push_back(to_position(curve.point(v)));
       for(double& x : points.back()) {
         if(!std::isfinite(x))
@@ -54,7 +58,6 @@ public:
         if(x == 0) x = 0; // -0 counts as 0
       }
       nodes.push_back(v);
-      if(v >= m_ranks.size()) m_ranks.resize(v + 1, unlisted);
     }
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -97,6 +100,19 @@ public:
 
 private:
   static constexpr std::uint64_t unlisted = (std::numeric_limits<std::uint64_t>::max)();
+
+  // By nodes, up to the last one that is listed.
+  template <typename Curve>
+  static std::vector<bool> nodes_with_an_edge(const Curve& curve)
+  {
+    std::size_t end = 0;
+    for(const std::size_t v : curve.nodes()) end = (std::max)(end, v + 1);
+    std::vector<bool> has_edge(end, false);
+    for(const std::size_t e : curve.edges())
+      for(const std::size_t v : {curve.source(e), curve.target(e)})
+        if(v < end) has_edge[v] = true;
+    return has_edge;
+  }
 
   std::uint64_t rank(std::size_t v) const
   {
