@@ -39,6 +39,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -68,7 +69,8 @@ namespace Volume_filling_curves {
  *
  * \returns the name, proofs and invariants
  *
- * \throws std::invalid_argument if the crossings are not a planar diagram code
+ * \throws std::invalid_argument if the crossings are not a planar diagram code, or if there are
+ * more than 10,000 components
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -76,6 +78,11 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
                                      const NamedParameters& np = parameters::default_values())
 {
   internal::check_planar_diagram(diagram);
+  constexpr std::size_t max_components = 10000; // their linking matrix takes 400 MB
+  const std::size_t n = internal::number_of_components(diagram);
+  if(n > max_components)
+    throw std::invalid_argument("only links of at most 10,000 components are identified, not of " +
+                                std::to_string(n));
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::Link_identification(internal::simplified_diagram(diagram, watch), watch)();
   });

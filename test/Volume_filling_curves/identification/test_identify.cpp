@@ -7,6 +7,7 @@
 // Names of knots, of diagrams and of curves.
 
 #include "support/braid_diagrams.h"
+#include "support/refusal_of.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
 #include <CGAL/Volume_filling_curves/identify.h>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -257,6 +259,27 @@ TEST(Identify, Links_of_many_components_have_no_name)
   const auto identity = VFC::identify(diagram);
   EXPECT_EQ(identity.number_of_components, 71u);
   EXPECT_EQ(identity.name, "");
+}
+
+TEST(Identify, Diagrams_of_more_components_than_memory_holds_are_refused)
+{
+  Planar_diagram diagram = closure(knot("3_1"));
+  for(const std::size_t loops : {std::size_t(10000), std::size_t(100000000)}) {
+    diagram.number_of_free_loops = loops;
+    EXPECT_EQ(refusal_of([&] { return VFC::identify(diagram); }),
+              "only links of at most 10,000 components are identified, not of " +
+                  std::to_string(loops + 1));
+    EXPECT_EQ(VFC::knottedness(diagram), VFC::Knottedness::UNKNOWN);
+    EXPECT_EQ(VFC::determinant(diagram), 0);
+  }
+  for(const std::size_t loops : {std::size_t(100000001), std::numeric_limits<std::size_t>::max()}) {
+    diagram.number_of_free_loops = loops;
+    const std::string refusal =
+        "a diagram has at most 10^8 components without crossings, not " + std::to_string(loops);
+    EXPECT_EQ(refusal_of([&] { return VFC::identify(diagram); }), refusal);
+    EXPECT_EQ(refusal_of([&] { return VFC::knottedness(diagram); }), refusal);
+    EXPECT_EQ(refusal_of([&] { return VFC::pd_code(diagram); }), refusal);
+  }
 }
 
 } // namespace test_identify

@@ -78,7 +78,7 @@ inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch =
 {
   if(diagram.crossings.empty()) return Knottedness::UNKNOTTED;
   const std::size_t components = number_of_components(diagram);
-  for(const auto& row : linking_matrix(diagram))
+  for(const auto& row : linking_matrix({diagram.crossings, 0}))
     for(const int number : row)
       if(number != 0) return Knottedness::LINKED_BY_LINKING_NUMBER;
   const Alexander_matrix matrix(diagram, watch);

@@ -29,7 +29,7 @@ namespace Volume_filling_curves {
 struct Planar_diagram
 {
   std::vector<std::array<std::uint32_t, 4>> crossings; ///< the arcs of each crossing
-  std::size_t number_of_free_loops = 0;                ///< components without crossings
+  std::size_t number_of_free_loops = 0; ///< components without crossings, at most 10^8
 };
 
 namespace internal {

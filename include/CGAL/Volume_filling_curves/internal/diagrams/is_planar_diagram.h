@@ -143,9 +143,13 @@ inline bool is_planar_diagram(const Planar_diagram& diagram)
 }
 
 // \throws std::invalid_argument with the reason, where arcs are numbered from `first_number` on,
-// unless it is one
+// unless it is one, or if there are more components without crossings than codes can number
 inline void check_planar_diagram(const Planar_diagram& diagram, std::size_t first_number = 0)
 {
+  constexpr std::size_t max_free_loops = 100000000; // the largest number that read_number() reads
+  if(diagram.number_of_free_loops > max_free_loops)
+    throw std::invalid_argument("a diagram has at most 10^8 components without crossings, not " +
+                                std::to_string(diagram.number_of_free_loops));
   const std::string fault = Planar_diagram_check(diagram, first_number).fault();
   if(!fault.empty())
     throw std::invalid_argument("the crossings are no planar diagram code: " + fault);
