@@ -160,8 +160,9 @@ public:
     Vector first, sum;
     for(const auto& corner : corners) {
       const Vector v = vector(corner.value);
-      if(first == Vector()) first = v;
-      sum += (v.dot(first) < 0 ? -corner.weight : corner.weight) * v;
+      const Vector scaled = internal::in_own_units(v); // products neither underflow nor overflow
+      if(first == Vector()) first = scaled;
+      sum += (scaled.dot(first) < 0 ? -corner.weight : corner.weight) * v;
     }
     return {sum.x(), sum.y(), sum.z()};
   }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -41,6 +42,24 @@ TEST(Mesh_direction_field, interpolates_on_the_surface_whatever_the_signs)
   for(const Mesh::Point& p : {Mesh::Point(.3, .4, .1), Mesh::Point(1.4, .3, .9)}) {
     expect_parallel(field(p), {1, p.x(), 0});
     expect_parallel(same(p), {1, p.x(), 0});
+  }
+}
+
+// Squares of such lengths underflow or overflow.
+TEST(Mesh_direction_field, ignores_the_signs_of_vectors_of_any_length)
+{
+  const Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}}));
+  for(const double length : {1e-300, 1e-170, 1e170, 1e300}) {
+    std::vector<Direction> vectors;
+    for(const auto v : mesh.vertices())
+      vectors.push_back(
+          {v.idx() % 2 == 0 ? length : -length, length * (v.idx() % 2 == 0 ? -2 : 2), 0});
+    const Mesh_direction_field_3<> field(mesh, vectors);
+    for(const Mesh::Point& p : {Mesh::Point(.3, .4, .1), Mesh::Point(.6, .3, .9)}) {
+      const Direction direction = field(p);
+      EXPECT_NEAR(std::abs(direction[0]) / length, 1, 1e-15) << length;
+      EXPECT_NEAR(direction[1] / direction[0], -2, 1e-15) << length;
+    }
   }
 }
 
