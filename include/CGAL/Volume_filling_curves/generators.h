@@ -74,11 +74,12 @@ template <typename Traits = Curve_flow_traits_3<>>
  * \param word the letters, 1 to 1000 or their negatives; see also `parse_braid_word()`
  * \param number_of_nodes the number of nodes, which are spaced equally
  * \param random_seed the seed of a random rotation; 0 for none
- * \param number_of_strands the least number of strands; with an empty word, the number of unlinked
- * circles
+ * \param number_of_strands the least number of strands, at most 10,000; with an empty word, the
+ * number of unlinked circles
  * \param traits the traits object
  *
- * \throws std::invalid_argument if a letter is out of range, or if there are too few nodes
+ * \throws std::invalid_argument if a letter or the number of strands is out of range, or if there
+ * are too few nodes
  */
 template <typename Traits = Curve_flow_traits_3<>>
 [[nodiscard]] Curve_network_3<Traits> make_closed_braid(const std::vector<int>& word,

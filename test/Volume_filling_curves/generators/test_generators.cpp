@@ -172,6 +172,19 @@ TEST(Braid_closure, refuses_letters_that_are_none)
     EXPECT_THROW(generators::braid_closure({1, letter}, 100), std::invalid_argument) << letter;
 }
 
+// At once: nobody could hold the samples of such a braid.
+TEST(Braid_closure, refuses_more_strands_than_it_could_have_nodes)
+{
+  for(const std::size_t strands : {std::size_t(10001), std::numeric_limits<std::size_t>::max()})
+    try {
+      (void)generators::braid_closure({1}, 100, 0, strands);
+      ADD_FAILURE() << strands;
+    } catch(const std::invalid_argument& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "a braid has at most 10000 strands, not " + std::to_string(strands));
+    }
+}
+
 // At once: nobody could hold the samples of such a knot.
 TEST(Torus_knot, refuses_more_turns_than_it_could_have_nodes)
 {

@@ -71,6 +71,9 @@ public:
                                     "not an integer in 1, ..., 1000 or its negative");
       m_strands = (std::max)(m_strands, upper_strand(letter) + 1);
     }
+    if(m_strands > max_strands)
+      throw std::invalid_argument("a braid has at most " + std::to_string(max_strands) +
+                                  " strands, not " + std::to_string(m_strands));
     m_strands = (std::max)(m_strands, std::size_t(1));
     assign_sectors();
   }
@@ -93,8 +96,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t min_samples = 64; // per sector
-  static constexpr double min_sector_length = 3; // on the innermost circle, in strand distances
+  static constexpr std::size_t max_strands = 10000; // they need hundreds of millions of nodes
+  static constexpr std::size_t min_samples = 64;    // per sector
+  static constexpr double min_sector_length = 3;    // on the innermost circle, in strand distances
   // With it a chord leaves its strand, of curvature 1.8 at most, by less than 0.25.
   static constexpr double max_spacing = 1;
 
@@ -158,7 +162,7 @@ private:
 /* returns the closure of a braid, see `parse_braid_word()` and `Braid_closure`. `number_of_strands`
  * asks for more strands than the word uses: an empty word with n strands is the unlink of n
  * circles.
- * \throws std::invalid_argument if the nodes are too few
+ * \throws std::invalid_argument if the nodes are too few, or if there are more than 10,000 strands
  */
 inline Polygons braid_closure(const std::vector<int>& word,
                               std::size_t number_of_nodes,
