@@ -110,7 +110,8 @@ template <typename Traits = Curve_flow_traits_3<>>
  * certified by `Isotopy_guard_3`.
  *
  * \param number_of_nodes the number of nodes, at least 3
- * \param number_of_moves the number of attempted moves; 10 per node make a tangle
+ * \param number_of_moves the number of attempted moves; 10 per node make a tangle. It is rounded
+ * down to a multiple of the number of scales: 1 up to 32 nodes, and one more for each doubling
  * \param random_seed the seed of the moves
  * \param traits the traits object
  *

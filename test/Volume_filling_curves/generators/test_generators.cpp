@@ -155,6 +155,17 @@ TEST(Generators, refuse_what_they_cannot_make)
   EXPECT_THROW(generators::regular_polygon(3, 0), std::invalid_argument);
 }
 
+// Of 100 nodes: on 3 scales, with as many moves on each.
+TEST(Hard_unknot, rounds_its_moves_down_to_a_multiple_of_its_scales)
+{
+  const auto unknot = [](std::size_t moves) {
+    return hash(generators::hard_unknot(100, moves, 1));
+  };
+  EXPECT_EQ(unknot(2), unknot(0));
+  EXPECT_EQ(unknot(32), unknot(30));
+  EXPECT_NE(unknot(33), unknot(30));
+}
+
 TEST(Generators, space_nodes_evenly)
 {
   for(const Polygons& polygons :
