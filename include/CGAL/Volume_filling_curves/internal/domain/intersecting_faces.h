@@ -12,7 +12,10 @@
 #include <CGAL/Volume_filling_curves/internal/domain/mesh_faults.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/enum.h>
+#include <CGAL/intersections.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -41,29 +44,40 @@ std::array<typename Mesh::Vertex_index, 3> corners_of(const Mesh& mesh, typename
   return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
 }
 
-// If a surface touches itself in a vertex, two faces meet in a point that is no common vertex. Such
-// a pair is tested again as a mesh of its own, in which the vertex is shared. \pre no vertex is
-// shared
+// Returns whether two faces meet in one common point or edge only. Where a surface touches itself,
+// the ends of these are vertices of both faces, but not the same ones, and CGAL's search takes the
+// faces for intersecting. \pre no vertex is shared
 template <typename Mesh>
 bool do_only_touch(const Mesh& mesh, const Face_pair<Mesh>& pair)
 {
-  Mesh both;
-  auto first = corners_of(mesh, pair.first), second = corners_of(mesh, pair.second);
-  const auto before = first;
-  for(auto& v : first) v = both.add_vertex(mesh.point(v));
-  std::size_t common = 0;
-  for(auto& v : second) {
-    std::size_t i = 0;
-    while(i < 3 && mesh.point(before[i]) != mesh.point(v)) ++i;
-    v = i < 3 ? first[i] : both.add_vertex(mesh.point(v));
-    if(i < 3) ++common;
+  using Point = typename Mesh::Point;
+  using Kernel = typename Kernel_traits<Point>::Kernel;
+  using Segment = typename Kernel::Segment_3;
+  using Triangle = typename Kernel::Triangle_3;
+  const auto points_of = [&](typename Mesh::Face_index f) {
+    const auto [u, v, w] = corners_of(mesh, f);
+    return std::array<Point, 3>{mesh.point(u), mesh.point(v), mesh.point(w)};
+  };
+  auto first = points_of(pair.first), second = points_of(pair.second);
+  const auto move_common_to_front = [](auto& points, const auto& others) {
+    const auto is_common = [&](const Point& p) {
+      return std::find(others.begin(), others.end(), p) != others.end();
+    };
+    return std::partition(points.begin(), points.end(), is_common) - points.begin();
+  };
+  move_common_to_front(first, second);
+  const auto number_of_common = move_common_to_front(second, first);
+  const auto& [a, b, c] = first;
+  const auto& [d, e, f] = second;
+  switch(number_of_common) {
+  case 1:
+    return !do_intersect(Segment(b, c), Triangle(d, e, f)) &&
+           !do_intersect(Segment(e, f), Triangle(a, b, c));
+  case 2:
+    return !coplanar(a, b, c, f) || coplanar_orientation(a, b, c, f) != POSITIVE;
+  default:
+    return false;
   }
-  if(common == 0 || common == 3) return false;
-  both.add_face(first[0], first[1], first[2]);
-  // with a common edge only one of the two orientations fits
-  if(both.add_face(second[0], second[1], second[2]) == Mesh::null_face())
-    both.add_face(second[0], second[2], second[1]);
-  return !CGAL::Polygon_mesh_processing::does_self_intersect(both);
 }
 
 template <typename Mesh>
