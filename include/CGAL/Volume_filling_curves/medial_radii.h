@@ -45,7 +45,7 @@ Medial_spheres capped_medial_spheres(const Network& curve,
   constexpr double cap =
       2; // in units of the thickness: up to that they are found in a single round
   const std::vector<double> thickness(curve.number_of_nodes(), largest / cap);
-  Medial_sphere_search search(ConcurrencyTag(), x, thickness, cap, No_boundary_limit(), watch);
+  Medial_sphere_search search(ConcurrencyTag(), x, thickness, cap, Sphere_limit(), watch);
   return search(node_circles(curve, x), number_of_directions);
 }
 

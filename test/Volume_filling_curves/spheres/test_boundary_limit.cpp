@@ -191,9 +191,8 @@ void expect_spheres_as_defined(const Space& space,
   using Boundary = internal::Boundary<std::decay_t<decltype(space.domain)>>;
   const Boundary walls(space.domain);
   const Vector_field x = internal::coordinates(curve);
-  internal::Medial_sphere_search search(
-      CGAL::Sequential_tag(), x, thickness, max_radius,
-      internal::Boundary_limit<Network, Boundary>(curve, walls, wall));
+  internal::Medial_sphere_search search(CGAL::Sequential_tag(), x, thickness, max_radius,
+                                        internal::boundary_limit(curve, walls, wall));
   const Medial_spheres spheres = search(internal::node_circles(curve, x), 16);
   for(std::size_t c = 0; c < spheres.circles().size(); ++c)
     for(std::size_t l = 0; l < 16; ++l) {
@@ -279,9 +278,8 @@ TYPED_TEST(Spheres_in, a_domain_do_not_depend_on_what_else_is_sought)
       const Network curve = random_curve(space.domain, n, random);
       const Vector_field x = internal::coordinates(curve);
       const std::vector<double> thickness(n, 0.2);
-      internal::Medial_sphere_search search(
-          CGAL::Sequential_tag(), x, thickness, 6,
-          internal::Boundary_limit<Network, Boundary>(curve, walls, wall));
+      internal::Medial_sphere_search search(CGAL::Sequential_tag(), x, thickness, 6,
+                                            internal::boundary_limit(curve, walls, wall));
       const Medial_spheres all = search(internal::node_circles(curve, x), 16);
       for(std::size_t c = 0; c < all.circles().size(); ++c) {
         const Medial_spheres one = search({all.circles()[c]}, 16);
@@ -305,10 +303,8 @@ TEST(Boundary_limit, leaves_the_spheres_alone_where_the_walls_are_far)
   for(const double max_radius : {0.9, 6., 100.})
     for(const Wall wall : {Wall::COVER, Wall::KEEP_CLEAR}) {
       const Medial_spheres expected = spheres_of(curve, 16, max_radius, 0.05);
-      internal::Medial_sphere_search search(
-          CGAL::Sequential_tag(), x, thickness, max_radius,
-          internal::Boundary_limit<Network, internal::Boundary<Ball_domain_3<>>>(curve, walls,
-                                                                                 wall));
+      internal::Medial_sphere_search search(CGAL::Sequential_tag(), x, thickness, max_radius,
+                                            internal::boundary_limit(curve, walls, wall));
       const Medial_spheres spheres = search(internal::node_circles(curve, x), 16);
       for(std::size_t c = 0; c < spheres.circles().size(); ++c)
         for(std::size_t l = 0; l < 16; ++l) {

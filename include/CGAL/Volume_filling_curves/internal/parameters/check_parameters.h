@@ -68,22 +68,33 @@ const char* demand(Range range)
 }
 
 // Throws "NAME is VALUE, but DEMAND".
-template <typename Tag, typename Value>
-[[noreturn]] void refuse_value(Tag tag, const Value& value, const std::string& demand)
+template <typename Value>
+[[noreturn]] void refuse_value(const char* name, const Value& value, const std::string& demand)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << internal_np::name_of(tag) << " is " << value << ", but " << demand;
+  text << name << " is " << value << ", but " << demand;
   throw std::invalid_argument(text.str());
+}
+
+template <typename Tag, typename Value>
+[[noreturn]] void refuse_value(Tag tag, const Value& value, const std::string& demand)
+{
+  refuse_value(internal_np::name_of(tag), value, demand);
+}
+
+template <typename Value>
+void check_value(const char* name, const Value& value, Range range)
+{
+  if(!is_in_range(static_cast<double>(value), range))
+    refuse_value(name, value, demand<Value>(range));
 }
 
 template <typename Parameters, typename Row>
 void check_parameter(const Parameters& p, const Row& row)
 {
-  using Value = typename Row::Value;
-  if constexpr(std::is_arithmetic_v<Value>)
-    if(!is_in_range(static_cast<double>(p.*row.member), row.range))
-      refuse_value(typename Row::Tag(), p.*row.member, demand<Value>(row.range));
+  if constexpr(std::is_arithmetic_v<typename Row::Value>)
+    check_value(internal_np::name_of(typename Row::Tag()), p.*row.member, row.range);
 }
 
 // Throws std::invalid_argument if a value is out of its range.

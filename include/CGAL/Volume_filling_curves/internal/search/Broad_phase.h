@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -58,9 +59,10 @@ public:
   {}
 
   // Returns the pairs (e, f), e > f, for which is_wanted(e, f), in an order that depends on neither
-  // the tag nor the number of threads.
-  template <typename ConcurrencyTag, typename Predicate>
-  std::vector<Edge_pair> pairs(const Predicate& is_wanted) const
+  // the tag nor the number of threads. No template of the predicate: fill() asks for pairs in five
+  // ways.
+  template <typename ConcurrencyTag>
+  std::vector<Edge_pair> pairs(const std::function<bool(std::size_t, std::size_t)>& is_wanted) const
   {
     Close_parts close;
     Nearest_pair_descent(m_tree, close, runs_per_task).run();

@@ -16,14 +16,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// No boundary: only other nodes limit medial spheres.
-struct No_boundary_limit
-{};
+// What limits medial spheres besides other nodes: nothing by default. The search for the spheres is
+// no template of it: fill() would compile it twice, since it measures a thickness without a
+// boundary.
+struct Sphere_limit
+{
+  // see Boundary_limit
+  std::function<void(const Medial_spheres&, std::size_t, Planar_rays&)> limit_centers;
+  std::function<void(Medial_spheres&, std::size_t, double)> limit_spheres;
+
+  explicit operator bool() const { return bool(limit_centers); }
+};
 
 // Medial spheres limited by the boundary of a domain. To cover the domain, the curve must come
 // within r of all of it: only the centers must lie inside. To keep clear of the boundary as of
@@ -85,17 +94,23 @@ private:
   Wall m_wall;
 };
 
-// Returns the limit of the medial spheres of a curve. Without a boundary it has a common type,
-// which avoids compiling the search twice.
+// \pre the curve and the boundary outlive the limit
 template <typename Network, typename Boundary>
-auto boundary_limit([[maybe_unused]] const Network& curve,
-                    [[maybe_unused]] const Boundary& boundary,
-                    [[maybe_unused]] Wall wall)
+Sphere_limit boundary_limit([[maybe_unused]] const Network& curve,
+                            [[maybe_unused]] const Boundary& boundary,
+                            [[maybe_unused]] Wall wall)
 {
-  if constexpr(Boundary::is_bounded)
-    return Boundary_limit<Network, Boundary>(curve, boundary, wall);
-  else
-    return No_boundary_limit();
+  if constexpr(Boundary::is_bounded) {
+    const Boundary_limit<Network, Boundary> limit(curve, boundary, wall);
+    return {[limit](const Medial_spheres& spheres, std::size_t c, Planar_rays& rays) {
+              limit.limit_centers(spheres, c, rays);
+            },
+            [limit](Medial_spheres& spheres, std::size_t c, double limited_radius) {
+              limit.limit_spheres(spheres, c, limited_radius);
+            }};
+  } else {
+    return {};
+  }
 }
 
 } // namespace internal

@@ -109,8 +109,7 @@ private:
     for(double cap = start_cap();; cap *= 2) {
       if(2 * cap > largest) cap = largest;
       const std::vector<double> caps(static_cast<std::size_t>(m_samples.rows()), cap);
-      Medial_sphere_search search(ConcurrencyTag(), m_samples, caps, 1., No_boundary_limit(),
-                                  m_watch);
+      Medial_sphere_search search(ConcurrencyTag(), m_samples, caps, 1., Sphere_limit(), m_watch);
       const Medial_spheres spheres = search(m_circles, m_number_of_directions);
       std::vector<double> radii;
       for(std::size_t c = 0; c < m_circles.size(); ++c)

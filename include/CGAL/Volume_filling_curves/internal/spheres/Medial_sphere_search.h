@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,7 +40,7 @@ namespace internal {
 // If r_max is much larger than the thickness, as while a curve fills a volume, most spheres are
 // still small. They are first searched with a small cap, which is doubled for nodes with a sphere
 // that reaches it.
-template <typename ConcurrencyTag, typename BoundaryLimit = No_boundary_limit>
+template <typename ConcurrencyTag>
 class Medial_sphere_search
 {
   using Index = Medial_spheres::Index;
@@ -54,12 +53,12 @@ public:
                        const Vector_field& x,
                        const std::vector<double>& thickness,
                        double max_radius,
-                       const BoundaryLimit& boundary_limit = BoundaryLimit(),
+                       Sphere_limit boundary_limit = {},
                        Run_watch* watch = nullptr)
       : m_x(x),
         m_thickness(thickness),
         m_max_radius(max_radius),
-        m_boundary_limit(boundary_limit),
+        m_boundary_limit(std::move(boundary_limit)),
         m_watch(watch),
         m_neighborhoods(x)
   {}
@@ -89,7 +88,6 @@ private:
   // In units of the thickness. 1.2 and 1.5 take 30 % longer to fill the bunny (2026-11-21).
   static constexpr double first_cap = 2, cap_growth = 2;
   static constexpr std::size_t block = 256;
-  static constexpr bool is_bounded = !std::is_same_v<BoundaryLimit, No_boundary_limit>;
 
   // stands for the touching node of a sphere that touches nothing up to the cap tried last
   static constexpr Index still_open = Medial_spheres::no_node - 1;
@@ -158,7 +156,7 @@ private:
     for(std::size_t l = 0; l < m_spheres.number_of_directions(); ++l)
       if(is_open(c, l)) set_radius(c, l, cap, work);
     note_touched(cap, work);
-    if constexpr(is_bounded) m_boundary_limit.limit_spheres(m_spheres, c, last_cap * unit);
+    if(m_boundary_limit) m_boundary_limit.limit_spheres(m_spheres, c, last_cap * unit);
   }
 
   void start(std::size_t c, double cap, Workspace& work) const
@@ -179,7 +177,7 @@ private:
     const double unit = thickness(c);
     std::vector<double>& lengths = work.paths.lengths;
     lengths.assign(m_spheres.number_of_directions(), cap * unit);
-    if constexpr(is_bounded) {
+    if(m_boundary_limit) {
       for(std::size_t l = 0; l < lengths.size(); ++l)
         if(!is_open(c, l))
           lengths[l] = 0;
@@ -221,7 +219,7 @@ private:
   const Vector_field& m_x;
   const std::vector<double>& m_thickness;
   double m_max_radius;
-  BoundaryLimit m_boundary_limit;
+  Sphere_limit m_boundary_limit;
   Run_watch* m_watch; // none if null
   Node_neighborhoods m_neighborhoods;
   Medial_spheres m_spheres;
