@@ -6,11 +6,13 @@
 
 #include "support/archetype_domain.h"
 #include "support/mesh_test_support.h"
+#include "support/refusal_of.h"
 
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/measures/Linked_samples.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
 #include <gtest/gtest.h>
@@ -19,8 +21,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace test_coverage {
@@ -88,7 +92,7 @@ TEST(Domain_samples, need_a_bounded_domain_with_an_inside)
   using Unbounded = Unbounded_domain_3<>;
   using Samples = Domain_samples_3<Traits, Unbounded>;
   const Unbounded unbounded;
-  EXPECT_THROW(Samples(unbounded, 10), std::invalid_argument);
+  EXPECT_EQ(refusal_of([&] { Samples(unbounded, 10); }), "the domain is unbounded");
   struct Nothing : Box
   {
     using Box::Box;
@@ -97,6 +101,32 @@ TEST(Domain_samples, need_a_bounded_domain_with_an_inside)
   const Nothing nothing(Point(0, 0, 0), Point(1, 1, 1));
   using Samples_of_nothing = Domain_samples_3<Traits, Nothing>;
   EXPECT_THROW(Samples_of_nothing(nothing, 10), std::invalid_argument);
+}
+
+// A volume of infinity or 0 would leave regions without a size, and grids without a cell.
+TEST(Domain_samples, need_a_volume_that_a_double_holds)
+{
+  using Samples = Domain_samples_3<Traits, Box>;
+  for(const double side : {1e-110, 1e103, 1e140}) {
+    const Box box(Point(0, 0, 0), Point(side, side, side));
+    const std::string refusal = refusal_of([&] { Samples(box, 10); });
+    EXPECT_EQ(refusal.find("a double cannot hold the volume of the domain's box"), 0u) << refusal;
+  }
+  EXPECT_GT(Samples(Box(Point(0, 0, 0), Point(1e-102, 1e-102, 1e-102)), 10).volume(), 0);
+  EXPECT_LT(Samples(Box(Point(0, 0, 0), Point(1e102, 1e102, 1e102)), 10).volume(), 2e306);
+}
+
+// Of 10,000 points of the box, none is inside once in seven times.
+TEST(Domain_samples, are_found_where_they_are_rare_even_a_single_one)
+{
+  struct Sliver : Box
+  {
+    using Box::Box;
+    bool is_inside(const Point& p) const { return p.x() < 2e-4; }
+  };
+  const Sliver sliver(Point(0, 0, 0), Point(1, 1, 1));
+  for(std::uint64_t seed = 0; seed < 20; ++seed)
+    EXPECT_EQ((Domain_samples_3<Traits, Sliver>(sliver, 1, seed).points().size()), 1u);
 }
 
 TEST(Domain_samples, are_fewer_if_they_are_stopped)
@@ -222,6 +252,28 @@ TEST(Empty_regions, are_the_two_ends_of_a_bar)
     EXPECT_NEAR(regions[0].radius, .5, .05) << "the largest ball that fits";
     for(const auto& region : regions) expect_empty_ball(region, curve, box, r);
   }
+}
+
+TEST(Empty_regions, are_found_by_few_samples)
+{
+  const Network nothing = polyline({});
+  const Box box(Point(0, 0, 0), Point(1, 1, 1));
+  for(const std::size_t n : {1u, 2u, 3u}) {
+    const Domain_samples_3<Traits, Box> samples(box, n);
+    const auto regions = empty_regions(nothing, samples, sample_distances(nothing, samples), 0.1);
+    double volume = 0;
+    for(const auto& region : regions) volume += region.volume;
+    EXPECT_NEAR(volume, samples.volume(), 1e-12) << n;
+  }
+}
+
+// Their cells are beyond the range of integers.
+TEST(Linked_samples, are_linked_far_from_the_origin)
+{
+  const Box box(Point(0, 0, 0), Point(2e20, 1, 1));
+  const std::vector<Point> samples = {Point(1e20, 0.1, 0.5), Point(1e20, 0.2, 0.5)};
+  CGAL::Volume_filling_curves::internal::Linked_samples<Box> linked(box, samples, 0.1);
+  EXPECT_EQ(linked.sets().find(0), linked.sets().find(1));
 }
 
 TEST(Empty_regions, end_at_walls)

@@ -17,7 +17,6 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel_traits.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -61,9 +60,9 @@ public:
    * \param go_further is called after every 1024 points of the box; if it returns `false`, the
    * sampling ends with fewer samples. None by default
    *
-   * \throws std::invalid_argument if the domain is unbounded, if its box is empty, if fewer than
-   * about one in 10,000 points of the box are inside, or if `go_further` ended the sampling before
-   * the first sample
+   * \throws std::invalid_argument if the domain is unbounded, if its box is empty or so large or
+   * small that a double cannot hold its volume, if fewer than about one in 10,000 points of the box
+   * are inside, or if `go_further` ended the sampling before the first sample
    */
   explicit Domain_samples_3(const Domain& domain,
                             std::size_t number = default_number,
@@ -76,8 +75,12 @@ public:
     const CGAL::Bbox_3 box = domain.bbox();
     if(!(box.x_span() > 0) || !(box.y_span() > 0) || (!Space::is_plane && !(box.z_span() > 0)))
       throw std::invalid_argument("the domain's box is empty");
+    if(!std::isfinite(box.x_span() + box.y_span() + box.z_span()))
+      throw std::invalid_argument("the domain is unbounded");
     const double box_volume = Space::content(box);
-    if(!std::isfinite(box_volume)) throw std::invalid_argument("the domain is unbounded");
+    if(!std::isnormal(box_volume))
+      throw std::invalid_argument("a double cannot hold the volume of the domain's box; scale the "
+                                  "domain by a power of two");
     // If every 10,000th point is inside, hundred fewer than expected have a chance of e^-50.
     const double max_attempts_per_sample = 10000, lag = 100;
     const std::size_t attempts_per_question = 1024;
@@ -85,8 +88,7 @@ public:
     std::size_t attempts = 0;
     m_points.reserve(number);
     for(; m_points.size() < number; ++attempts) {
-      const double enough =
-          (std::min)(static_cast<double>(number), static_cast<double>(m_points.size()) + lag);
+      const double enough = static_cast<double>(m_points.size()) + lag;
       if(static_cast<double>(attempts) >= max_attempts_per_sample * enough) throw_no_samples();
       if(go_further && attempts > 0 && attempts % attempts_per_question == 0 && !go_further())
         break;

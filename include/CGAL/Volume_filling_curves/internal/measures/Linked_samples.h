@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -70,7 +71,10 @@ private:
 
   Cell cell(const Vector& p) const
   {
-    const auto number = [&](double x) { return std::llround(std::floor(x / m_link)); };
+    constexpr double end = 1e18; // cells beyond it, of a sliver far from the origin, are one
+    const auto number = [&](double x) {
+      return std::llround(std::clamp(std::floor(x / m_link), -end, end));
+    };
     return {number(p.x()), number(p.y()), number(p.z())};
   }
 
