@@ -225,6 +225,24 @@ TEST(Fill_at_any_scale, beyond_the_limits_of_coordinates_it_is_refused)
               std::string::npos);
 }
 
+// In the unit of the run they would be 0, which stands for none, or infinite.
+TEST(Fill_at_any_scale, lengths_that_no_double_holds_in_the_unit_of_the_domain_are_refused)
+{
+  const auto refusal_in = [](double radius, const auto& np) {
+    return refusal([&](Curve& curve) { VFC::fill(curve, Ball(Point(0, 0, 0), radius), np); });
+  };
+  const std::string value = " is 1e-200, but must be between 1e-307 and 1e307 times";
+  for(const auto& [name, text] : std::vector<std::array<std::string, 2>>{
+          {"thickness", refusal_in(1e140, np::thickness(1e-200))},
+          {"thickness", refusal_in(1e140, np::thickness([](const Point&) { return 1e-200; }))},
+          {"length", refusal_in(1e140, np::length(1e-200))},
+          {"bend_radius", refusal_in(1e140, np::bend_radius(1e-200))},
+          {"strand_distance", refusal_in(1e140, np::strand_distance(1e-200))},
+          {"wall_distance", refusal_in(1e140, np::wall_distance(1e-200))}})
+    EXPECT_EQ(text.find(name + value), 0u) << name << ": " << text;
+  EXPECT_EQ(refusal_in(1e-140, np::length(1e200)).find("length is 1e+200, but must be "), 0u);
+}
+
 // without the member function scaled()
 struct Plain_ball : private Ball
 {

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/domain_concepts.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_result.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
@@ -141,20 +142,33 @@ void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
   }
 }
 
+// Throws std::invalid_argument that names the parameter if a length that is not 0 does not fit into
+// a double in the other unit: 0 would stand for none.
+template <typename Tag>
+double scaled_length(Tag tag, double length, double factor)
+{
+  const double result = factor * length;
+  if(length != 0 && !std::isnormal(result))
+    refuse_value(tag, length, "must be between 1e-307 and 1e307 times the size of the domain");
+  return result;
+}
+
 template <typename Point_3, typename Traits>
 Filling_parameters<Point_3> scaled(Filling_parameters<Point_3> parameters,
                                    double factor,
                                    const Traits& traits)
 {
-  parameters.thickness *= factor;
-  parameters.length *= factor;
-  parameters.bend_radius *= factor;
-  parameters.strand_distance *= factor;
+  using namespace internal_np;
+  const auto scale = [&](auto tag, double& length) { length = scaled_length(tag, length, factor); };
+  scale(thickness_t(), parameters.thickness);
+  scale(length_t(), parameters.length);
+  scale(bend_radius_t(), parameters.bend_radius);
+  scale(strand_distance_t(), parameters.strand_distance);
+  scale(wall_distance_t(), parameters.wall_distance);
   for(auto& port : parameters.ports) port.point = scaled(port.point, factor, traits);
-  parameters.wall_distance *= factor;
   if(auto& field = parameters.thickness_field)
     field = [field, factor, traits](const Point_3& p) {
-      return factor * field(scaled(p, 1 / factor, traits));
+      return scaled_length(thickness_t(), field(scaled(p, 1 / factor, traits)), factor);
     };
   if(auto& field = parameters.direction_field)
     field = [field, factor, traits](const Point_3& p) {
