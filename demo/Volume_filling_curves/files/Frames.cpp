@@ -99,7 +99,8 @@ void Frames::prepare_folder() const
   fs::create_directory(m_options.frames, error);
   std::vector<fs::path> old;
   for(const auto& entry : fs::directory_iterator(m_options.frames, error))
-    if(is_frame(entry.path())) old.push_back(entry.path());
+    if(is_frame(entry.path()) && !Output_files::is_to_be_new(entry.path().string()))
+      old.push_back(entry.path());
   for(const fs::path& file : old) fs::remove(file, error);
 }
 

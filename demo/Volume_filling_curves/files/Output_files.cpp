@@ -46,8 +46,14 @@ void check_writable(const std::string& option, const fs::path& path)
   if(error) refuse(option, path.string(), "cannot be written: " + error.message());
 }
 
-// The checked outputs that do not exist, and must not be replaced if they do when they are written.
-std::set<fs::path>& new_files()
+// The checked outputs, files and folders, that must not replace what has appeared since.
+std::set<fs::path>& new_outputs()
+{
+  static std::set<fs::path> paths;
+  return paths;
+}
+
+std::set<fs::path>& written_files()
 {
   static std::set<fs::path> files;
   return files;
@@ -155,7 +161,7 @@ void Output_files::add(const std::string& option, const std::string& path, bool 
   if(fs::exists(status) && !fs::is_regular_file(status)) return;
   if(fs::exists(status) && !may_overwrite) refuse(option, path, "exists; --force overwrites it");
   check_writable(option, path);
-  if(!fs::exists(status) && !may_overwrite) new_files().insert(path);
+  if(!fs::exists(status) && !may_overwrite) new_outputs().insert(path);
   m_outputs.push_back({option, path});
 }
 
@@ -168,6 +174,7 @@ void Output_files::add_folder(const std::string& option,
   const fs::path given(path), folder = given.has_filename() ? given : given.parent_path();
   const fs::file_status status = fs::status(folder, error);
   check_unused(option, folder);
+  if(!m_may_overwrite) new_outputs().insert(folder);
   if(!fs::exists(status)) return check_writable(option, folder);
   if(!fs::is_directory(status)) refuse(option, path, "is not a folder");
   const auto is_there = [&](const std::string& file) {
@@ -184,7 +191,9 @@ void Output_files::add_folder(const std::string& option,
 
 bool Output_files::is_to_be_new(const std::string& path)
 {
-  return new_files().count(path) > 0;
+  const fs::path file = path;
+  return written_files().count(file) == 0 &&
+         new_outputs().count(file) + new_outputs().count(file.parent_path()) > 0;
 }
 
 void Output_files::write(const std::string& path, const std::string& content)
@@ -195,7 +204,7 @@ void Output_files::write(const std::string& path, const std::string& content)
   error =
       is_to_be_new(path) ? write_new_file(path, content) : files::write_whole_file(path, content);
   if(error) throw Usage_error(path + ": cannot be written: " + error.message());
-  new_files().erase(path);
+  written_files().insert(path);
 }
 
 } // namespace vfc

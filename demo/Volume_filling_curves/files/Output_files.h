@@ -53,7 +53,8 @@ public:
   // checks, such as that of another run, is not overwritten. \throws Usage_error, and Kept_file
   static void write(const std::string& path, const std::string& content);
 
-  // Returns whether a checked file did not exist, and must not be replaced if it does now.
+  // Returns whether a checked file, or one in a checked folder, did not exist, and must not be
+  // replaced if it does now.
   static bool is_to_be_new(const std::string& path);
 
 private:

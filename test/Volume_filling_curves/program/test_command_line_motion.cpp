@@ -16,11 +16,14 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 namespace test_command_line_motion {
@@ -279,6 +282,29 @@ TEST_F(Command_line_motion, files_that_appear_during_a_run_are_kept)
   ASSERT_TRUE(exists("tight.obj.tmp0"));
   std::filesystem::rename(path("tight.obj.tmp0"), path("saved.obj"));
   EXPECT_EQ(run("check saved.obj").status, 0);
+}
+
+// A run that waits for its input has checked its outputs.
+TEST_F(Command_line_motion, frames_that_appear_during_a_run_are_kept)
+{
+  make_trefoil();
+  const std::string trefoil = read("trefoil.obj");
+  ASSERT_EQ(mkfifo(path("pipe.obj").c_str(), 0600), 0);
+  program_test::Background_program vfc(path("."), {"untangle", "pipe.obj", "--frames", "film"});
+  int pipe = -1;
+  const auto is_read = [&] {
+    pipe = open(path("pipe.obj").c_str(), O_WRONLY | O_NONBLOCK);
+    return pipe >= 0;
+  };
+  ASSERT_TRUE(vfc.wait_for(is_read));
+  fs::create_directory(path("film"));
+  const std::vector<std::string> frames = {"film/frame_000000.obj", "film/frame_000003.obj"};
+  for(const std::string& frame : frames) write(frame, "of another run");
+  EXPECT_EQ(::write(pipe, trefoil.data(), trefoil.size()), static_cast<ssize_t>(trefoil.size()));
+  close(pipe);
+  EXPECT_EQ(vfc.wait(), 0);
+  for(const std::string& frame : frames) EXPECT_EQ(read(frame), "of another run");
+  EXPECT_NE(read("err").find("frame_000000.obj: exists now"), std::string::npos) << read("err");
 }
 
 // A trefoil so far away that its coordinates are multiples of 1.5e-5.
