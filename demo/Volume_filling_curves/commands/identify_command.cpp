@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vfc {
@@ -62,7 +63,8 @@ std::string identify_file(Session& session,
 }
 
 // Identifies each file in a session of its own, whose report is an item of the report: a file with
-// a fault does not keep the others from being identified. Returns the most severe exit status.
+// a fault does not keep the others from being identified. Status and error of the report are those
+// of the file with the most severe exit status, which is returned.
 int identify_each(Session& session, Common_options common, const Identify_options& options)
 {
   if(!options.fingerprint.empty()) throw Usage_error("--fingerprint: is for a single CURVE");
@@ -78,11 +80,12 @@ int identify_each(Session& session, Common_options common, const Identify_option
       return GOAL_REACHED;
     });
     report["curves"].push_back(Report::Json::parse(single.report().to_line()));
-    status = more_severe(status, own_status);
+    const int former = std::exchange(status, more_severe(status, own_status));
+    if(report["status"].is_null() || status != former)
+      for(const std::string key : {"status", "error"}) report[key] = single.report()[key];
     if(own_status == INTERRUPTED) break;
   }
   session.end_stage("identifying");
-  report["status"] = status == INTERRUPTED ? "interrupted" : "done";
   return status;
 }
 

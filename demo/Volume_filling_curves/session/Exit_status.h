@@ -23,10 +23,11 @@ enum Exit_status
   INTERRUPTED = 5
 };
 
-// Returns the more severe of two statuses of runs that were not interrupted.
+// Returns the more severe of two statuses. An interruption is the most severe: runs are missing.
 inline int more_severe(int a, int b)
 {
-  constexpr std::array order = {GOAL_REACHED, LIMIT_REACHED, STALLED, INVALID_INPUT, FAILURE};
+  constexpr std::array order = {GOAL_REACHED,  LIMIT_REACHED, STALLED,
+                                INVALID_INPUT, FAILURE,       INTERRUPTED};
   const auto gravity = [&](int status) { return std::find(order.begin(), order.end(), status); };
   return gravity(a) < gravity(b) ? b : a;
 }

@@ -51,7 +51,8 @@ Session::Session(const std::string& command, const Common_options& options)
 void Session::start_report()
 {
   m_outputs.add("--report", m_options.report != "-" ? m_options.report : "");
-  m_has_report = m_has_report || !m_options.report.empty();
+  if(m_has_report) return; // the last words are those of the caller
+  m_has_report = !m_options.report.empty();
   prepare_last_words(last_line, "", "", true); // the report may still turn out to be an input
 }
 
@@ -112,11 +113,11 @@ void Session::write_report(int exit_status)
   m_report["exit_status"] = exit_status;
   if(!m_has_report) return;
   m_has_report = false; // one attempt only
-  forget_last_words();
   m_report["seconds"] = seconds();
   m_report["cpu_seconds"] = cpu_seconds() - m_start_cpu_seconds;
   if(peak_memory_bytes() > 0) m_report["peak_memory_bytes"] = peak_memory_bytes();
   if(m_options.report.empty()) return;
+  forget_last_words();
   const std::string text = m_report.to_string();
   if(m_options.report == "-")
     std::fwrite(text.data(), 1, text.size(), stdout);

@@ -235,7 +235,12 @@ TEST_F(Command_line_identify, names_several_files_in_one_run)
   EXPECT_EQ(curves[1]["input"], "trefoil.obj");
   EXPECT_EQ(curves[1]["is_proved"], true);
   EXPECT_EQ(curves[2]["chains"].size(), 2u);
-  EXPECT_EQ(json("all.json")["exit_status"], 4);
+  const Json report = json("all.json");
+  EXPECT_EQ(report["exit_status"], 4);
+  EXPECT_EQ(report["status"], "error");
+  EXPECT_EQ(report["error"], curves[0]["error"]);
+  EXPECT_EQ(json("good.json")["status"], "done");
+  EXPECT_TRUE(json("good.json")["error"].is_null());
   const Json printed = Json::parse(run("identify trefoil.obj two.obj --report -").out);
   EXPECT_EQ(printed["curves"].size(), 2u);
 }

@@ -75,6 +75,22 @@ TEST_F(Command_line_signals, while_reading_leave_a_line_and_a_report)
   }
 }
 
+// The report is that of all files, not of the one being read.
+TEST_F(Command_line_signals, while_reading_one_of_several_files_leave_a_line_and_a_report)
+{
+  make_pipe("in.obj");
+  for(const int signal : {SIGINT, SIGTERM}) {
+    Background_program vfc(path("."),
+                           {"identify", "in.obj", "other.obj", "--report", "r.json", "--force"});
+    const int pipe = open_when_read("in.obj", vfc);
+    ASSERT_GE(pipe, 0);
+    EXPECT_EQ(vfc.end(signal), 5);
+    close(pipe);
+    EXPECT_EQ(read("err"), "vfc: interrupted\n");
+    expect_interrupted("r.json");
+  }
+}
+
 // Wherever it is by then: this takes minutes.
 TEST_F(Command_line_signals, before_the_first_step_of_a_filling_end_it_with_a_report)
 {
