@@ -6,15 +6,21 @@
 
 #include "support/fill_test_support.h"
 #include "support/polygon_test_support.h"
+#include "support/refusal_of.h"
 
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/Isotopy_guard_3.h>
 #include <CGAL/Volume_filling_curves/fill.h>
+#include <CGAL/Volume_filling_curves/internal/curve/Network_editor.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
+#include <CGAL/Volume_filling_curves/internal/state/Byte_archive.h>
+#include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -22,12 +28,15 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <vector>
 
-// Functions and domains of users that make no sense: a message or a valid result, never a run
-// without an end.
+// Functions, domains and states of users that make no sense: a message or a valid result, never a
+// run without an end.
 namespace test_fill_refusals {
 
 using namespace fill_test;
+namespace internal = VFC::internal;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -221,6 +230,131 @@ TEST(Fill, ends_with_distances_along_directions_that_make_no_sense)
     const std::string message = refusal_of_domain(domain);
     EXPECT_TRUE(message.empty() || contains(message, "the domain contradicts itself: ")) << message;
   }
+}
+
+// State of a filling that keeps a distance from the walls, which can be forged.
+struct Forgery
+{
+  std::string fingerprint;
+  Curve curve;
+  double clearance;
+  std::size_t certified, refused;
+  internal::Filling_state state;
+
+  template <typename Archive>
+  void copy(Archive& archive)
+  {
+    archive(fingerprint);
+    internal::copy_curve(archive, curve);
+    archive(clearance, certified, refused);
+    std::apply(archive, state.members());
+  }
+};
+
+const VFC::Box_domain_3<> cube(Point(-2, -2, -2), Point(2, 2, 2));
+
+VFC::Filling_parameters<Point> walled(std::size_t iterations)
+{
+  VFC::Filling_parameters<Point> parameters;
+  parameters.thickness = 0.5;
+  parameters.wall_distance = 0.4;
+  parameters.round_bends = false;
+  parameters.number_of_iterations = iterations;
+  return parameters;
+}
+
+Forgery state_of_filling()
+{
+  VFC::Run_state state;
+  VFC::Filling_parameters<Point> parameters = walled(9);
+  parameters.checkpoint = [&](const VFC::Run_checkpoint& moment) { state = moment.state(); };
+  Curve curve;
+  const auto result = VFC::fill(curve, cube, parameters);
+  Forgery forgery;
+  forgery.curve = Curve(result.start);
+  internal::Byte_archive archive(state.body());
+  forgery.copy(archive);
+  return forgery;
+}
+
+VFC::Filling_result<Point> resumed(Forgery forgery)
+{
+  internal::Byte_archive archive;
+  forgery.copy(archive);
+  const VFC::Run_state state = VFC::Run_state::sealed(archive.bytes());
+  VFC::Filling_parameters<Point> parameters = walled(11);
+  parameters.resume_from = &state;
+  Curve curve;
+  return VFC::fill(curve, cube, parameters);
+}
+
+using State_changes = std::vector<std::function<void(internal::Filling_state&)>>;
+
+TEST(Fill, refuses_states_whose_stage_and_decisions_contradict_one_another)
+{
+  const Forgery genuine = state_of_filling();
+  EXPECT_EQ(resumed(genuine).statistics.iterations, 11u);
+  ASSERT_GT(genuine.state.stage, 1u);
+  using State = internal::Filling_state;
+  const State_changes changes = {
+      [](State& s) { s.numbers[0] = 0.25; },         [](State& s) { s.numbers[0] = 0; },
+      [](State& s) { s.numbers.push_back(1); },      [](State& s) { s.point_counts.clear(); },
+      [](State& s) { s.point_counts.push_back(0); }, [](State& s) { s.stage = 1000; },
+      [](State& s) { s.max_displacement = 1e100; }};
+  for(std::size_t k = 0; k < changes.size(); ++k) {
+    Forgery other = genuine;
+    changes[k](other.state);
+    const std::string message = refusal_of<VFC::Run_state_error>([&] { resumed(other); });
+    EXPECT_EQ(message.find("the state contradicts itself: "), 0u) << k << message;
+  }
+}
+
+TEST(Fill, refuses_states_with_numbers_that_no_run_has)
+{
+  internal::Filling_state valid;
+  valid.stage = 1;
+  valid.numbers = {0.5};
+  valid.lengths.values = {3, 4};
+  valid.max_displacement = 1;
+  ASSERT_TRUE(valid.is_valid());
+  using State = internal::Filling_state;
+  const State_changes changes = {[](State& s) { s.numbers[0] = nan; },
+                                 [](State& s) { s.numbers.clear(); },
+                                 [](State& s) { s.lengths.values[1] = nan; },
+                                 [](State& s) { s.lengths.values[0] = 0; },
+                                 [](State& s) { s.max_displacement = nan; },
+                                 [](State& s) { s.flow.step_size.time_step = -1; },
+                                 [](State& s) { s.flow.step_size.time_step = nan; },
+                                 [](State& s) { s.flow.step_size.turns = -2; },
+                                 [](State& s) {
+                                   s.points.emplace_back(nan, 0, 0);
+                                   s.point_counts.push_back(1);
+                                 },
+                                 [](State& s) {
+                                   const std::string bytes(sizeof s.idle_steps, '\x80');
+                                   internal::Byte_archive archive{bytes};
+                                   archive(s.idle_steps);
+                                 }};
+  for(std::size_t k = 0; k < changes.size(); ++k) {
+    State forged = valid;
+    changes[k](forged);
+    EXPECT_FALSE(forged.is_valid()) << k;
+  }
+}
+
+TEST(Fill, refuses_states_of_curves_that_have_left_their_wall_distance)
+{
+  Forgery forgery = state_of_filling();
+  double top = -infinity;
+  for(const Point& p : forgery.curve.points()) top = (std::max)(top, p.z());
+  EXPECT_LT(top, 1.6);
+  internal::Network_editor<Curve> editor(forgery.curve);
+  for(const std::size_t v : forgery.curve.nodes()) {
+    const Point p = forgery.curve.point(v);
+    editor.move_node(v, Point(p.x(), p.y(), p.z() + 1.9 - top));
+  }
+  EXPECT_EQ(refusal_of<VFC::Run_state_error>([&] { resumed(forgery); }),
+            "the state contradicts itself: the curve is too near to the boundary");
 }
 
 // An empty state to resume from stands for none.

@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
-#include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
@@ -168,7 +167,7 @@ private:
   Result grow()
   {
     m_saver.resume_curve(m_curves,
-                         [this](const Network& curves) { check_inside(curves, m_domain); });
+                         [this](const Network& curves) { m_start.check_resumed(curves); });
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
     const Garbage_scope scope(guard);
     guard.set_wall_distance(m_parameters.wall_distance, layer());

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -103,6 +104,13 @@ struct Filling_state
   bool is_valid() const
   {
     if(is_start()) return numbers.empty() && points.empty() && point_counts.empty();
+    if(numbers.empty() || numbers[0] == 0) return false; // the thickness
+    for(const double number : numbers)
+      if(!(number >= 0 && std::isfinite(number))) return false;
+    for(const Vector& p : points)
+      if(!is_in_range(p)) return false;
+    for(const double length : lengths.values)
+      if(!is_positive(length)) return false;
     for(const double fraction : polishing.fractions)
       if(!(fraction >= 0 && fraction <= 1)) return false;
     std::size_t rest = points.size();
@@ -110,7 +118,7 @@ struct Filling_state
       if(count > rest) return false;
       rest -= count;
     }
-    return rest == 0 && is_positive(max_displacement);
+    return rest == 0 && is_positive(max_displacement) && idle_steps.is_valid() && flow.is_valid();
   }
 };
 

@@ -20,6 +20,7 @@
 #include <CGAL/Volume_filling_curves/internal/support/Stage_timer.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -44,6 +45,12 @@ struct Flow_state
   {
     return std::tie(first_certified_change, first_refused_change, statistics, step_size.time_step,
                     step_size.turns, step_size.last_direction, shaped_steps);
+  }
+
+  // whether the next step would go forwards, and not to infinity
+  bool is_valid() const
+  {
+    return step_size.time_step > 0 && step_size.turns >= 0 && std::isfinite(step_size.turns);
   }
 };
 

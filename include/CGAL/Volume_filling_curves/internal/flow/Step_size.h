@@ -103,6 +103,8 @@ public:
   // returns whether the flow is stuck
   bool are_too_many() const { return m_count >= most; }
 
+  bool is_valid() const { return m_count >= 0 && m_count <= most; } // of a state that was read
+
 private:
   static constexpr int most = 5;
 

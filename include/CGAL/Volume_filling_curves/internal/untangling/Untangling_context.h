@@ -84,7 +84,7 @@ struct Untangling_state
   {
     return (thickness_of_rays == 0 || is_positive(thickness_of_rays)) &&
            (thickness == 0 || is_positive(thickness)) &&
-           (!is_flowing || is_positive(flow_run.thickness));
+           (!is_flowing || (is_positive(flow_run.thickness) && flow_run.flow.is_valid()));
   }
 };
 
