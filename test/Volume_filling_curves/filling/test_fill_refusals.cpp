@@ -357,6 +357,18 @@ TEST(Fill, refuses_states_of_curves_that_have_left_their_wall_distance)
             "the state contradicts itself: the curve is too near to the boundary");
 }
 
+// A report would subtract the time of the former run from that of this one.
+TEST(Fill, counts_the_time_of_a_resumed_run_from_its_start)
+{
+  Forgery forgery = state_of_filling();
+  constexpr double day = 86400;
+  for(auto* work : {&forgery.state.statistics, &forgery.state.flow.statistics})
+    work->seconds_direction = work->seconds_motion = day;
+  const auto work = resumed(forgery).statistics;
+  EXPECT_EQ(work.iterations, 11u);
+  EXPECT_LT(work.seconds_direction + work.seconds_motion, day / 2);
+}
+
 // An empty state to resume from stands for none.
 TEST(Fill, is_not_sampled_to_the_end_if_the_time_is_over)
 {

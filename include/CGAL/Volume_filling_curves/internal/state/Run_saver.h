@@ -20,6 +20,7 @@
 #include <CGAL/Volume_filling_curves/internal/state/Byte_archive.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_run_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
@@ -176,6 +177,15 @@ void copy_guard(Byte_archive& archive, Guard& guard)
   archive.require(record->numbers().size() == guard.curve().number_of_nodes());
 }
 
+// The time of a resumed run counts from its start, as its limit does.
+template <typename Part>
+void restart_clocks([[maybe_unused]] Part& part)
+{
+  if constexpr(std::is_same_v<Part, Curve_flow_statistics>)
+    part.seconds_medial_spheres = part.seconds_direction = part.seconds_motion =
+        part.seconds_remeshing = 0;
+}
+
 // Saves the state of a run at the checkpoints of its watch, and resumes a run from such a state:
 // the fingerprint, the curve, its guard, and what else the run depends on, a struct with
 // `members()`, a tuple of references, and `is_valid()`.
@@ -236,6 +246,7 @@ public:
       read([&] {
         copy_guard(m_former, guard);
         std::apply(m_former, rest.members());
+        std::apply([](auto&... parts) { (restart_clocks(parts), ...); }, rest.members());
         m_former.require(m_former.is_at_end() && rest.is_valid());
       });
     if(!m_checkpoint) return;
