@@ -116,7 +116,8 @@ private:
   // uneven edges bend sharply (Rawdon's MinRad). Folds have no direction to slide in.
   void even(std::vector<Vector>& x, std::size_t i) const
   {
-    constexpr double rate = 0.2, fold = 0.5;
+    constexpr double rate = 0.2; // half would even two edges, but the other nodes slide as well
+    constexpr double fold = 0.5; // the length of the tangent where the curve turns by 151 degrees
     if(!m_path.is_closed && (i == m_path.begin || i + 1 == m_path.end)) return;
     const std::size_t v = node(i), w = node(i + 1);
     const std::size_t u = node(i > m_path.begin ? i - 1 : m_path.end - 1);

@@ -70,6 +70,8 @@ private:
   // the share of the contacts' stiffness on the diagonal: a contact acts along one direction of
   // three and at two nodes; 0.3 or 1 is as fast
   static constexpr double share_of_contacts = 0.5;
+  // In a prototype, 41,000 nodes without contacts took 7 to 38. The bound ends what does not
+  // converge.
   static constexpr int max_iterations = 500;
 
   // T = (I + l) D (I + l)^T with l below the diagonal, and one more entry of l, 0

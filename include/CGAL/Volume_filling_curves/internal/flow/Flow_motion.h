@@ -144,6 +144,8 @@ private:
   // Only folds are remeshed, since a corner at half an edge bends twice as sharply.
   bool polish()
   {
+    // More motions reach the limits in fewer steps, but visitors wait for longer, and the curve
+    // keeps its length in all but the last.
     constexpr int motions_per_step = 5;
     const Stage_timer stage(m_state.statistics.seconds_motion);
     bool has_moved = false;
@@ -167,7 +169,9 @@ private:
   bool unfold()
   {
     const std::size_t former = m_guard.number_of_certified_changes();
-    constexpr double fold = 0.25; // of the least length of an edge
+    // Of the least length of an edge: only folds have edges that short. In a prototype, one of
+    // 0.0018 r stayed between two corners of 174 degrees in a cube of side 20 r.
+    constexpr double fold = 0.25;
     const Clearance_scope<Guard> scope(m_guard, 0);
     Remesher remesher = make_remesher(fold * m_parameters.spacing);
     remesher.collapse_short_edges();
