@@ -109,8 +109,10 @@ constexpr double min_length_of_ring = 1.05 * 2 * CGAL_PI;
 // where stiffness alone would shrink it further. `before` receives the former positions.
 inline void pull(Rope& rope, double strength, std::vector<Vector>& before)
 {
-  constexpr double evening = 0.25; // of the difference of the edges
-  constexpr double widening = 0.01;
+  // Of the difference of the edges. Where long and short edges alternate, 1/4 makes all equal,
+  // since both ends of an edge slide, and 1/2 would exchange them.
+  constexpr double evening = 0.25;
+  constexpr double widening = 0.01; // in each iteration, since other strands may be around
   const std::vector<Rope::Component> components = rope.components();
   before = rope.x;
   for(std::size_t v = 0; v < rope.size(); ++v) {

@@ -85,6 +85,7 @@ public:
   const Search_state& state() const { return m_state; }
 
 private:
+  // The last search is 64 times as patient as the first one, see Search_parameters::patience().
   static constexpr std::size_t max_searches = 4;
   static constexpr double patience_growth = 4;
   static constexpr double share_of_searches = 0.25;       // of the time limit, before a flow

@@ -128,7 +128,8 @@ public:
 
   double settled_length() const
   {
-    constexpr double length_over_thickness = 8; // of a component
+    // Of a component: more than 5, below which its tension fades, see component_tensions().
+    constexpr double length_over_thickness = 8;
     const std::size_t number_of_components = m_flow.curve().number_of_components();
     return length_over_thickness * m_flow.thickness() * static_cast<double>(number_of_components);
   }

@@ -215,10 +215,10 @@ private:
     return result;
   }
 
-  static constexpr std::size_t max_turns = 300;
-  static constexpr double clearance_of_rays = 0.1; // in units of the thickness
-  static constexpr double coarse_spacing = 0.5;    // likewise
-  static constexpr double coarse_step = 2.5;       // in units of the largest displacement
+  static constexpr std::size_t max_turns = 300;    // a ray takes 63 for half of a turn
+  static constexpr double clearance_of_rays = 0.1; // in units of the thickness, as for strands
+  // Edges 2.5 times as long as the default, in the same units, and steps longer in proportion.
+  static constexpr double coarse_spacing = 0.5, coarse_step = 2.5;
 
   Untangling_context<Flow> m_run;
   Flow m_flow;

@@ -39,6 +39,8 @@ public:
   }
 
 private:
+  // A stalled flow runs on for a window. The shorter the window and the larger the tolerated
+  // changes, the more slow motions count as stalls.
   static constexpr std::size_t window = 100;
   static constexpr double min_change_of_length = 1e-3;
   static constexpr double min_fall_of_gradient = 1e-2;
