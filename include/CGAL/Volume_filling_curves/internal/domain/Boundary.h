@@ -144,14 +144,19 @@ public:
   }
 
 private:
+  // Medial spheres only steer the flow, for which four digits are enough: 14 halvings, and more for
+  // small radii. After 20 of them a sphere counts as a point.
   static constexpr double tolerance = 1e-4;  // of a radius, relative
   static constexpr double min_radius = 1e-6; // in units of the limit
+  // More cells give closer bounds, but the distance at each is measured once. The box has at most
+  // 55,000 cells in space and 132,000 in a plane, 8 bytes each.
   static constexpr double cells_along_diagonal = Space_of<Domain>::is_plane ? 512 : 64;
   static constexpr double slack = 1e-9; // of distances, for rounding
   static constexpr double unknown = -1;
 
-  // Each step is as long as the known distance to the layer; towards a plane, steps shrink in
-  // proportion. Medial spheres only steer the flow and need no more accuracy.
+  // Each step is as long as the known distance to the layer. Towards a plane, steps shrink in
+  // proportion: eight of them leave the share (1 - cos a)^8 of the way at an angle a to its normal,
+  // less than 5 % up to 71 degrees. Medial spheres only steer the flow and need no more accuracy.
   void shorten_to_layer(const Point_3& p, Planar_rays& rays) const
   {
     constexpr int max_steps = 8;

@@ -47,7 +47,9 @@ public:
     }
   };
 
-  // how far connections reach, in units of the spacing of stations
+  // How far connections reach, in units of the spacing of stations. Stations leave no gaps wider
+  // than 1 around a point, hence 2 would join all neighbors; longer fingers are likelier to meet
+  // others.
   static constexpr double reach = 1.7;
 
   Finger_connections(Stations& stations, Random_source& random, const Traits& traits)
