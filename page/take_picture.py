@@ -14,8 +14,7 @@ import time
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "tests"))
-from browser import Browser  # noqa: E402
-from cases import PAGE, STRANDS_AT_ONE_DEPTH  # noqa: E402
+from cases import PAGE, STRANDS_AT_ONE_DEPTH, Browser  # noqa: E402
 
 MOTIONS = 200  # small ones, since the picture is taken at the first refusal
 

@@ -10,13 +10,15 @@ import json
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 
+PACKAGE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PACKAGE / "test/Volume_filling_curves/support"))
 from browser import Browser
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2]
 BUILD = PACKAGE / "build-page"
 NATIVE = BUILD / "native/native"
 PAGE = PACKAGE / "out/page.html"

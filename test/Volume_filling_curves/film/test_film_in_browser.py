@@ -18,7 +18,7 @@ import sys
 import tempfile
 import zlib
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[3] / "page/tests"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from browser import Browser
 
 SKIPPED = 77
@@ -137,8 +137,8 @@ def unfiltered(kind, line, above, channels):
 
 def screen(browser, folder):
     """The rows of what is drawn after the events so far."""
-    browser.ask("Runtime.evaluate", awaitPromise=True, expression="new Promise("
-                "done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    browser.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))",
+                  awaitPromise=True)
     browser.save_picture(folder / "screen.png")
     return pixels(folder / "screen.png")
 

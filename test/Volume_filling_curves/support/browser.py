@@ -16,7 +16,7 @@ import time
 
 
 class Browser:
-    def __init__(self):
+    def __init__(self, *switches):
         self.profile = tempfile.TemporaryDirectory()
         commands, self.commands = os.pipe()
         self.answers, answers = os.pipe()
@@ -24,7 +24,8 @@ class Browser:
             ["bash", "-c", f'exec "$@" 3<&{commands} 4>&{answers}', "bash",
              shutil.which("chromium"), "--headless", "--no-sandbox", "--use-angle=swiftshader",
              "--enable-unsafe-swiftshader", "--remote-debugging-pipe", "--hide-scrollbars",
-             f"--user-data-dir={self.profile.name}", "--host-resolver-rules=MAP * ~NOTFOUND"],
+             f"--user-data-dir={self.profile.name}", "--host-resolver-rules=MAP * ~NOTFOUND",
+             *switches],
             pass_fds=(commands, answers), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(commands)
         os.close(answers)
@@ -93,8 +94,8 @@ class Browser:
                  deviceScaleFactor=1, mobile=width < 800)
         self.ask("Page.navigate", url=file.as_uri())
 
-    def value(self, expression):
-        result = self.ask("Runtime.evaluate", expression=expression, returnByValue=True)
+    def value(self, expression, **options):
+        result = self.ask("Runtime.evaluate", expression=expression, returnByValue=True, **options)
         assert "exceptionDetails" not in result, f"{expression}: {result['exceptionDetails']}"
         return result["result"].get("value")
 
