@@ -13,15 +13,13 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_goal.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
-#include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_direction.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_motion.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Flow_thickness.h>
-#include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
+#include <CGAL/Volume_filling_curves/internal/flow/flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
-#include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Medial_spheres.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_flow_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Field_vector.h>
@@ -138,7 +136,7 @@ public:
                const Thickness& thickness,
                bool is_under_way = false)
       : m_guard(guard),
-        m_parameters(checked(parameters, thickness)),
+        m_parameters(internal::checked(parameters, thickness)),
         m_state{guard.number_of_certified_changes(),
                 guard.number_of_refused_changes(),
                 {},
@@ -177,7 +175,7 @@ public:
     Curve_flow_parameters parameters = m_parameters;
     parameters.spacing = spacing;
     internal::check_parameters(parameters);
-    check_number_of_nodes(spacing, m_thickness.at_current_nodes());
+    internal::check_number_of_nodes(curve(), spacing, m_thickness.at_current_nodes());
     m_parameters = parameters;
     m_motion.remesh_until_even();
     update();
@@ -207,7 +205,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   void set_parameters(const Curve_flow_parameters& parameters, const Thickness& thickness)
   {
-    const Curve_flow_parameters p = checked(parameters, thickness);
+    const Curve_flow_parameters p = internal::checked(parameters, thickness);
     const Thickness given = given_or_measured(p, thickness);
     m_parameters = p;
     m_thickness.set(given);
@@ -284,8 +282,8 @@ public:
   {
     CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
     m_thickness.update();
-    m_direction.update(curve(), m_guard.boundary(), in_domain(m_parameters), m_thickness.at_nodes(),
-                       m_state.statistics, m_guard.watch());
+    m_direction.update(curve(), m_guard.boundary(), internal::in_domain<Domain>(m_parameters),
+                       m_thickness.at_nodes(), m_state.statistics, m_guard.watch());
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -381,55 +379,16 @@ public:
   /// @}
 
 private:
-  static Curve_flow_parameters checked(Curve_flow_parameters parameters, const Thickness& thickness)
+  Thickness given_or_measured(const Curve_flow_parameters& parameters,
+                              const Thickness& thickness) const
   {
-    parameters.thickness = thickness.number();
-    internal::check_parameters(parameters);
-    return parameters;
-  }
-
-  // Returns the thickness, measured if it is not given. Throws std::invalid_argument if the curve
-  // cannot flow with it and the parameters.
-  Thickness given_or_measured(const Curve_flow_parameters& parameters, Thickness thickness) const
-  {
-    CGAL_precondition_msg(!curve().has_garbage(), "the network has no garbage");
-    internal::check_constraints<typename Guard::Boundary>(curve());
-    if(!thickness.is_given()) {
-      internal::Default_thickness<Curve_network, ConcurrencyTag> measure(
-          curve(), in_domain(parameters).number_of_directions, m_guard.watch());
-      thickness = Thickness(measure());
-      if(!thickness.is_given() && curve().number_of_edges() > 0)
-        throw std::invalid_argument("the curve is too small to measure a thickness");
-    }
-    check_number_of_nodes(parameters.spacing, thickness.at_each(curve().points()));
-    return thickness;
+    return internal::given_or_measured<Domain, ConcurrencyTag>(m_guard, parameters, thickness);
   }
 
   void start()
   {
     m_motion.remesh_until_even();
     update();
-  }
-
-  // Refuses edges so short that the curve would exhaust memory. Runs check their size before they
-  // start; their estimates are rough, and flows get thinner, hence the slack.
-  void check_number_of_nodes(double spacing, const std::vector<double>& thickness) const
-  {
-    constexpr double slack = 4;
-    if(internal::has_too_many_nodes(internal::length_in_units(curve(), thickness) / slack, spacing,
-                                    1))
-      internal::refuse_value(internal_np::spacing_t(), spacing,
-                             "the curve would have far more than 20 million nodes");
-  }
-
-  // In the plane only two directions are orthogonal to a curve. Both act along one line, like two
-  // pairs of opposite directions in space: half of the weight makes strands equally stiff.
-  static Curve_flow_parameters in_domain(Curve_flow_parameters p)
-  {
-    if(!internal::Space_of<Domain>::is_plane) return p;
-    p.number_of_directions = 2;
-    p.medial_weight /= 2;
-    return p;
   }
 
   Guard& m_guard;
