@@ -14,20 +14,45 @@
 #include <CGAL/Polygon_mesh_processing/intersection.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// Returns whether any vertex of a mesh is inside another one (or outside).
+// Returns the domain that a mesh bounds; refusals begin with its name.
 template <typename TriangleMesh>
-bool has_vertex_on_side(const TriangleMesh& mesh, const TriangleMesh& other, bool is_inside)
+auto named_domain(const TriangleMesh& mesh, const std::string& name, bool check_shells)
 {
-  const Triangle_mesh_domain_3 domain(other);
+  try {
+    return Triangle_mesh_domain_3(mesh, parameters::check_mesh(check_shells));
+  } catch(const std::invalid_argument& error) {
+    throw std::invalid_argument(name + " bounds no domain: " + error.what());
+  }
+}
+
+// Returns the mesh without vertices that have no faces: they bound nothing.
+template <typename TriangleMesh>
+TriangleMesh without_isolated_vertices(TriangleMesh mesh)
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+  std::vector<typename Graph::vertex_descriptor> isolated;
+  for(const auto v : vertices(mesh))
+    if(halfedge(v, mesh) == Graph::null_halfedge()) isolated.push_back(v);
+  for(const auto v : isolated) remove_vertex(v, mesh);
+  return mesh;
+}
+
+// Returns whether any vertex of a mesh is inside a domain (or outside).
+template <typename TriangleMesh, typename Domain>
+bool has_vertex_on_side(const TriangleMesh& mesh, const Domain& domain, bool is_inside)
+{
   const auto point = get(CGAL::vertex_point, mesh);
   for(const auto v : vertices(mesh))
     if(domain.is_inside(get(point, v)) == is_inside) return true;
@@ -44,8 +69,8 @@ bool has_vertex_on_side(const TriangleMesh& mesh, const TriangleMesh& other, boo
  * The faces of the obstacle are appended to the mesh with the opposite orientation, as a cavity
  * requires; the vertices and faces of the mesh keep their numbers. The mesh can then be passed to
  * `Triangle_mesh_domain_3`, `fill()` and `verify_certificate()`. Add several obstacles one after
- * the other. Takes \cgalBigO{n \log n} time for `n` faces unless many of them have intersecting
- * bounding boxes.
+ * the other. Vertices without faces are ignored. Takes \cgalBigO{n \log n} time for `n` faces
+ * unless many of them have intersecting bounding boxes.
  *
  * \tparam TriangleMesh a model of `MutableFaceGraph` and `HalfedgeListGraph` with an internal
  * vertex point map
@@ -59,23 +84,24 @@ bool has_vertex_on_side(const TriangleMesh& mesh, const TriangleMesh& other, boo
  * all earlier obstacles. The mesh is unchanged in that case
  */
 template <typename TriangleMesh>
-void add_obstacle(TriangleMesh& mesh, TriangleMesh obstacle)
+void add_obstacle(TriangleMesh& mesh, const TriangleMesh& obstacle)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  if(faces(obstacle).empty() || !CGAL::is_closed(obstacle) || !CGAL::is_triangle_mesh(obstacle))
-    throw std::invalid_argument("an obstacle must be a closed triangle mesh");
-  if(!CGAL::is_closed(mesh) || !CGAL::is_triangle_mesh(mesh))
-    throw std::invalid_argument("the mesh must be a closed triangle mesh");
-  if(PMP::do_intersect(mesh, obstacle))
+  const auto domain = internal::named_domain(mesh, "the mesh", true);
+  internal::named_domain(obstacle, "the obstacle", false); // its shells are not yet oriented
+  const TriangleMesh walls = internal::without_isolated_vertices(mesh);
+  TriangleMesh shells = internal::without_isolated_vertices(obstacle);
+  if(PMP::do_intersect(walls, shells))
     throw std::invalid_argument("the obstacle touches or crosses the mesh or another obstacle");
-  PMP::orient_to_bound_a_volume(obstacle);
-  if(internal::has_vertex_on_side(obstacle, mesh, false))
+  PMP::orient_to_bound_a_volume(shells);
+  const auto cavity = internal::named_domain(shells, "the obstacle", true);
+  if(internal::has_vertex_on_side(shells, domain, false))
     throw std::invalid_argument(
         "the obstacle is not inside of the mesh, or within another obstacle");
-  if(internal::has_vertex_on_side(mesh, obstacle, true))
+  if(internal::has_vertex_on_side(walls, cavity, true))
     throw std::invalid_argument("the obstacle lies around another obstacle");
-  if(PMP::is_outward_oriented(mesh)) PMP::reverse_face_orientations(obstacle);
-  CGAL::copy_face_graph(obstacle, mesh);
+  if(PMP::is_outward_oriented(walls)) PMP::reverse_face_orientations(shells);
+  CGAL::copy_face_graph(shells, mesh);
 }
 
 } // namespace Volume_filling_curves
