@@ -78,7 +78,11 @@ public:
       : Mesh_thickness_field_3(mesh, Values::at_vertices(mesh, values))
   {}
 
-  /// returns the value at the point of the surface that is closest to `p`.
+  /*!
+   * returns the value at the point of the surface that is closest to `p`.
+   *
+   * \throws std::invalid_argument if a coordinate is not finite or beyond 1e150
+   */
   double operator()(const Point_3& p) const
   {
     double value = 0;
@@ -151,7 +155,11 @@ public:
       : Mesh_direction_field_3(mesh, Values::at_vertices(mesh, vectors))
   {}
 
-  /// returns a vector along the direction at the point of the surface that is closest to `p`.
+  /*!
+   * returns a vector along the direction at the point of the surface that is closest to `p`.
+   *
+   * \throws std::invalid_argument if a coordinate is not finite or beyond 1e150
+   */
   std::array<double, 3> operator()(const Point_3& p) const
   {
     using internal::Vector;

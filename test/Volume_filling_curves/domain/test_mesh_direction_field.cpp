@@ -80,4 +80,12 @@ TEST(Mesh_direction_field, needs_a_vector_per_vertex)
   EXPECT_THROW(Mesh_direction_field_3<>(Mesh(), std::vector<Direction>()), std::invalid_argument);
 }
 
+TEST(Mesh_direction_field, refuses_points_that_are_invalid_or_too_far)
+{
+  const Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}}));
+  const Mesh_direction_field_3<> field(mesh, std::vector<Direction>(8, {0, 0, 2}));
+  for(const double x : {std::nan(""), 1e200})
+    EXPECT_THROW(field({0, x, 0}), std::invalid_argument) << x;
+}
+
 } // namespace test_mesh_direction_field

@@ -89,4 +89,15 @@ TEST(Mesh_thickness_field, refuses_coordinates_that_are_invalid_or_too_large)
   }
 }
 
+// They have no nearest face, which crashed.
+TEST(Mesh_thickness_field, refuses_points_that_are_invalid_or_too_far)
+{
+  const Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}}));
+  const Mesh_thickness_field_3<> field(mesh, std::vector<double>(8, 2.));
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(), -infinity, 2e150, 1e200})
+    EXPECT_THROW(field({0, x, 0}), std::invalid_argument) << x;
+  EXPECT_EQ(field({1e150, -1e150, 1e150}), 2);
+}
+
 } // namespace test_mesh_thickness_field

@@ -72,8 +72,11 @@ public:
     m_faces = std::make_unique<Faces>(std::move(copy));
   }
 
+  // Throws std::invalid_argument if a coordinate is not finite or beyond 1e150: squared distances
+  // overflow, and no face is the nearest.
   std::array<Corner, 3> at(const Vector& x) const
   {
+    check_range(x, "the point");
     const auto face = m_faces->nearest(x).face;
     const Mesh& mesh = m_faces->mesh();
     const auto h = mesh.halfedge(face);
