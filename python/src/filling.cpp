@@ -16,7 +16,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -52,19 +51,11 @@ const Mesh& mesh_with_values(const Domain& domain)
   return *domain.mesh;
 }
 
-// A field at the vertices of a mesh, as a function that can be copied.
-template <typename Field, typename Values>
-auto function_of_field(const Mesh& mesh, const Values& values)
-{
-  return
-      [field = std::make_shared<const Field>(mesh, values)](const Point& p) { return (*field)(p); };
-}
-
 Thickness thickness_at_vertices(const Doubles& values, const Domain& domain)
 {
   if(values.ndim() != 1) throw std::invalid_argument("thickness must have the shape (n,)");
-  return function_of_field<VFC::Mesh_thickness_field_3<>>(mesh_with_values(domain),
-                                                          values.cast<std::vector<double>>());
+  return VFC::Mesh_thickness_field_3<>(mesh_with_values(domain),
+                                       values.cast<std::vector<double>>());
 }
 
 // One direction, or one per vertex.
@@ -76,8 +67,8 @@ Direction direction_of(const Doubles& values, const Domain& domain)
   }
   if(values.ndim() != 2 || values.shape(1) != 3)
     throw std::invalid_argument("direction_field must have the shape (n, 3) or (3,)");
-  return function_of_field<VFC::Mesh_direction_field_3<>>(
-      mesh_with_values(domain), values.cast<std::vector<std::array<double, 3>>>());
+  return VFC::Mesh_direction_field_3<>(mesh_with_values(domain),
+                                       values.cast<std::vector<std::array<double, 3>>>());
 }
 
 // Takes an array out of the options, and hands it to a function.

@@ -11,7 +11,6 @@
 
 #include <CGAL/Volume_filling_curves/Mesh_fields_3.h>
 
-#include <memory>
 #include <vector>
 
 namespace vfc {
@@ -25,9 +24,7 @@ Thickness read_thickness_field(const std::string& file, const Mesh_and_defects& 
       read_vertex_values(file, "thickness", mesh.number_of_vertices_in_file, findings);
   if(findings.has_error()) throw Input_error(findings.list(), "a thickness for every vertex");
   using Field = curves::Mesh_thickness_field_3<>;
-  const auto field =
-      std::make_shared<const Field>(mesh.mesh, values_at_vertices<Field>(mesh, values));
-  return [field](const Curve::Point_3& p) { return (*field)(p); };
+  return Field(mesh.mesh, values_at_vertices<Field>(mesh, values));
 }
 
 bool is_vector(const std::string& text)
@@ -46,9 +43,7 @@ Direction_field make_direction_field(const std::string& text, const Mesh_and_def
   if(findings.has_error())
     throw Input_error(findings.list(), "a vector x,y,z, or a file with one for every vertex");
   using Field = curves::Mesh_direction_field_3<>;
-  const auto field =
-      std::make_shared<const Field>(mesh.mesh, values_at_vertices<Field>(mesh, vectors));
-  return [field](const Curve::Point_3& p) { return (*field)(p); };
+  return Field(mesh.mesh, values_at_vertices<Field>(mesh, vectors));
 }
 
 } // namespace vfc

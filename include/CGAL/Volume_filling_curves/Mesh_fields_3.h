@@ -15,6 +15,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -27,10 +28,11 @@ namespace Volume_filling_curves {
  * vertices of a triangle mesh: its value is interpolated barycentrically at the closest point of
  * the surface.
  *
- * The function is continuous wherever the closest point is unique. Its values lie between the
- * minimum and the maximum at the corners of the closest face. The mesh is copied. Construction
- * takes \cgalBigO{n \log n} time for `n` faces, evaluation \cgalBigO{\log n} for most points.
- * Evaluation uses double arithmetic and may be called concurrently.
+ * The function is continuous wherever the closest point is unique. Up to rounding, its values lie
+ * between the minimum and the maximum at the corners of the closest face. The mesh is copied;
+ * copies of the function share it. Construction takes \cgalBigO{n \log n} time for `n` faces,
+ * evaluation \cgalBigO{\log n} for most points. Evaluation uses double arithmetic and may be called
+ * concurrently.
  *
  * \tparam Kernel a model of \cgal's `Kernel`, as for `Triangle_mesh_domain_3`
  */
@@ -57,7 +59,7 @@ public:
    */
   template <typename TriangleMesh>
   Mesh_thickness_field_3(const TriangleMesh& mesh, const std::vector<double>& values)
-      : m_values(mesh, values)
+      : m_values(std::make_shared<const Values>(mesh, values))
   {}
 
   /*!
@@ -86,13 +88,13 @@ public:
   double operator()(const Point_3& p) const
   {
     double value = 0;
-    for(const auto& corner : m_values.at(internal::to_vector(p)))
+    for(const auto& corner : m_values->at(internal::to_vector(p)))
       value += corner.weight * corner.value;
     return value;
   }
 
 private:
-  Values m_values;
+  std::shared_ptr<const Values> m_values; // shared by copies
 };
 
 /*!
@@ -104,9 +106,9 @@ private:
  *
  * The sign of a vector does not matter: before taking the mean, the vectors at the corners of a
  * face are flipped where they point away from the first. Lengths act as weights; where all vectors
- * are zero there is no direction. The mesh is copied. Construction takes \cgalBigO{n \log n} time
- * for `n` faces, evaluation \cgalBigO{\log n} for most points. Evaluation uses double arithmetic
- * and may be called concurrently.
+ * are zero there is no direction. The mesh is copied; copies of the field share it. Construction
+ * takes \cgalBigO{n \log n} time for `n` faces, evaluation \cgalBigO{\log n} for most points.
+ * Evaluation uses double arithmetic and may be called concurrently.
  *
  * \tparam Kernel a model of \cgal's `Kernel`, as for `Triangle_mesh_domain_3`
  */
@@ -134,7 +136,7 @@ public:
   template <typename TriangleMesh>
   Mesh_direction_field_3(const TriangleMesh& mesh,
                          const std::vector<std::array<double, 3>>& vectors)
-      : m_values(mesh, vectors)
+      : m_values(std::make_shared<const Values>(mesh, vectors))
   {}
 
   /*!
@@ -163,7 +165,7 @@ public:
   std::array<double, 3> operator()(const Point_3& p) const
   {
     using internal::Vector;
-    const auto corners = m_values.at(internal::to_vector(p));
+    const auto corners = m_values->at(internal::to_vector(p));
     const auto vector = [](const std::array<double, 3>& v) { return Vector(v[0], v[1], v[2]); };
     Vector first, sum;
     for(const auto& corner : corners) {
@@ -176,7 +178,7 @@ public:
   }
 
 private:
-  Values m_values;
+  std::shared_ptr<const Values> m_values; // shared by copies
 };
 
 } // namespace Volume_filling_curves

@@ -12,7 +12,9 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace test_mesh_direction_field {
@@ -79,6 +81,9 @@ TEST(Mesh_direction_field, needs_a_vector_per_vertex)
   EXPECT_THROW(Mesh_direction_field_3<>(mesh, one), std::invalid_argument);
   EXPECT_THROW(Mesh_direction_field_3<>(Mesh(), std::vector<Direction>()), std::invalid_argument);
 }
+
+static_assert(
+    std::is_convertible_v<Mesh_direction_field_3<>, std::function<Direction(const Mesh::Point&)>>);
 
 TEST(Mesh_direction_field, refuses_points_that_are_invalid_or_too_far)
 {

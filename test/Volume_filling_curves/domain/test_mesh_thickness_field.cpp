@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -87,6 +88,17 @@ TEST(Mesh_thickness_field, refuses_coordinates_that_are_invalid_or_too_large)
     mesh.point(Mesh::Vertex_index(3)) = {x, 0, 0};
     EXPECT_THROW(Mesh_thickness_field_3<>(mesh, values), std::invalid_argument) << x;
   }
+}
+
+TEST(Mesh_thickness_field, becomes_a_function_that_can_be_copied)
+{
+  std::function<double(const Mesh::Point&)> function;
+  {
+    const Mesh mesh = meshes::to_mesh(meshes::voxels({{0, 0, 0}}));
+    const Mesh_thickness_field_3<> field(mesh, std::vector<double>(8, 2.));
+    function = field;
+  }
+  EXPECT_EQ(function({.3, .4, .1}), 2);
 }
 
 // They have no nearest face, which crashed.

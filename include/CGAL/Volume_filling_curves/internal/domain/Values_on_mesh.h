@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  std::unique_ptr<const Faces> m_faces; // a pointer, which keeps the object movable
+  std::unique_ptr<const Faces> m_faces; // built last
   std::vector<Value> m_values;          // by vertices of the copy
 };
 
