@@ -78,6 +78,43 @@ TEST(Reading, that_fails_leaves_the_network)
   EXPECT_EQ(network.number_of_nodes(), 4u);
 }
 
+Network read_with_closure(const std::string& name, const std::string& text, Closure closure)
+{
+  const Folder folder;
+  Network network;
+  std::vector<Curve_defect> defects;
+  write(folder.file(name), text);
+  EXPECT_TRUE(CGAL::IO::read_curve_network(folder.file(name), network, defects,
+                                           Junctions::FORBIDDEN, closure));
+  return network;
+}
+
+TEST(Reading, opens_and_closes_curves_with_edges_that_are_dropped)
+{
+  for(const std::string lines :
+      {"l 1 2 3 4", "l 1 2 3 4 1", "l 1 2 2 3 4", "l 1 2 2 3 4 1", "l 1 2 3 4 4", "l 1 2 3 4 1 1",
+       "l 1 2 3 4\nl 2 3", "l 1 2 3 4 1\nl 1 4", "l 1 2 3 4 1 2", "l 1 1 2\nl 3 4\nl 3 2 2"}) {
+    const Network closed = read_with_closure("a.obj", square + lines, Closure::CLOSED);
+    EXPECT_EQ(closed.number_of_nodes(), 4u) << lines;
+    EXPECT_EQ(closed.number_of_edges(), 4u) << lines;
+    const Network open = read_with_closure("a.obj", square + lines, Closure::OPEN);
+    EXPECT_EQ(open.number_of_nodes(), 4u) << lines;
+    EXPECT_EQ(open.number_of_edges(), 3u) << lines;
+  }
+}
+
+TEST(Reading, opens_curves_that_repeat_their_first_point_often)
+{
+  const std::string corners = " 0 0 0 1 0 0 1 1 0", origin = " 0 0 0";
+  for(std::size_t repetitions = 1; repetitions < 4; ++repetitions) {
+    std::string text = std::to_string(3 + repetitions) + corners;
+    for(std::size_t i = 0; i < repetitions; ++i) text += origin;
+    const Network open = read_with_closure("a.polylines.txt", text, Closure::OPEN);
+    EXPECT_EQ(open.number_of_nodes(), 3u);
+    EXPECT_EQ(open.number_of_edges(), 2u);
+  }
+}
+
 TEST(Polylines, become_a_network_and_come_back)
 {
   const std::list<std::vector<Point_3>> polylines = {

@@ -14,7 +14,11 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -24,15 +28,18 @@ namespace internal {
 // Tool that closes the arcs of a file, or opens its closed curves, at the user's request. An arc
 // gets an edge from its last node to its first, after its last edge in the file. A closed curve
 // loses its last edge in the file, the one that closes a polyline. Components with junctions stay
-// unchanged. New edges are checked later, with all others. Linear time.
+// unchanged; loops and repeated edges, which `Edge_repair` drops, make no junction. New edges are
+// checked later, with all others. O(n log n).
 class Component_closure
 {
 public:
   explicit Component_closure(Curve_draft& file)
       : m_file(file),
         m_numbers(component_numbers(file.points.size(), file.edges)),
-        m_degrees(file.points.size(), 0)
+        m_degrees(file.points.size(), 0),
+        m_originals(file.edges.size())
   {
+    find_originals();
     for(std::size_t e = 0; e < file.edges.size(); ++e) add_edge(e);
     for(std::size_t v = 0; v < m_degrees.size(); ++v)
       if(m_degrees[v] > 2) m_components[m_numbers[v] - 1].has_junction = true;
@@ -48,24 +55,54 @@ public:
 private:
   struct Component
   {
-    std::size_t number_of_edges = 0, last_edge = 0;
+    std::size_t number_of_edges = 0;
+    std::size_t last_edge = none;  // whose ends differ: the point that closes may occur three times
     std::vector<std::size_t> ends; // of an arc: the first node and the last one
     bool has_junction = false;
   };
+
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  // A line that turns back repeats no edge.
+  void find_originals()
+  {
+    std::iota(m_originals.begin(), m_originals.end(), std::size_t(0));
+    std::map<Curve_draft::Edge, std::size_t> edges;
+    std::size_t previous = none;
+    for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
+      const auto [v, w] = m_file.edges[e];
+      if(v == w) continue;
+      const Curve_draft::Edge sorted = {(std::min)(v, w), (std::max)(v, w)};
+      const std::size_t original = edges.emplace(sorted, e).first->second;
+      const bool is_turn = previous != none &&
+                           m_file.edge_lines[previous] == m_file.edge_lines[e] &&
+                           m_file.edges[previous] == Curve_draft::Edge{w, v};
+      if(!is_turn) m_originals[e] = original;
+      previous = e;
+    }
+  }
+
+  bool is_dropped(std::size_t e) const
+  {
+    return m_originals[e] != e || m_file.edges[e][0] == m_file.edges[e][1];
+  }
 
   Component& component_of(std::size_t e) { return m_components[m_numbers[m_file.edges[e][0]] - 1]; }
 
   void add_edge(std::size_t e)
   {
-    const std::size_t number = m_numbers[m_file.edges[e][0]];
-    if(number > m_components.size()) m_components.resize(number);
+    const auto [v, w] = m_file.edges[e];
+    if(m_numbers[v] > m_components.size()) m_components.resize(m_numbers[v]);
+    if(is_dropped(e)) return;
     ++component_of(e).number_of_edges;
-    component_of(e).last_edge = e;
-    for(const std::size_t v : m_file.edges[e]) ++m_degrees[v];
+    if(m_file.points[v] != m_file.points[w]) component_of(e).last_edge = e;
+    ++m_degrees[v];
+    ++m_degrees[w];
   }
 
   void add_ends(std::size_t e)
   {
+    if(is_dropped(e)) return;
     const auto [v, w] = m_file.edges[e];
     std::vector<std::size_t>& ends = component_of(e).ends;
     if(m_degrees[v] == 1) ends.insert(ends.begin(), v);
@@ -97,7 +134,8 @@ private:
     std::size_t kept = 0;
     for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
       const Component& component = component_of(e);
-      if(!component.has_junction && component.ends.empty() && component.last_edge == e) continue;
+      const bool is_closed = !component.has_junction && component.ends.empty();
+      if(is_closed && m_originals[e] == component.last_edge) continue;
       m_file.edges[kept] = m_file.edges[e];
       m_file.edge_lines[kept++] = m_file.edge_lines[e];
     }
@@ -107,6 +145,7 @@ private:
 
   Curve_draft& m_file;
   std::vector<std::size_t> m_numbers, m_degrees; // of nodes; component numbers start from 1
+  std::vector<std::size_t> m_originals;          // of edges: the first equal one
   std::vector<Component> m_components;
 };
 
