@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <locale>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -229,6 +230,19 @@ TEST(Braid_word, is_read_letter_by_letter)
 {
   EXPECT_EQ(generators::parse_braid_word(" 1 -2  13 "), (std::vector<int>{1, -2, 13}));
   EXPECT_TRUE(generators::parse_braid_word("").empty());
+}
+
+TEST(Braid_word, does_not_depend_on_the_locale)
+{
+  struct Grouped : std::numpunct<char>
+  {
+    char do_thousands_sep() const override { return ','; }
+    std::string do_grouping() const override { return "\1"; }
+  };
+  const std::locale former = std::locale::global(std::locale(std::locale::classic(), new Grouped));
+  EXPECT_THROW(generators::parse_braid_word("1,2 3"), std::invalid_argument);
+  EXPECT_EQ(generators::parse_braid_word("12 3"), (std::vector<int>{12, 3}));
+  std::locale::global(former);
 }
 
 TEST(Braid_word, with_a_wrong_letter_is_refused_by_name)

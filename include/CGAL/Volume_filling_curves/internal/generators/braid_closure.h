@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -44,8 +45,10 @@ inline std::vector<int> parse_braid_word(const std::string& text)
 {
   std::vector<int> word;
   std::istringstream stream(text);
+  stream.imbue(std::locale::classic()); // another locale may group digits by commas
   for(std::string token; stream >> token;) {
     std::istringstream letter_stream(token);
+    letter_stream.imbue(stream.getloc());
     int letter = 0;
     if(!(letter_stream >> letter) || !letter_stream.eof() || !is_letter(letter))
       throw std::invalid_argument("letter '" + token + "' of the braid word is not an integer in " +
