@@ -173,7 +173,7 @@ template <typename Traits = Curve_flow_traits_3<>>
  * \param radius the distance of the nodes from the origin
  * \param traits the traits object
  *
- * \throws std::invalid_argument if there are fewer than 3 nodes, or if the radius is not positive
+ * \throws std::invalid_argument if there are fewer than 3 nodes, or if the radius is below 1e-150
  * or beyond 1e150
  */
 template <typename Traits = Curve_flow_traits_3<>>

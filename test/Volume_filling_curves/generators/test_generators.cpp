@@ -153,7 +153,9 @@ TEST(Generators, refuse_what_they_cannot_make)
   EXPECT_THROW(generators::random_polygon(2, 0), std::invalid_argument);
   EXPECT_THROW(generators::lattice_polygon(7, 0), std::invalid_argument);
   EXPECT_THROW(generators::regular_polygon(2, 1), std::invalid_argument);
-  EXPECT_THROW(generators::regular_polygon(3, 0), std::invalid_argument);
+  for(const double radius : {0., 5e-324, 9e-151, 1.1e150, std::nan("")})
+    EXPECT_THROW(generators::regular_polygon(3, radius), std::invalid_argument) << radius;
+  EXPECT_EQ(vfc::make_regular_polygon(1000, 1e-150).number_of_nodes(), 1000u);
 }
 
 // Of 100 nodes: on 3 scales, with as many moves on each.

@@ -120,12 +120,12 @@ inline void turn_randomly(Polygons& polygons, std::uint64_t seed)
 }
 
 // Returns a regular polygon in the plane z = 0 around the origin.
-// \throws std::invalid_argument for fewer than 3 nodes, or a radius that is not positive and finite
+// \throws std::invalid_argument for fewer than 3 nodes, or a radius below 1e-150 or beyond 1e150
 inline Polygon regular_polygon(std::size_t number_of_nodes, double radius)
 {
   if(number_of_nodes < 3) throw std::invalid_argument("a polygon needs at least 3 nodes");
-  if(!(radius > 0 && std::isfinite(radius)))
-    throw std::invalid_argument("the radius of a polygon must be positive and finite");
+  if(!(radius >= min_extent && radius <= max_coordinate))
+    throw std::invalid_argument("the radius of a polygon must be between 1e-150 and 1e150");
   Polygon polygon;
   for(std::size_t k = 0; k < number_of_nodes; ++k) {
     const auto [x, y] = cos_sin(static_cast<double>(k) / static_cast<double>(number_of_nodes));
