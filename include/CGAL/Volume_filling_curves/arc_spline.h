@@ -65,7 +65,7 @@ namespace Volume_filling_curves {
  * \pre the network has no garbage
  *
  * \throws std::invalid_argument if the curve is not embedded or not strictly inside the domain (the
- * message lists the nodes)
+ * message lists the nodes), or if its size is below 1e-150
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,
@@ -109,7 +109,8 @@ template <typename Traits,
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curve is not embedded (the message lists the nodes)
+ * \throws std::invalid_argument if the curve is not embedded (the message lists the nodes), or if
+ * its size is below 1e-150
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits,

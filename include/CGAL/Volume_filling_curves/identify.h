@@ -109,8 +109,8 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded, or if a component is open or has a
- * junction
+ * \throws std::invalid_argument if the curves are not embedded, if their size is below 1e-150, or
+ * if a component is open or has a junction
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -186,8 +186,8 @@ template <typename Polylines,
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded, the component does not exist, is
- * closed or branches, or a parameter is out of its range
+ * \throws std::invalid_argument if the curves are not embedded, their size is below 1e-150, the
+ * component does not exist, is closed or branches, or a parameter is out of its range
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename ConcurrencyTag = Sequential_tag,
