@@ -176,9 +176,10 @@ bool read_embedded_curve_network(
  * \brief writes a curve network to a file, and reports errors.
  *
  * The extension determines the format, as in `read_curve_network()`. Coordinates have 17
- * significant digits: reading the file restores positions, edges, pins and the numbering of the
- * nodes. The format `.polylines.txt` does not store pins and, for a network with junctions, the
- * numbering. No format stores the sets in which nodes slide (`Node_constraint`).
+ * significant digits: if the network is embedded, not empty and not smaller than 1e-150, reading
+ * the file restores positions, edges, pins and the numbering of the nodes. The format
+ * `.polylines.txt` does not store pins and, for a network with junctions, the numbering. No format
+ * stores the sets in which nodes slide (`Node_constraint`).
  *
  * The network is first written to a new file in the same folder, which replaces an existing file
  * once it is complete. Other programs never see an incomplete file, and an error leaves the old
