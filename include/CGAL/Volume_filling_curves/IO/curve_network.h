@@ -94,7 +94,8 @@ namespace IO {
  *
  * `origin()` of the network returns the index of a node among the vertices of the file, from 0;
  * repeated points of `.polylines.txt` do not count. An edge that occurs twice is dropped, and an
- * edge of length zero is contracted, each with a warning.
+ * edge of length zero is contracted, each with a warning. A record that runs straight back over
+ * its last edge, such as `l 1 2 3 2`, is an error.
  *
  * This function does not test whether the network is embedded, that is, whether edges meet only in
  * common nodes. Functions that require it test it themselves; `read_embedded_curve_network()` lists
