@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace test_arc_spline {
 
@@ -118,6 +119,35 @@ TEST(Arc_spline, scales_with_the_curve)
   EXPECT_EQ(conflicting_nodes(small), conflicting_nodes(large));
   EXPECT_EQ(factor * small.length, large.length);
   EXPECT_EQ(factor * small.min_radius, large.min_radius);
+}
+
+// The squares of an edge's length underflow.
+TEST(Arc_spline, turns_around_the_shortest_edges)
+{
+  for(const double tiny : {1e-160, 1e-162, 1e-170, 1e-300}) {
+    const Spline closed =
+        arc_spline(curve_of({{{0, 0, 0}, {tiny, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}));
+    EXPECT_TRUE(closed.is_certified);
+    EXPECT_EQ(closed.number_of_arcs, 3u);
+    EXPECT_EQ(closed.min_radius, tiny / 2);
+    const double large_arc = 3 * CGAL_PI / 8 / std::tan(3 * CGAL_PI / 8);
+    EXPECT_NEAR(closed.length, std::sqrt(2) + 2 * large_arc, 1e-12);
+    expect_smooth(closed);
+    const Spline open = arc_spline(curve_of({{{0, 0, 0}, {tiny, 0, 0}, {1, 0, 1}, {0, 1, 0}}}));
+    EXPECT_TRUE(open.is_certified);
+    EXPECT_EQ(open.number_of_arcs, 2u);
+    expect_smooth(open);
+  }
+}
+
+// Half of the least positive double is 0: there is no room for an arc.
+TEST(Arc_spline, beside_an_edge_without_room_for_an_arc_is_not_certified)
+{
+  const double least = std::numeric_limits<double>::denorm_min();
+  const Spline spline =
+      arc_spline(curve_of({{{0, 0, 0}, {least, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}));
+  EXPECT_FALSE(spline.is_certified);
+  EXPECT_EQ(conflicting_nodes(spline), std::vector<std::size_t>{0});
 }
 
 TEST(Arc_spline, ends_when_asked_to)

@@ -66,8 +66,10 @@ inline void expect_smooth(const Spline& spline)
       const Piece& next = path.pieces[k];
       EXPECT_EQ(last.end, next.start);
       if(!last.is_arc() && !next.is_arc()) continue; // a straight corner
-      const auto in = (vector(last.end) - vector(last.corner)).normalized();
-      const auto out = (vector(next.corner) - vector(next.start)).normalized();
+      const auto direction = [](const Point_3& p, const Point_3& q) {
+        return internal::in_own_units(vector(q) - vector(p)).normalized();
+      };
+      const auto in = direction(last.corner, last.end), out = direction(next.start, next.corner);
       EXPECT_LT((in - out).norm(), 1e-6);
     }
 }

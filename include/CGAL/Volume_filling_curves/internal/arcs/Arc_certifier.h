@@ -162,12 +162,15 @@ private:
       m_conflicts.push_back({v, Arc_obstacle::ROUNDING, v});
   }
 
-  // Returns the distance from the start of an arc to the line of one of the edges at the corner.
+  // Returns the square of the distance from the start of an arc to the line of one of the edges at
+  // the corner, in a unit that is the same for both edges.
   double distance_from_edge(const Piece& arc, std::size_t k) const
   {
     const Vector p = to_vector(arc.corner),
                  q = to_vector(m_copy.point(m_copy.neighbor(arc.node, k)));
-    return (to_vector(arc.start) - p).cross((q - p).normalized()).squaredNorm();
+    return in_own_units(to_vector(arc.start) - p)
+        .cross(in_own_units(q - p).normalized())
+        .squaredNorm();
   }
 
   // Inserts the end of an arc into an edge of v, unless the arc at the other end of the edge shares

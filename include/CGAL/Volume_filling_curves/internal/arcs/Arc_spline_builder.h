@@ -32,8 +32,8 @@ namespace internal {
 // Arcs at the corners of a polygon. At a corner p whose edges turn by the angle 2 a, the arc that
 // is tangent to both edges at the distance t from p has the radius t / tan(a); t is half the
 // shorter edge, hence arcs of neighbors do not overlap, and the radius is Rawdon's MinRad. Straight
-// corners, ends and junctions have no arc. Plain double; linear time. \throws Run_stopped in a
-// Watched_scope
+// corners, ends and junctions have no arc. Plain double, also for edges whose squares underflow;
+// linear time. \throws Run_stopped in a Watched_scope
 template <typename Network>
 class Arc_spline_builder
 {
@@ -60,8 +60,8 @@ private:
 
   struct Corner
   {
-    double tangent_length = 0;    // 0 if there is no arc
-    double half_turn_tangent = 0; // of half the turning angle
+    double tangent_length = 0;    // may round to 0 beside an edge of the least length
+    double half_turn_tangent = 0; // of half the turning angle; 0 if there is no arc
   };
 
   Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
@@ -83,7 +83,7 @@ private:
       check_sometimes(nullptr, calls);
       if(ends[i][0] != ends[i][1]) add(path, segment(nodes[i], ends[i][0], ends[i][1]));
       const Corner& corner = corners[i + 1];
-      if(corner.tangent_length > 0)
+      if(corner.half_turn_tangent > 0)
         add(path, arc(nodes[i + 1], corner, ends[i][1], ends[(i + 1) % ends.size()][0]));
     }
     return path;
@@ -105,7 +105,8 @@ private:
   Corner corner(std::size_t u, std::size_t v, std::size_t w) const
   {
     const Vector in = position(v) - position(u), out = position(w) - position(v);
-    const double t = (std::min)(in.norm(), out.norm()) / 2, tangent = half_turn_tangent(in, out);
+    const double t = (std::min)(stable_norm(in), stable_norm(out)) / 2;
+    const double tangent = half_turn_tangent(in, out);
     return is_straight(t, tangent, position(v)) ? Corner() : Corner{t, tangent};
   }
 
@@ -119,7 +120,7 @@ private:
   // positions where the arcs at the nodes v and w of an edge begin
   static std::array<Vector, 2> ends_of_rest(const Vector& v, const Vector& w, double tv, double tw)
   {
-    const double length = (w - v).norm();
+    const double length = stable_norm(w - v);
     const double least =
         min_share * length + rounding * (v.cwiseAbs().maxCoeff() + w.cwiseAbs().maxCoeff());
     if(tv > 0 && tw > 0 && length - tv - tw <= least) return {(v + w) / 2, (v + w) / 2};
@@ -130,7 +131,7 @@ private:
   {
     const Point_3 middle = point((start + end) / 2);
     Piece piece{point(start), middle, middle, point(end)};
-    piece.length = (end - start).norm();
+    piece.length = stable_norm(end - start);
     piece.node = node;
     return piece;
   }
