@@ -62,6 +62,7 @@ public:
   {
     if(!m_center.allFinite() || !(radius > 0) || !std::isfinite(radius))
       throw std::invalid_argument("a ball needs a finite center and a positive, finite radius");
+    m_scale = scale_of(radius);
   }
 
   /// returns the ball with all coordinates multiplied by `factor`, a power of two.
@@ -70,6 +71,7 @@ public:
     Ball_domain_3 ball = *this;
     ball.m_center = factor * m_center;
     ball.m_radius *= factor;
+    ball.m_scale = scale_of(ball.m_radius);
     return ball;
   }
 
@@ -108,23 +110,37 @@ public:
   /// returns the distance from `p` to the sphere, or 0 if `p` is not inside.
   double distance(const Point_3& p) const
   {
-    return (std::max)(m_radius - (internal::to_vector(p) - m_center).norm(), 0.);
+    return (std::max)(0., m_scale * m_radius - from_center(p).norm()) / m_scale;
   }
 
   /// returns the distance from `p` to the sphere along the unit vector `direction`, at most
   /// `limit`; 0 if `p` is not inside.
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const
   {
-    const Vector x = internal::to_vector(p) - m_center;
-    const double norm = x.norm(), along = x.dot(internal::to_vector(direction));
-    const double power = (m_radius - norm) * (m_radius + norm);
-    if(power <= 0) return 0;
+    const Vector x = from_center(p);
+    const double radius = m_scale * m_radius, norm = x.norm();
+    const double along = x.dot(internal::to_vector(direction));
+    const double power = (radius - norm) * (radius + norm);
+    if(!(power > 0)) return 0;
     const double root = std::sqrt(along * along + power);
     // of the two formulas for the same number the one without cancellation
-    return (std::min)(along > 0 ? power / (along + root) : root - along, limit);
+    return (std::min)((along > 0 ? power / (along + root) : root - along) / m_scale, limit);
   }
 
 private:
+  // The power of two that makes the radius about 1: squares neither overflow nor underflow.
+  static double scale_of(double radius)
+  {
+    constexpr int least = 1 - std::numeric_limits<double>::max_exponent;
+    return std::ldexp(1., -(std::max)(std::ilogb(radius), least));
+  }
+
+  // times the scale
+  Vector from_center(const Point_3& p) const
+  {
+    return m_scale * (internal::to_vector(p) - m_center);
+  }
+
   bool is_inside_exactly(const Vector& p) const
   {
     if(!p.allFinite()) return false;
@@ -139,6 +155,7 @@ private:
 
   Vector m_center;
   double m_radius;
+  double m_scale;
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -86,7 +86,8 @@ public:
   double distance(const Point_3& p) const
   {
     const Vector x = internal::to_vector(p);
-    return (std::max)((x - m_box.min()).cwiseMin(m_box.max() - x).minCoeff(), 0.);
+    if(!is_strictly_inside(x)) return 0;
+    return (x - m_box.min()).cwiseMin(m_box.max() - x).minCoeff();
   }
 
   /// returns the distance from `p` to the first side along the unit vector `direction`, at most

@@ -93,11 +93,40 @@ TEST(Ball_domain, agrees_with_its_closed_forms)
   }
 }
 
+// Squares of lengths underflow or overflow.
+TEST(Ball_domain, of_any_size_has_the_distances_of_the_unit_ball)
+{
+  const Ball_domain_3<> unit(Point(0, 0, 0), 1);
+  Random random(9);
+  for(const int exponent : {-1060, -700, -550, 520, 1020}) {
+    const double factor = std::ldexp(1., exponent);
+    const Ball_domain_3<> ball(Point(0, 0, 0), factor);
+    const double rounding = exponent < -1000 ? 1e-4 : 0; // of coordinates
+    for(int i = 0; i < 100; ++i) {
+      const internal::Vector x = 1.1 * random.real() * random.direction(), u = random.direction();
+      const Point p(x.x(), x.y(), x.z()), q(factor * x.x(), factor * x.y(), factor * x.z());
+      const Curve_flow_traits_3<>::Vector_3 direction(u.x(), u.y(), u.z());
+      ASSERT_NEAR(ball.distance(q) / factor, unit.distance(p), rounding);
+      ASSERT_NEAR(ball.distance_along(q, direction, infinity) / factor,
+                  unit.distance_along(p, direction, infinity), rounding);
+    }
+  }
+}
+
 TEST(Domain, has_no_points_that_are_not_finite)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Ball_domain_3<> ball(Point(0, 0, 0), 1);
-  for(const double x : {nan, infinity, -infinity}) EXPECT_FALSE(ball.is_inside(Point(x, 0, 0)));
+  const Box_domain_3<> box(Point(-1, -1, -1), Point(1, 1, 1));
+  for(const double x : {nan, infinity, -infinity})
+    for(const Point& p : {Point(x, 0, 0), Point(0, x, 0), Point(0, 0, x)}) {
+      EXPECT_FALSE(ball.is_inside(p));
+      EXPECT_EQ(ball.distance(p), 0);
+      EXPECT_EQ(ball.distance_along(p, {1, 0, 0}, 9), 0);
+      EXPECT_FALSE(box.is_inside(p));
+      EXPECT_EQ(box.distance(p), 0);
+      EXPECT_EQ(box.distance_along(p, {1, 0, 0}, 9), 0);
+    }
   const auto undefined = [](const Point& p) { return p.x() > 0.5 ? std::sqrt(-1.) : -1.; };
   const Implicit_domain_3<decltype(undefined)> domain(undefined, {-1, -1, -1, 1, 1, 1});
   EXPECT_EQ(domain.distance(Point(0.9, 0, 0)), 0);
