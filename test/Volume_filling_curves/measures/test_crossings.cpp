@@ -112,6 +112,22 @@ TEST(Average_crossing_number, of_a_knot_is_not_below_its_crossing_number)
   EXPECT_GE(vfc::average_crossing_number(braid("1 -2 1 -2", 200)), 4);
 }
 
+// Products of lengths underflow; one cell for all edges would take quadratic time.
+TEST(Average_crossing_number, does_not_depend_on_the_size)
+{
+  const Curve knot = vfc::make_torus_knot(2, 3, 3000);
+  const double expected = vfc::average_crossing_number(knot);
+  for(const int exponent : {-1040, -570, 400}) {
+    std::vector<Point> points;
+    for(std::size_t v = 0; v <= knot.number_of_nodes(); ++v) {
+      const Vector x = std::ldexp(1., exponent) * position(knot, v % knot.number_of_nodes());
+      points.emplace_back(x.x(), x.y(), x.z());
+    }
+    const double number = vfc::average_crossing_number(Curve(points));
+    EXPECT_NEAR(number, expected, exponent < -1000 ? 0.1 : 0) << exponent; // rounded coordinates
+  }
+}
+
 TEST(Average_crossing_number, is_the_same_in_parallel)
 {
   for(const Curve& curve : {closed(generators::random_polygon(500, 1)), Curve()})

@@ -207,14 +207,15 @@ inline Frame viewing_frame(std::size_t k)
   return {right, front.cross(right), front};
 }
 
-// With a stride k of every k-th direction only.
+// With a stride k of every k-th direction only. In a unit in which products of lengths do not
+// underflow: without lengths the grid would have one cell for all edges.
 template <typename ConcurrencyTag = Sequential_tag, typename Network>
 double average_crossing_number(const Network& curve,
                                std::size_t stride = 1,
                                Run_watch* watch = nullptr)
 {
   constexpr std::size_t block = 10; // directions that share the memory of a counter
-  const Vector_field points = coordinates(curve);
+  const Vector_field points = unit_of_size(curve) * coordinates(curve);
   std::vector<std::size_t> crossings((number_of_viewing_directions + stride - 1) / stride);
   for_each_block<ConcurrencyTag>(crossings.size(), block, [&](std::size_t begin, std::size_t end) {
     std::vector<Vector> projection(curve.number_of_nodes());
