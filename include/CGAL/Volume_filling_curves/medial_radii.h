@@ -82,6 +82,7 @@ Medial_spheres measured_medial_spheres(const Network& curve,
  * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
+ * \pre the nodes of an edge are distinct
  * \pre `largest` is positive and finite
  * \pre `number_of_directions` is positive
  */
@@ -127,6 +128,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
+ * \pre the nodes of an edge are distinct
  * \pre `largest` is positive and finite
  * \pre `number_of_directions` is positive
  */
@@ -174,6 +176,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \returns 0 if the curve is empty
  *
  * \pre the network has no garbage
+ * \pre the nodes of an edge are distinct
  * \pre `largest` is positive and finite
  * \pre `number_of_directions` is positive
  */
@@ -212,6 +215,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
+ * \pre the nodes of an edge are distinct
  * \pre `number_of_directions` is positive
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,

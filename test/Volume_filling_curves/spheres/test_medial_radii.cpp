@@ -61,6 +61,21 @@ TEST(Medial_radii, have_the_mean_medial_radius_as_mean)
   }
 }
 
+// Also beside edges whose squares underflow.
+TEST(Medial_radii, are_numbers_beside_the_shortest_edges)
+{
+  for(const double tiny : {1e-160, 1e-170, 1e-300}) {
+    const Network closed(std::vector<Network::Point_3>{
+        {0, 0, 0}, {tiny, 0, 0}, {tiny, tiny, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
+    const Network open = path({{0, 0, 0}, {tiny, 0, 0}, {1, 0, 1}, {0, 1, 0}});
+    for(const Network& curve : {closed, open}) {
+      for(const double radius : medial_radii(curve, 7)) EXPECT_TRUE(radius > 0 && radius <= 7);
+      const double mean = mean_medial_radius(curve, 7);
+      EXPECT_TRUE(mean > 0 && mean <= 7);
+    }
+  }
+}
+
 // By definition: no other node lies inside of a sphere, and one lies on it.
 TEST(Least_medial_radii, are_those_of_the_largest_empty_spheres)
 {

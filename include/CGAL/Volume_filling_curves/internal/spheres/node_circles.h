@@ -60,6 +60,8 @@ std::vector<double> node_weights(const Network& curve, const Vector_field& x)
 
 // One circle per node inside a curve, orthogonal to the mean of the two edge directions; one per
 // edge at ends, junctions and spikes, where there is no such mean, weighted by the edges' lengths.
+// The edges may be so short that squares underflow.
+// \pre the nodes of an edge are distinct
 template <typename Network>
 std::vector<Node_circle> node_circles(const Network& curve, const Vector_field& x)
 {
@@ -69,10 +71,11 @@ std::vector<Node_circle> node_circles(const Network& curve, const Vector_field& 
   const auto edge_vector = [&](std::size_t v, std::size_t k) -> Vector {
     return row(x, curve.neighbor(v, k)) - row(x, v);
   };
+  const auto direction = [](const Vector& edge) { return in_own_units(edge).normalized(); };
   for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
     const std::size_t degree = curve.degree(v);
     if(degree == 2) {
-      const Vector out = edge_vector(v, 1).normalized(), back = edge_vector(v, 0).normalized();
+      const Vector out = direction(edge_vector(v, 1)), back = direction(edge_vector(v, 0));
       const double length = (out - back).norm() / 2;
       if(length > spike) {
         circles.emplace_back(v, (out - back) / (2 * length), out + back, 1.);
@@ -80,10 +83,10 @@ std::vector<Node_circle> node_circles(const Network& curve, const Vector_field& 
       }
     }
     double sum = 0;
-    for(std::size_t k = 0; k < degree; ++k) sum += edge_vector(v, k).norm();
+    for(std::size_t k = 0; k < degree; ++k) sum += stable_norm(edge_vector(v, k));
     for(std::size_t k = 0; k < degree; ++k) {
       const Vector edge = edge_vector(v, k);
-      circles.emplace_back(v, edge.normalized(), edge.norm() / sum);
+      circles.emplace_back(v, direction(edge), stable_norm(edge) / sum);
     }
   }
   return circles;
