@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -219,6 +220,25 @@ TEST(Resumed_runs, two_chambers_are_filled_from_a_circle)
   expect_resumed(filling(domain), Network(),
                  sharp_bends.thickness(0.3).start(Filling_start::CIRCLE),
                  {10, Run_stage::BRANCHING, 20, 30});
+}
+
+// A survey that is cut short knows only the surroundings of one sample: here a slab, in which the
+// curve would not grow coarse first, as it did in the tower on the slab.
+TEST(Resumed_runs, pass_on_their_state_if_they_end_while_they_survey)
+{
+  std::vector<std::array<int, 3>> cells;
+  for(int x = 0; x < 6; ++x)
+    for(int y = 0; y < 6; ++y)
+      for(int z = 0; z < (x < 3 && y < 3 ? 3 : 1); ++z) cells.push_back({x, y, z});
+  const Triangle_mesh_domain_3<> domain(meshes::to_mesh(meshes::voxels(cells)));
+  const auto resume = [&](const Run_state& state, const Interruption& end) {
+    return run_from(filling(domain), Network(),
+                    sharp_bends.thickness(0.18).start(Filling_start::CIRCLE).random_seed(0), state,
+                    end);
+  };
+  const Run_state state = resume({}, 70).state;
+  const Run_state same = resume(state, Run_stage::PREPARING).state;
+  EXPECT_TRUE(resume(same, 73).numbers == resume(state, 73).numbers);
 }
 
 const Network trefoil = make_torus_knot(2, 3, 40);

@@ -14,6 +14,7 @@
 #include <CGAL/Volume_filling_curves/internal/bending/Shape_check.h>
 #include <CGAL/Volume_filling_curves/internal/curve/Curve_network_3.h>
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
+#include <CGAL/Volume_filling_curves/internal/domain/containment.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Domain_survey.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filler.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_state.h>
@@ -167,14 +168,19 @@ private:
   Result grow()
   {
     m_saver.resume_curve(m_curves,
-                         [this](const Network& curves) { m_start.check_resumed(curves); });
+                         [this](const Network& curves) { check_inside(curves, m_domain); });
     Isotopy_guard_3<Traits, Domain> guard(m_curves, m_domain);
     const Garbage_scope scope(guard);
     guard.set_wall_distance(m_parameters.wall_distance, layer());
     if(m_parameters.certificate) guard.start_recording();
     m_saver.resume(m_curves, guard, m_state);
-    if(m_parameters.start == Filling_start::TREE && m_state.is_start()) grow_first_tree(guard);
-    const Result result = run_stages(guard);
+    // a survey that was cut short would mislead the decisions of a resumed run
+    const bool is_cut_short = m_saver.is_resuming() && m_watch.must_stop();
+    if(is_cut_short)
+      m_watch.checkpoint(Run_watch::Checkpoint::END);
+    else if(m_parameters.start == Filling_start::TREE && m_state.is_start())
+      grow_first_tree(guard);
+    const Result result = is_cut_short ? stopped(m_survey.thickness()) : run_stages(guard);
     if(m_parameters.certificate) *m_parameters.certificate = guard.certificate();
     return result;
   }

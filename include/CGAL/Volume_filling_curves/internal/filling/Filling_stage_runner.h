@@ -77,27 +77,12 @@ public:
   // how much the curve has grown in the current stage
   double growth() const { return m_state.lengths.growth(); }
 
-  // Throws Run_state_error if the condition does not hold for the state of a resumed run.
-  static void require(bool condition)
-  {
-    if(!condition)
-      throw Run_state_error("the state contradicts itself: its stage, its decisions and its "
-                            "thickness do not fit together");
-  }
-
-  // Throws Run_state_error if there is no such stage as that of the resumed run, or not yet: its
-  // decisions are known.
-  void check_stage() const { require(m_end || m_state.stage >= m_resumed_stage); }
-
   // Returns a number decided between stages, by this run or by the one that it resumes.
   template <typename Decide>
   double decide(const Decide& decide)
   {
     std::vector<double>& numbers = m_state.numbers;
-    if(m_next_number == numbers.size()) {
-      check_stage();
-      numbers.push_back(static_cast<double>(decide()));
-    }
+    if(m_next_number == numbers.size()) numbers.push_back(static_cast<double>(decide()));
     return numbers[m_next_number++];
   }
 
@@ -160,7 +145,6 @@ private:
   template <typename Decide>
   auto in_time(const Decide& decide)
   {
-    check_stage();
     if(m_watch.is_saving()) m_state.flow = m_flow.state();
     m_watch.checkpoint(Run_watch::Checkpoint::PART);
     const auto decision = decide();
@@ -239,17 +223,15 @@ private:
   }
 
   // Goes on in the middle of a stage. The curve may have grown since the flow was checked, hence
-  // the slack.
+  // the slack. \throws Run_state_error if the state would exhaust memory
   void resume(const Filling_stage& stage, const Thickness& thickness)
   {
     constexpr double slack = 8;
     Curve_flow_parameters p = parameters_of(stage);
     const auto& curve = m_flow.curve();
     const double length = length_in_units(curve, thickness.at_each(curve.points()));
-    const bool is_decided =
-        m_next_number == m_state.numbers.size() && m_next_points == m_state.point_counts.size();
-    require(!has_too_many_nodes(length / slack, p.spacing, 1) && (is_decided || is_over(stage)) &&
-            m_state.max_displacement <= p.max_displacement);
+    if(has_too_many_nodes(length / slack, p.spacing, 1))
+      throw Run_state_error("the state contradicts itself: its thickness is too small");
     m_flow.keep_apart(stage.separation);
     p.max_displacement = m_state.max_displacement;
     m_flow.go_on(p, thickness);

@@ -22,7 +22,6 @@
 
 #include <cstddef>
 #include <iomanip>
-#include <limits>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
@@ -74,15 +73,6 @@ public:
     } catch(const Run_stopped&) {
       return !m_circles.empty(); // a circle in a ball is embedded, and inside
     }
-  }
-
-  // Throws std::invalid_argument if the curves of a resumed run are not inside, or far nearer to
-  // the boundary than they may be; distances that are up to twice too large are tolerated.
-  void check_resumed(const Network& curves) const
-  {
-    check_inside(curves, m_domain);
-    if(m_arcs.empty() && 2 * least_depth(curves) < m_parameters.wall_distance)
-      throw std::invalid_argument("the curve is too near to the boundary");
   }
 
   bool are_circles() const { return !m_circles.empty(); }
@@ -168,16 +158,11 @@ private:
             "Filling_start::CIRCLE grows without fingers");
   }
 
-  // infinity if it does not matter
-  double least_depth(const Network& curves) const
-  {
-    if(m_parameters.wall_distance == 0) return std::numeric_limits<double>::infinity();
-    return Least_depth<ConcurrencyTag, Network, Domain>(curves, m_domain)().distance;
-  }
-
   void check_wall_distance(const Network& curves) const
   {
-    const double distance = least_depth(curves);
+    if(m_parameters.wall_distance == 0) return;
+    const Least_depth<ConcurrencyTag, Network, Domain> depths(curves, m_domain);
+    const double distance = depths().distance;
     if(!(distance > m_parameters.wall_distance))
       refuse_wall_distance("the curve to start from comes as near to the boundary as ", distance);
   }

@@ -35,7 +35,7 @@ struct Search_state
   Random_source seeds{0};
   double patience_factor = 1;
   std::size_t searches = 0, sweeps = 0;
-  double seconds = 0; // of all searches
+  double seconds = 0; // of all searches; a resumed run counts anew
   bool has_changed_curve = false;
 };
 
@@ -72,8 +72,7 @@ struct Untangling_state
     Flow_run_state& run = flow_run;
     return std::tuple_cat(std::tie(sphere, thickness_of_rays, thickness, statistics, search.seeds,
                                    search.patience_factor, search.searches, search.sweeps,
-                                   search.seconds, search.has_changed_curve, is_flowing,
-                                   run.thickness),
+                                   search.has_changed_curve, is_flowing, run.thickness),
                           run.flow.members(),
                           std::tie(run.proofs.component_proofs, run.proofs.link, run.stall_monitor,
                                    run.plateau_monitor, run.coarse_phase, run.iterations_to_proof,
