@@ -46,7 +46,7 @@ void check_writable(const std::string& option, const fs::path& path)
   if(error) refuse(option, path.string(), "cannot be written: " + error.message());
 }
 
-// The checked outputs, files and folders, that must not replace what has appeared since.
+// The checked outputs, files and folders, that must not replace what has appeared since the check.
 std::set<fs::path>& new_outputs()
 {
   static std::set<fs::path> paths;

@@ -53,8 +53,8 @@ public:
   // checks, such as that of another run, is not overwritten. \throws Usage_error, and Kept_file
   static void write(const std::string& path, const std::string& content);
 
-  // Returns whether a checked file, or one in a checked folder, did not exist, and must not be
-  // replaced if it does now.
+  // Returns whether a checked file, or one in a checked folder, did not exist and has not been
+  // written since: if it exists now, it is another run's, and must not be replaced.
   static bool is_to_be_new(const std::string& path);
 
 private:

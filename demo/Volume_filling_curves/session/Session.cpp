@@ -51,7 +51,7 @@ Session::Session(const std::string& command, const Common_options& options)
 void Session::start_report()
 {
   m_outputs.add("--report", m_options.report != "-" ? m_options.report : "");
-  if(m_has_report) return; // the last words are those of the caller
+  if(m_has_report) return; // one of several files: the session of all has prepared the last words
   m_has_report = !m_options.report.empty();
   prepare_last_words(last_line, "", "", true); // the report may still turn out to be an input
 }

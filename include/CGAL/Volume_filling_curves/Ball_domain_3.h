@@ -62,7 +62,7 @@ public:
   {
     if(!m_center.allFinite() || !(radius > 0) || !std::isfinite(radius))
       throw std::invalid_argument("a ball needs a finite center and a positive, finite radius");
-    m_scale = scale_of(radius);
+    m_scale = internal::scale_to_one(radius);
   }
 
   /// returns the ball with all coordinates multiplied by `factor`, a power of two.
@@ -71,7 +71,7 @@ public:
     Ball_domain_3 ball = *this;
     ball.m_center = factor * m_center;
     ball.m_radius *= factor;
-    ball.m_scale = scale_of(ball.m_radius);
+    ball.m_scale = internal::scale_to_one(ball.m_radius);
     return ball;
   }
 
@@ -128,13 +128,6 @@ public:
   }
 
 private:
-  // The power of two that makes the radius about 1: squares neither overflow nor underflow.
-  static double scale_of(double radius)
-  {
-    constexpr int least = 1 - std::numeric_limits<double>::max_exponent;
-    return std::ldexp(1., -(std::max)(std::ilogb(radius), least));
-  }
-
   // times the scale
   Vector from_center(const Point_3& p) const
   {
@@ -155,7 +148,7 @@ private:
 
   Vector m_center;
   double m_radius;
-  double m_scale;
+  double m_scale; // to a radius of about 1: squares neither overflow nor underflow
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -74,8 +74,8 @@ namespace Volume_filling_curves {
  * With a domain, all that the curve sweeps must also lie strictly inside: a curve that starts
  * inside stays inside. This is as reliable as the answers of the domain.
  *
- * Every node has an edge: a network leaves out points without one, certificates drop them, and no
- * change takes the last edge of a node that stays.
+ * Every node has an edge: networks and certificates leave out points without one, and no change
+ * removes the last edge of a remaining node.
  *
  * \pre the network is embedded: two of its edges meet at most in a common node
  *

@@ -37,7 +37,8 @@ auto named_domain(const TriangleMesh& mesh, const std::string& name, bool check_
   }
 }
 
-// Returns the mesh without vertices that have no faces: they bound nothing.
+// Returns the mesh without vertices that have no faces: they bound nothing. The header of CGAL's
+// remove_isolated_vertices() includes all repairs of meshes.
 template <typename TriangleMesh>
 TriangleMesh without_isolated_vertices(TriangleMesh mesh)
 {

@@ -111,7 +111,8 @@ template <typename Traits = Curve_flow_traits_3<>>
  *
  * \param number_of_nodes the number of nodes, at least 3
  * \param number_of_moves the number of attempted moves; 10 per node make a tangle. It is rounded
- * down to a multiple of the number of scales: 1 up to 32 nodes, and one more for each doubling
+ * down to a multiple of the number of scales, which is 1 up to 32 nodes and grows by 1 with each
+ * doubling
  * \param random_seed the seed of the moves
  * \param traits the traits object
  *

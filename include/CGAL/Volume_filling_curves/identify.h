@@ -81,7 +81,8 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   constexpr std::size_t max_components = 10000; // their linking matrix takes 400 MB
   const std::size_t n = internal::number_of_components(diagram);
   if(n > max_components)
-    throw std::invalid_argument("only links of at most 10,000 components are identified, not of " +
+    throw std::invalid_argument("links of more than 10,000 components are not identified; this one "
+                                "has " +
                                 std::to_string(n));
   return internal::measured(np, [&](internal::Run_watch* watch) {
     return internal::Link_identification(internal::simplified_diagram(diagram, watch), watch)();

@@ -82,7 +82,7 @@ Medial_spheres measured_medial_spheres(const Network& curve,
  * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
- * \pre the nodes of an edge are distinct
+ * \pre no edge has length zero
  * \pre `largest` is positive and finite
  * \pre `number_of_directions` is positive
  */
@@ -128,7 +128,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
- * \pre the nodes of an edge are distinct
+ * \pre no edge has length zero
  * \pre `largest` is positive and finite
  * \pre `number_of_directions` is positive
  */
@@ -176,7 +176,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \returns 0 if the curve is empty
  *
  * \pre the network has no garbage
- * \pre the nodes of an edge are distinct
+ * \pre no edge has length zero
  * \pre `largest` is positive and finite
  * \pre `number_of_directions` is positive
  */
@@ -215,7 +215,7 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * \throws Run_interrupted if `progress` returns `false`
  *
  * \pre the network has no garbage
- * \pre the nodes of an edge are distinct
+ * \pre no edge has length zero
  * \pre `number_of_directions` is positive
  */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,

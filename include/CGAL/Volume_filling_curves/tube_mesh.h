@@ -60,7 +60,7 @@ namespace Volume_filling_curves {
  * than 3 sides
  *
  * \pre the network has no garbage
- * \pre the nodes of an edge are distinct
+ * \pre no edge has length zero
  */
 template <typename Traits,
           typename Radius,

@@ -122,7 +122,7 @@ TEST(Arc_spline, scales_with_the_curve)
 }
 
 // The squares of an edge's length underflow.
-TEST(Arc_spline, turns_around_the_shortest_edges)
+TEST(Arc_spline, rounds_corners_beside_the_shortest_edges)
 {
   for(const double tiny : {1e-160, 1e-162, 1e-170, 1e-300}) {
     const Spline closed =

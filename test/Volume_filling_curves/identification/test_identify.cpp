@@ -267,7 +267,7 @@ TEST(Identify, Diagrams_of_more_components_than_memory_holds_are_refused)
   for(const std::size_t loops : {std::size_t(10000), std::size_t(100000000)}) {
     diagram.number_of_free_loops = loops;
     EXPECT_EQ(refusal_of([&] { return VFC::identify(diagram); }),
-              "only links of at most 10,000 components are identified, not of " +
+              "links of more than 10,000 components are not identified; this one has " +
                   std::to_string(loops + 1));
     EXPECT_EQ(VFC::knottedness(diagram), VFC::Knottedness::UNKNOWN);
     EXPECT_EQ(VFC::determinant(diagram), 0);

@@ -116,8 +116,8 @@ TEST(Domain_samples, need_a_volume_that_a_double_holds)
   EXPECT_LT(Samples(Box(Point(0, 0, 0), Point(1e102, 1e102, 1e102)), 10).volume(), 2e306);
 }
 
-// Of 10,000 points of the box, none is inside once in seven times.
-TEST(Domain_samples, are_found_where_they_are_rare_even_a_single_one)
+// With a probability of 1/7, none of 10,000 points of the box is inside.
+TEST(Domain_samples, are_found_one_by_one_where_they_are_rare)
 {
   struct Sliver : Box
   {

@@ -94,8 +94,8 @@ namespace IO {
  *
  * `origin()` of the network returns the index of a node among the vertices of the file, from 0;
  * repeated points of `.polylines.txt` do not count. An edge that occurs twice is dropped, and an
- * edge of length zero is contracted, each with a warning. A record that runs straight back over
- * its last edge, such as `l 1 2 3 2`, is an error.
+ * edge of length zero is contracted, each with a warning. A line that turns straight back, such
+ * as `l 1 2 3 2`, is an error.
  *
  * This function does not test whether the network is embedded, that is, whether edges meet only in
  * common nodes. Functions that require it test it themselves; `read_embedded_curve_network()` lists
@@ -177,8 +177,8 @@ bool read_embedded_curve_network(
  * \brief writes a curve network to a file, and reports errors.
  *
  * The extension determines the format, as in `read_curve_network()`. Coordinates have 17
- * significant digits: if the network is embedded, not empty and not smaller than 1e-150, reading
- * the file restores positions, edges, pins and the numbering of the nodes. The format
+ * significant digits. Reading the file restores positions, edges, pins and the numbering of the
+ * nodes of every network that is embedded, not empty and at least 1e-150 in size. The format
  * `.polylines.txt` does not store pins and, for a network with junctions, the numbering. No format
  * stores the sets in which nodes slide (`Node_constraint`).
  *

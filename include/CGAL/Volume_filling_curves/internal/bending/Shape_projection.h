@@ -76,8 +76,8 @@ private:
   // With 1.02 domains are filled to 0.7 % less (2026-11-26).
   static constexpr double margin = 1.01;
 
-  // For strands that are close. If sweeps visited all pairs, a cube of side 20 r would take 1.2
-  // times as long (2026-11-25); with rarer searches, more strands come close unseen.
+  // Sweeps between searches for close strands. If they visited all pairs, a cube of side 20 r would
+  // take 1.2 times as long (2026-11-25); with rarer searches, more strands come close unseen.
   static constexpr int sweeps_per_search = 8;
 
   Projected_nodes m_nodes;

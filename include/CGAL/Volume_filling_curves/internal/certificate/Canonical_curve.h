@@ -30,8 +30,8 @@ namespace internal {
 
 // Canonical form of a curve, independent of the numbering of its nodes and of its file, and the
 // hash of this form: the nodes in lexicographic order of their coordinates, and the undirected
-// edges in lexicographic order of their nodes' ranks. Nodes without an edge are no part of a curve,
-// and left out: no rule of an isotopy binds them. O(n log n).
+// edges in lexicographic order of their nodes' ranks. Nodes without an edge are left out: a
+// certificate could move them anywhere. O(n log n).
 class Canonical_curve
 {
 public:
@@ -101,7 +101,7 @@ public:
 private:
   static constexpr std::uint64_t unlisted = (std::numeric_limits<std::uint64_t>::max)();
 
-  // By nodes, up to the last one that is listed.
+  // Flags of the nodes, up to the last one listed.
   template <typename Curve>
   static std::vector<bool> nodes_with_an_edge(const Curve& curve)
   {

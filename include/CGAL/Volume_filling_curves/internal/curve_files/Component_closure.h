@@ -56,14 +56,16 @@ private:
   struct Component
   {
     std::size_t number_of_edges = 0;
-    std::size_t last_edge = none;  // whose ends differ: the point that closes may occur three times
+    // of positive length: the first point may be repeated twice at the end
+    std::size_t last_edge = none;
     std::vector<std::size_t> ends; // of an arc: the first node and the last one
     bool has_junction = false;
   };
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // A line that turns back repeats no edge.
+  // Finds the first of several equal edges. As in `Edge_repair`, an edge directly after its reverse
+  // is not a repetition: there the line turns back.
   void find_originals()
   {
     std::iota(m_originals.begin(), m_originals.end(), std::size_t(0));
@@ -145,7 +147,7 @@ private:
 
   Curve_draft& m_file;
   std::vector<std::size_t> m_numbers, m_degrees; // of nodes; component numbers start from 1
-  std::vector<std::size_t> m_originals;          // of edges: the first equal one
+  std::vector<std::size_t> m_originals;          // of edges: the first with the same nodes
   std::vector<Component> m_components;
 };
 

@@ -78,6 +78,7 @@ inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch =
 {
   if(diagram.crossings.empty()) return Knottedness::UNKNOTTED;
   const std::size_t components = number_of_components(diagram);
+  // without free loops, which are linked with nothing: up to 10^8 of them
   for(const auto& row : linking_matrix({diagram.crossings, 0}))
     for(const int number : row)
       if(number != 0) return Knottedness::LINKED_BY_LINKING_NUMBER;

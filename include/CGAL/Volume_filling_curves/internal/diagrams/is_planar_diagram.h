@@ -142,8 +142,8 @@ inline bool is_planar_diagram(const Planar_diagram& diagram)
   return Planar_diagram_check(diagram).fault().empty();
 }
 
-// \throws std::invalid_argument with the reason, where arcs are numbered from `first_number` on,
-// unless it is one, or if there are more components without crossings than codes can number
+// \throws std::invalid_argument if the crossings are no planar diagram code, with a reason that
+// numbers arcs from `first_number` on, or if there are more free loops than codes can number
 inline void check_planar_diagram(const Planar_diagram& diagram, std::size_t first_number = 0)
 {
   constexpr std::size_t max_free_loops = 100000000; // the largest number that read_number() reads

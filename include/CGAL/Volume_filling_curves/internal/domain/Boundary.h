@@ -156,7 +156,7 @@ private:
 
   // Each step is as long as the known distance to the layer. Towards a plane, steps shrink in
   // proportion: eight of them leave the share (1 - cos a)^8 of the way at an angle a to its normal,
-  // less than 5 % up to 71 degrees. Medial spheres only steer the flow and need no more accuracy.
+  // less than 5 % up to 71 degrees.
   void shorten_to_layer(const Point_3& p, Planar_rays& rays) const
   {
     constexpr int max_steps = 8;

@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  std::unique_ptr<const Faces> m_faces; // built last
+  std::unique_ptr<const Faces> m_faces; // a pointer, since the mesh is copied first
   std::vector<Value> m_values;          // by vertices of the copy
 };
 

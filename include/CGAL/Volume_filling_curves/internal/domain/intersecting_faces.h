@@ -44,9 +44,9 @@ std::array<typename Mesh::Vertex_index, 3> corners_of(const Mesh& mesh, typename
   return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
 }
 
-// Returns whether two faces meet in one common point or edge only. Where a surface touches itself,
-// the ends of these are vertices of both faces, but not the same ones, and CGAL's search takes the
-// faces for intersecting. \pre no vertex is shared
+// Returns whether two faces meet only in a corner or an edge at the same position. Where a surface
+// touches itself, such corners are different vertices, and CGAL's search takes the faces for
+// intersecting. \pre no vertex is shared
 template <typename Mesh>
 bool do_only_touch(const Mesh& mesh, const Face_pair<Mesh>& pair)
 {

@@ -219,7 +219,7 @@ private:
   }
 
   static constexpr std::size_t points_per_box = 1000; // miss 1 % of a box with probability 4e-5
-  static constexpr std::size_t tried_samples = 64;    // at a query of the domain each
+  static constexpr std::size_t tried_samples = 64;    // each costs a query of the domain
 
   const Samples& m_samples;
   Run_watch& m_watch;

@@ -216,7 +216,7 @@ private:
   // A share of the widest ball; more if there would be too many nodes, but no more than fits.
   Thickness<Point_3> default_thickness()
   {
-    constexpr double default_share = 0.25; // a ball takes a length of 75 r (`filling_density`)
+    constexpr double default_share = 0.25; // a ball then holds a length of 75 r
     const double usual = default_share * m_widest_radius;
     const double large = m_size.thickness_with(Filling_size::max_nodes_by_default);
     const double grown = (std::max)(usual, (std::min)(large, m_widest_radius));

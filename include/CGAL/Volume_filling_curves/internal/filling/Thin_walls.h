@@ -103,8 +103,8 @@ private:
   // If none of `many` balls around samples has the share `hopeful` of the needed width, none will.
   static constexpr int many = 8;
   static constexpr double hopeful = 0.6;
-  // Their standard error at the tolerated share of 1 % is 0.6 %; each takes up to some hundred
-  // queries.
+  // The standard error of the tolerated share of 1 % is then 0.6 %; a probe takes up to about a
+  // hundred queries.
   static constexpr std::size_t number_of_probes = 300;
   static constexpr int halvings = 32;      // of the square of the thickness, at most
   static constexpr double last_step = 0.1; // of the ascent, in units of r

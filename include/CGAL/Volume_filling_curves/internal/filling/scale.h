@@ -142,8 +142,8 @@ void scale(Filling_result<Point_3>& result, double factor, const Traits& traits)
   }
 }
 
-// Throws std::invalid_argument that names the parameter if a length that is not 0 does not fit into
-// a double in the other unit: 0 would stand for none.
+// Returns a length in the other unit. \throws std::invalid_argument, naming the parameter, if it
+// would overflow or underflow: 0 stands for a length that is not given
 template <typename Tag>
 double scaled_length(Tag tag, double length, double factor)
 {

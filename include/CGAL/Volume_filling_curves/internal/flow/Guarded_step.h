@@ -90,7 +90,7 @@ private:
   // distances the energy does not distinguish them, and would bring them back together.
   bool separate_strands(double min_thickness, double max_motion)
   {
-    constexpr double separation_of_held_strands = 0.5; // edges have 0.2 to 0.4 by default
+    constexpr double separation_of_held_strands = 0.5; // edges are 0.2 to 0.4 long
     const double distance = (std::max)(separation_of_held_strands, m_separation);
     return Strand_separator<Guard, ConcurrencyTag>(m_guard, distance * min_thickness, max_motion)();
   }

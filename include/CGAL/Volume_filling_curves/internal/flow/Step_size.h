@@ -76,8 +76,8 @@ private:
   static constexpr double tolerated_fraction = 0.5;
   // 1.3 takes 7 % fewer iterations than 1.15 on the paper's curves (2026-11-21)
   static constexpr double max_growth = 1.3;
-  // Too small a factor costs the steps until the time step has grown back: four after a turn, with
-  // which growth is halved, and two after a shortened step. Too large a one repeats the mistake.
+  // Too small a factor costs the steps until the time step has grown back: four after a turn, which
+  // halves growth as well, and two after a shortened step. Too large a one repeats the mistake.
   static constexpr double after_turn = 0.6;
   // a turn is forgotten within some 50 steps: 20 or 100 are as good
   static constexpr double memory_of_turns = 0.98;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -112,6 +113,14 @@ public:
 private:
   double m_coordinates[3] = {0, 0, 0};
 };
+
+// Returns the power of two that scales a size to about 1, or the largest power of two. Scaling by
+// it is exact. \pre the size is positive and finite
+inline double scale_to_one(double size)
+{
+  constexpr int max_exponent = std::numeric_limits<double>::max_exponent - 1;
+  return std::ldexp(1., (std::min)(-std::ilogb(size), max_exponent));
+}
 
 // The vector times the power of two that makes its largest coordinate about 1, which is exact.
 inline Vector in_own_units(const Vector& v)

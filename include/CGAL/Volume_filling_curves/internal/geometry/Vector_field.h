@@ -13,10 +13,8 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Volume_filling_curves {
@@ -95,9 +93,7 @@ double unit_of_size(const Network& curve)
 {
   if(curve.number_of_nodes() == 0) return 1;
   const double size = sides(coordinates(curve)).maxCoeff();
-  constexpr int largest = std::numeric_limits<double>::max_exponent - 1; // of a power of two
-  return size > 0 && std::isfinite(size) ? std::ldexp(1., (std::min)(-std::ilogb(size), largest))
-                                         : 1;
+  return size > 0 && std::isfinite(size) ? scale_to_one(size) : 1;
 }
 
 } // namespace internal

@@ -207,8 +207,8 @@ inline Frame viewing_frame(std::size_t k)
   return {right, front.cross(right), front};
 }
 
-// With a stride k of every k-th direction only. In a unit in which products of lengths do not
-// underflow: without lengths the grid would have one cell for all edges.
+// Returns the mean over every `stride`-th direction. The unit keeps products of lengths from
+// underflowing; the grid would have one cell for all edges.
 template <typename ConcurrencyTag = Sequential_tag, typename Network>
 double average_crossing_number(const Network& curve,
                                std::size_t stride = 1,

@@ -67,7 +67,8 @@ const char* demand(Range range)
   }
 }
 
-// Throws "NAME is VALUE, but DEMAND".
+// Throws "NAME is VALUE, but DEMAND". By name, since a template of the tag would be compiled for
+// each parameter.
 template <typename Value>
 [[noreturn]] void refuse_value(const char* name, const Value& value, const std::string& demand)
 {

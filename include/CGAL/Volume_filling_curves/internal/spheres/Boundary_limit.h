@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Volume_filling_curves {
 namespace internal {
 
-// What limits medial spheres besides other nodes: nothing by default. The search for the spheres is
-// no template of it: fill() would compile it twice, since it measures a thickness without a
+// Limit of medial spheres other than nodes; none by default. Functions, not a template argument of
+// the search: fill() would compile that twice, since it also measures a thickness without a
 // boundary.
 struct Sphere_limit
 {

@@ -61,7 +61,7 @@ std::vector<double> node_weights(const Network& curve, const Vector_field& x)
 // One circle per node inside a curve, orthogonal to the mean of the two edge directions; one per
 // edge at ends, junctions and spikes, where there is no such mean, weighted by the edges' lengths.
 // The edges may be so short that squares underflow.
-// \pre the nodes of an edge are distinct
+// \pre no edge has length zero
 template <typename Network>
 std::vector<Node_circle> node_circles(const Network& curve, const Vector_field& x)
 {

@@ -126,7 +126,8 @@ public:
   void set_sphere(const Ray_sphere& sphere) { m_sphere = sphere; }
 
 private:
-  // A larger sphere leaves the curve more room, in which it must stay; its rays have more nodes.
+  // The curve must stay inside the sphere: a larger one leaves it more room, but rays have more
+  // nodes.
   static constexpr double radius_over_size = 1.25, margin_over_thickness = 5;
   static constexpr int max_attempts = 100;   // to find a direction
   static constexpr int halvings = 12;        // the first direction after a refusal is off by 2^-11
@@ -224,7 +225,7 @@ private:
 
   void turn(std::size_t tip, const Vector& center, Vector_field& x) const
   {
-    constexpr double max_tangent = 0.05; // of 3 degrees; larger turns sweep over more strands
+    constexpr double max_tangent = 0.05; // 3 degrees; larger turns sweep over more strands
     std::vector<std::size_t> nodes = nodes_from_tip(m_curve, tip);
     const Vector end = row(x, nodes.back());
     nodes.pop_back();

@@ -53,8 +53,8 @@ public:
   }
 
 private:
-  // Of a flow after one that has jammed. Thinner flows get further, but are slower; the last of
-  // four has a third of the thickness.
+  // Factor of the thickness after a flow has jammed. Thinner flows get further, but are slower; the
+  // last of four has a third of the thickness.
   static constexpr double thinning = 0.7;
   static constexpr double thickness_of_rings = 0.025; // in units of the length: 100 to 200 edges
 

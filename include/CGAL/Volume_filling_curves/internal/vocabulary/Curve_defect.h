@@ -53,7 +53,7 @@ enum class Curve_defect_kind
   DEGENERATE_LOOP,         ///< a closed curve with fewer than three distinct nodes
   JUNCTION,                ///< a node with more than two edges where junctions are forbidden
   SELF_CONTACT             ///< two edges that meet elsewhere than in a common node; unless a line
-                           ///< runs straight back over its last edge, found only by
+                           ///< turns straight back, found only by
                            ///< `CGAL::IO::read_embedded_curve_network()`
 };
 
