@@ -174,7 +174,8 @@ template <typename Traits = Curve_flow_traits_3<>>
  * \param radius the distance of the nodes from the origin
  * \param traits the traits object
  *
- * \throws std::invalid_argument if there are fewer than 3 nodes, or if the radius is below 1e-150
+ * \throws std::invalid_argument if there are fewer than 3 nodes, or if the radius is not between
+ * 1e-150 and 1e150
  * or beyond 1e150
  */
 template <typename Traits = Curve_flow_traits_3<>>

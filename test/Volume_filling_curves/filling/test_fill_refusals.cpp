@@ -275,15 +275,20 @@ Forgery state_of_filling()
   return forgery;
 }
 
-VFC::Filling_result<Point> resumed(Forgery forgery)
+VFC::Filling_result<Point> resume(Curve& curve, Forgery forgery)
 {
   internal::Byte_archive archive;
   forgery.copy(archive);
   const VFC::Run_state state = VFC::Run_state::sealed(archive.bytes());
   VFC::Filling_parameters<Point> parameters = small_run(11);
   parameters.resume_from = &state;
-  Curve curve;
   return VFC::fill(curve, cube, parameters);
+}
+
+VFC::Filling_result<Point> resumed(const Forgery& forgery)
+{
+  Curve curve;
+  return resume(curve, forgery);
 }
 
 using State_changes = std::vector<std::function<void(internal::Filling_state&)>>;
@@ -296,6 +301,26 @@ TEST(Fill, refuses_states_whose_thickness_would_exhaust_memory)
   forged.state.numbers[0] = 1e-9;
   EXPECT_EQ(refusal_of<VFC::Run_state_error>([&] { resumed(forged); }),
             "the state contradicts itself: its thickness is too small");
+}
+
+// A filling is inside its domain whatever its state says.
+TEST(Fill, stays_inside_if_a_state_contradicts_itself)
+{
+  const Forgery genuine = state_of_filling();
+  using State = internal::Filling_state;
+  const State_changes changes = {
+      [](State& s) { s.numbers[0] = 0.25; },   [](State& s) { s.numbers.push_back(1); },
+      [](State& s) { s.stage = 1; },           [](State& s) { s.stage = 1000; },
+      [](State& s) { s.numbers[0] = 1e9; },    [](State& s) { s.point_counts.push_back(0); },
+      [](State& s) { s.lengths.values = {}; }, [](State& s) { s.max_displacement = 1e100; }};
+  for(std::size_t k = 0; k < changes.size(); ++k) {
+    Forgery forged = genuine;
+    changes[k](forged.state);
+    Curve curve;
+    resume(curve, forged);
+    EXPECT_TRUE(CGAL::Volume_filling_curves::is_embedded(curve)) << k;
+    for(const Point& p : curve.points()) EXPECT_TRUE(cube.is_inside(p)) << k;
+  }
 }
 
 TEST(Fill, refuses_states_with_numbers_that_no_run_has)

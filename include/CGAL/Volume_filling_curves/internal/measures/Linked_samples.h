@@ -71,8 +71,8 @@ private:
 
   Cell cell(const Vector& p) const
   {
-    constexpr double end =
-        1e18; // fits an integer; farther cells, of slivers far from the origin, are one
+    // numbers of cells must fit integers; farther cells, of slivers far from the origin, are one
+    constexpr double end = 1e18;
     const auto number = [&](double x) {
       return std::llround(std::clamp(std::floor(x / m_link), -end, end));
     };

@@ -59,8 +59,8 @@ public:
   {}
 
   // Returns the pairs (e, f), e > f, for which is_wanted(e, f), in an order that depends on neither
-  // the tag nor the number of threads. The predicate is no template argument:
-  // fill() has five, and would compile the search for each.
+  // the tag nor the number of threads. The predicate is no template argument: fill() has five, and
+  // would compile the search for each.
   template <typename ConcurrencyTag>
   std::vector<Edge_pair> pairs(const std::function<bool(std::size_t, std::size_t)>& is_wanted) const
   {
