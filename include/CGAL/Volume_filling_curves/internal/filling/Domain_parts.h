@@ -37,7 +37,7 @@ namespace internal {
 // domains, parts are the connected components of nearby samples; an isolated cluster is merged with
 // the samples in the largest ball reached from it by ascent. Hence samples of one part are
 // certainly connected; a part with a passage narrower than the distance between samples may count
-// as two. Near-linear in the number of samples.
+// as two. Near-linear in the number of samples, but quadratic if most of them are isolated.
 template <typename Traits, typename Domain>
 class Domain_parts
 {
@@ -155,21 +155,27 @@ private:
         std::max_element(m_parts.begin(), m_parts.end(), [](const auto& a, const auto& b) {
           return a.points.size() < b.points.size();
         });
-    for(std::size_t k = 0; k < m_parts.size() && !m_watch.must_stop(); ++k)
-      if(&m_parts[k] != &*most) unite_within_ball(k, sets);
+    std::size_t number_of_sets = m_parts.size();
+    for(std::size_t k = 0; k < m_parts.size() && number_of_sets > 1 && !m_watch.must_stop(); ++k)
+      if(&m_parts[k] != &*most) number_of_sets -= unite_within_ball(k, sets);
     regroup(sets);
   }
 
-  void unite_within_ball(std::size_t k, Disjoint_sets& sets) const
+  // Returns by how many the sets become fewer.
+  std::size_t unite_within_ball(std::size_t k, Disjoint_sets& sets) const
   {
     const auto is_in_ball = [&](const Point_3& p) {
       return (to_vector(p) - m_widest[k].center()).norm() < m_widest[k].radius();
     };
+    std::size_t number_of_unions = 0;
     for(std::size_t j = 0; j < m_parts.size(); ++j) {
       const auto& points = m_parts[j].points;
-      if(sets.find(j) != sets.find(k) && std::any_of(points.begin(), points.end(), is_in_ball))
+      if(sets.find(j) != sets.find(k) && std::any_of(points.begin(), points.end(), is_in_ball)) {
         sets.unite(j, k);
+        ++number_of_unions;
+      }
     }
+    return number_of_unions;
   }
 
   // United parts keep the widest ball.
