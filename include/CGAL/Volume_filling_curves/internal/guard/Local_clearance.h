@@ -29,8 +29,10 @@ namespace internal {
 
 // Locator of the edges of a curve near a box, which observes the curve while it changes one node at
 // a time. The boxes of the edges are collected at the first query, and again now and then, since
-// the curve may have moved away. Linear time to build, logarithmic per change; a query takes
-// near-constant time if edges are short or few, and only rounding adds edges that are not near.
+// the curve may have moved away, or grown beyond the frame of the boxes: fingers out of a small
+// circle took quadratic time without that. Linear time to build, logarithmic per change; a query
+// takes near-constant time if edges are short or few, and only rounding adds edges that are not
+// near.
 template <typename Network>
 class Edge_locator final : public Curve_network_observer_3<typename Network::Traits>
 {
@@ -80,7 +82,8 @@ private:
   {
     if(!m_is_built) return;
     m_boxes.set(e, box_of(e));
-    m_is_built = ++m_number_of_updates <= updates_per_edge * m_curve.number_of_edges();
+    const std::size_t n = (std::min)(m_number_of_collected, m_curve.number_of_edges());
+    m_is_built = ++m_number_of_updates <= updates_per_edge * n;
   }
 
   Box box_of(std::size_t e) const { return Box(position(source(e))).extend(position(target(e))); }
@@ -92,13 +95,15 @@ private:
     const std::size_t n = m_curve.number_of_edges() + m_curve.number_of_removed_edges();
     m_boxes = Dynamic_box_tree(
         frame, n, [&](std::size_t e) { return m_curve.is_removed_edge(e) ? Box() : box_of(e); });
+    m_number_of_collected = m_curve.number_of_edges();
     m_number_of_updates = 0;
     m_is_built = true;
   }
 
   const Network& m_curve;
   Dynamic_box_tree m_boxes;
-  std::size_t m_number_of_updates = 0; // since the boxes were collected
+  std::size_t m_number_of_collected = 0;
+  std::size_t m_number_of_updates = 0; // since then
   bool m_is_built = false;
 };
 
