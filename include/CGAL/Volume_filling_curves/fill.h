@@ -18,6 +18,7 @@
 #include <CGAL/Volume_filling_curves/internal/domain/Inset_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Polygon_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_call.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_stations.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Finger_tree.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
@@ -299,8 +300,8 @@ struct Finger_growth
  * them through necks and around corners. The time is near-linear in the number of points.
  *
  * If there are several components, the one with the smallest share of the volume grows next, which
- * divides the domain evenly. Pinned nodes stay where they are; networks keep their graph. The nodes
- * are renumbered.
+ * divides the domain evenly. Pinned and sliding nodes stay where they are, and no finger grows from
+ * an edge between nodes that slide together; networks keep their graph. The nodes are renumbered.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded
@@ -314,8 +315,8 @@ struct Finger_growth
  * \pre the network has no garbage
  *
  * \throws std::invalid_argument if a parameter is out of its range, if no thickness is given, if it
- * is too small for the curves or the domain, or if a field is out of its range at a point; the
- * message names the parameter and the point
+ * is too small for the curves or the domain, or if a field is out of its range at a point (the
+ * message names the parameter and the point); or if all nodes of a component slide, see `fill()`
  *
  * Exceptions of a field and of the domain pass through.
  */
@@ -332,6 +333,7 @@ Finger_growth grow_fingers(Isotopy_guard_3<Traits, Domain>& guard,
   const internal::Thickness<Point_3> thickness(parameters.thickness, parameters.thickness_field);
   if(!thickness.is_given())
     throw std::invalid_argument("thickness: there is none, and fingers have no default");
+  internal::check_sliding(guard.curve());
   const double length =
       internal::length_in_units(guard.curve(), thickness.at_each(guard.curve().points()));
   if(internal::has_too_many_nodes(length, 1, 1))

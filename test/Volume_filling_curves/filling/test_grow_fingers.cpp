@@ -75,6 +75,29 @@ TEST(Grow_fingers, reaches_around_a_wall_of_a_mesh)
   EXPECT_EQ(surface.count_outside(curve), (std::array<std::size_t, 2>{0, 0}));
 }
 
+// Edges between two sliding nodes carry no fingers, even if no node is free.
+TEST(Grow_fingers, leaves_sliding_nodes_on_their_plane)
+{
+  const auto plane = Node_constraint::on_plane(Point(0, 0, 0), Point(0, 0, 1));
+  const Ball ball(Point(0, 0, 0), 1);
+  for(const bool has_pinned_edge : {false, true}) {
+    Network curve = triangle(Point(0, 0, 0), 0.1);
+    for(const std::size_t v : curve.nodes()) curve.set_constraint(v, plane);
+    curve.set_pinned(0);
+    if(!has_pinned_edge) {
+      EXPECT_THROW(grow(curve, ball, np::thickness(0.1)), std::invalid_argument);
+      EXPECT_EQ(curve.number_of_nodes(), 3u);
+      continue;
+    }
+    curve.set_pinned(1);
+    EXPECT_GT(grow(curve, ball, np::thickness(0.1)).number_of_fingers, 100u);
+    for(const std::size_t v : curve.nodes())
+      if(!curve.is_free(v)) {
+        EXPECT_EQ(curve.point(v).z(), 0);
+      }
+  }
+}
+
 // The neck is as wide as the thickness. Straight fingers reach 7 of 13 targets.
 TEST(Grow_fingers, gets_through_a_neck_by_isotopy)
 {

@@ -54,19 +54,22 @@ bool has_sliding_node(const Network& curve)
   return false;
 }
 
-// Whether a node inserted anywhere in component `c` slides: each edge joins two nodes that slide on
-// the same set, or one that slides and one that is pinned.
+// Whether a node inserted between the adjacent nodes v and w slides: both slide on the same set, or
+// one slides and the other one is pinned.
+template <typename Network>
+bool slides_between(const Network& curve, std::size_t v, std::size_t w)
+{
+  const Node_constraint &a = curve.constraint(v), &b = curve.constraint(w);
+  return a.is_sliding() ? a == b || curve.is_pinned(w) : curve.is_pinned(v) && b.is_sliding();
+}
+
+// whether a node inserted anywhere in component `c` slides
 template <typename Network>
 bool slides_everywhere(const Network& curve, std::size_t c)
 {
   for(std::size_t v = curve.first_node(c); v < curve.first_node(c + 1); ++v)
-    for(std::size_t k = 0; k < curve.degree(v); ++k) {
-      const std::size_t w = curve.neighbor(v, k);
-      const Node_constraint &a = curve.constraint(v), &b = curve.constraint(w);
-      const bool slides =
-          a.is_sliding() ? a == b || curve.is_pinned(w) : curve.is_pinned(v) && b.is_sliding();
-      if(!slides) return false;
-    }
+    for(std::size_t k = 0; k < curve.degree(v); ++k)
+      if(!slides_between(curve, v, curve.neighbor(v, k))) return false;
   return true;
 }
 

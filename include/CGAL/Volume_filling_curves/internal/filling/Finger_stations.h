@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
+#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Well_spaced_points.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector_field.h>
@@ -22,6 +23,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -40,6 +43,18 @@ struct Finger_station
 
   bool is_reached() const { return component != none; }
 };
+
+// \throws std::invalid_argument if a component has no edge from which fingers can grow
+template <typename Network>
+void check_sliding(const Network& curves, const std::string& advice = "")
+{
+  for(std::size_t c = 0; c < curves.number_of_components(); ++c)
+    if(slides_everywhere(curves, c))
+      throw std::invalid_argument(
+          "all nodes of component " + std::to_string(c) + ", from node " +
+          std::to_string(curves.first_node(c)) +
+          " on, slide or are pinned: fingers would leave the sets on which they slide" + advice);
+}
 
 // Stations of a tree of fingers: its roots, which are stretches of the curves; its targets, which
 // are well-spaced points in the domain; and waypoints of the paths to targets that are hard to
@@ -124,7 +139,8 @@ private:
   double thickness(const Vector& p) const { return m_thickness(to_point(p, curve().traits())); }
 
   // Divides the edges of each component into stretches as long as the spacing of stations. Edges
-  // between constrained nodes are left out, unless a component has no others.
+  // whose inserted nodes slide are left out, since fingers would leave their sets, and so are other
+  // edges between constrained nodes, unless a component has no others.
   void add_stretches_of_curves()
   {
     halve_long_edges();
@@ -134,7 +150,7 @@ private:
     std::vector<std::size_t> last(curve().number_of_components(), Finger_station::none);
     for(std::size_t e = 0; e < curve().number_of_edges(); ++e) {
       const std::size_t c = component(e);
-      if(is_constrained(e) && has_free_edge[c]) continue;
+      if(slides(e) || (is_constrained(e) && has_free_edge[c])) continue;
       const Vector a = to_vector(curve().point(curve().source(e)));
       const Vector b = to_vector(curve().point(curve().target(e)));
       const Vector middle = (a + b) / 2;
@@ -151,6 +167,11 @@ private:
   }
 
   std::size_t component(std::size_t e) const { return curve().component(curve().source(e)); }
+
+  bool slides(std::size_t e) const
+  {
+    return slides_between(curve(), curve().source(e), curve().target(e));
+  }
 
   bool is_constrained(std::size_t e) const
   {

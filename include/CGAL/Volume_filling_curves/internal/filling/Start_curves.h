@@ -10,9 +10,9 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/Self_contacts.h>
-#include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
 #include <CGAL/Volume_filling_curves/internal/domain/Least_depth.h>
 #include <CGAL/Volume_filling_curves/internal/domain/containment.h>
+#include <CGAL/Volume_filling_curves/internal/filling/Finger_stations.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Port_arcs.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
@@ -130,7 +130,8 @@ private:
   void check() const
   {
     check_number_of_shares(m_parameters.volume_shares, m_curves.number_of_components());
-    if(m_parameters.start == Filling_start::TREE) check_sliding();
+    if(m_parameters.start == Filling_start::TREE)
+      check_sliding(m_curves, "; Filling_start::CIRCLE grows without fingers");
     if(m_circles.empty())
       check_embedded(m_curves);
     else if(!first_contact(m_curves).empty())
@@ -145,17 +146,6 @@ private:
                                   std::string(error.what()));
     }
     if(m_circles.empty() && m_arcs.empty()) check_wall_distance(m_curves);
-  }
-
-  void check_sliding() const
-  {
-    for(std::size_t c = 0; c < m_curves.number_of_components(); ++c)
-      if(slides_everywhere(m_curves, c))
-        throw std::invalid_argument(
-            "all nodes of component " + std::to_string(c) + ", from node " +
-            std::to_string(m_curves.first_node(c)) +
-            " on, slide or are pinned: fingers would leave the sets on which they slide; "
-            "Filling_start::CIRCLE grows without fingers");
   }
 
   void check_wall_distance(const Network& curves) const
