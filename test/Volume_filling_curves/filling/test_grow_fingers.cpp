@@ -200,7 +200,9 @@ TEST(Grow_fingers, refuses_what_it_cannot_use_and_ends_in_time)
   EXPECT_THROW(grow(curve, ball, np::thickness(1e-9)), std::invalid_argument);
   EXPECT_THROW(grow(curve, ball, np::thickness([](const Point&) { return 1e-9; })),
                std::invalid_argument);
-  EXPECT_EQ(grow(curve, ball, np::thickness(0.1).time_limit(0)).number_of_fingers, 0u);
+  for(const double r : {0.1, 1e-4}) // with the second one edges are long
+    EXPECT_EQ(grow(curve, ball, np::thickness(r).time_limit(0)).number_of_fingers, 0u);
+  EXPECT_EQ(curve.number_of_nodes(), 3u);
 }
 
 } // namespace test_grow_fingers

@@ -67,27 +67,28 @@ class Finger_stations
 
 public:
   // Takes the distance between neighboring stations, in units of the thickness. Edges of the curves
-  // longer than half of it are halved, by certified insertions.
+  // longer than half of it are halved, by certified insertions, until the run is to stop.
   Finger_stations(Guard& guard,
                   const Domain& domain,
                   const Thickness<Point_3>& thickness,
-                  double spacing)
-      : m_guard(guard), m_domain(domain), m_thickness(thickness), m_spacing(spacing)
+                  double spacing,
+                  Run_watch& watch)
+      : m_guard(guard), m_domain(domain), m_thickness(thickness), m_spacing(spacing), m_watch(watch)
   {
     add_stretches_of_curves();
   }
 
   // Adds points of the domain, no more once the run is to stop.
-  void add_targets(std::uint64_t seed, Run_watch& watch)
+  void add_targets(std::uint64_t seed)
   {
     std::vector<Vector> roots;
     for(const Finger_station& station : m_stations) roots.push_back(station.position);
     const auto distance = [this](const Point_3& p) { return m_spacing * m_thickness(p); };
     Well_spaced_points<Domain, typename Network::Traits, decltype(distance)> points(
-        m_domain, distance, target_clearance / m_spacing, curve().traits(), watch,
+        m_domain, distance, target_clearance / m_spacing, curve().traits(), m_watch,
         m_guard.boundary().layer());
     try {
-      const Watched_scope scope(&watch);
+      const Watched_scope scope(&m_watch);
       for(const Vector& p : points(roots, seed)) m_stations.push_back({p, thickness(p), {}});
     } catch(const Run_stopped&) {
     }
@@ -182,7 +183,7 @@ private:
   void halve_long_edges()
   {
     for(std::size_t e = 0; e < curve().number_of_edges(); ++e)
-      while(is_long(e) && halve_edge(m_guard, e)) continue;
+      while(is_long(e) && !m_watch.must_stop() && halve_edge(m_guard, e)) continue;
   }
 
   bool is_long(std::size_t e) const
@@ -203,6 +204,7 @@ private:
   const Domain& m_domain;
   const Thickness<Point_3>& m_thickness;
   const double m_spacing; // in units of the thickness
+  Run_watch& m_watch;
   std::vector<Finger_station> m_stations;
   std::size_t m_number_of_roots = 0, m_number_of_targets = 0;
   std::unique_ptr<Node_neighborhoods> m_neighborhoods; // of roots and targets

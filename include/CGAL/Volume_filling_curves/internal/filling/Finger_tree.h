@@ -81,13 +81,13 @@ public:
   void grow()
   {
     const Clearance_scope<Guard> scope(m_guard, 0);
-    Stations& stations = m_stations.emplace(m_guard, m_domain, m_thickness, m_spacing);
+    Stations& stations = m_stations.emplace(m_guard, m_domain, m_thickness, m_spacing, m_watch);
     m_connections.emplace(stations, m_random, m_guard.curve().traits());
     m_connections->follow(m_direction_field, m_detour);
     m_volumes.resize(m_guard.curve().number_of_components(), 0);
     if(m_shares.empty()) m_shares.assign(m_volumes.size(), 1);
     CGAL_precondition_msg(m_shares.size() == m_volumes.size(), "each component has a share");
-    stations.add_targets(m_random.bits(), m_watch);
+    stations.add_targets(m_random.bits());
     for(std::size_t s = 0; s < stations.number_of_roots(); ++s) reach(s, stations[s].component);
     for(std::size_t c = 0; c < m_volumes.size(); ++c) enqueue(c);
     grow_all();
