@@ -172,9 +172,9 @@ private:
   {
     const Vector center = (t[0] + t[1] + t[2]) / 3;
     const double negative_radius = -value(center) / m_lipschitz;
-    double radius2 = 0;
-    for(const Vector& corner : t) radius2 = (std::max)(radius2, (corner - center).squaredNorm());
-    const double radius = std::sqrt(radius2) + margin * center.cwiseAbs().maxCoeff();
+    double radius = 0;
+    for(const Vector& corner : t) radius = (std::max)(radius, norm(corner - center));
+    radius += margin * center.cwiseAbs().maxCoeff();
     if(radius < negative_radius) return true;
     if(bisections == 0 || !(negative_radius > 0)) return false;
     return are_halves_covered(t, bisections - 1);
@@ -188,6 +188,13 @@ private:
     const Vector &a = t[apex], &b = t[(apex + 1) % 3], &c = t[(apex + 2) % 3];
     const Vector middle = (b + c) / 2;
     return is_covered({a, b, middle}, bisections) && is_covered({a, middle, c}, bisections);
+  }
+
+  // If the square underflowed to 0, triangles across the boundary would pass for points.
+  static double norm(const Vector& v)
+  {
+    const double square = v.squaredNorm();
+    return std::isnormal(square) ? std::sqrt(square) : internal::stable_norm(v);
   }
 
   static Vector edge_opposite(const std::array<Vector, 3>& t, std::size_t i)

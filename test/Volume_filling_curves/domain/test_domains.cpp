@@ -206,6 +206,17 @@ TEST(Implicit_domain, accepts_only_what_lies_in_the_ball)
   EXPECT_GT(accepted_steeper, .8 * inside);
 }
 
+TEST(Implicit_domain, decides_at_any_size)
+{
+  for(const double size : {1e-170, 1., 1e170}) {
+    const auto ball = [size](const Point& p) { return std::hypot(p.x(), p.y(), p.z()) - size; };
+    const Implicit_domain_3<decltype(ball)> domain(ball, {-size, -size, -size, size, size, size});
+    const Point center(0, 0, 0);
+    EXPECT_TRUE(domain.is_triangle_inside(center, Point(size / 2, 0, 0), Point(0, size / 2, 0)));
+    EXPECT_FALSE(domain.is_triangle_inside(center, Point(2 * size, 0, 0), center));
+  }
+}
+
 TEST(Implicit_domain, refuses_a_spike_between_the_corners)
 {
   // two balls that overlap a little: the corners lie deep inside, the way is narrow
