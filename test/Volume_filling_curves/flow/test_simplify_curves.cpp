@@ -203,6 +203,23 @@ TEST(Simplify_curves, does_not_depend_on_powers_of_two)
   EXPECT_EQ(simplified(1), simplified(0x1p-40));
 }
 
+// The squares of its waves underflow.
+TEST(Simplify_curves, stays_within_the_distance_in_tiny_curves)
+{
+  const auto nodes_of_waves = [](double scale) {
+    const double height = 1e-13 * scale;
+    std::vector<Point_3> points;
+    for(int k = 0; k < 200; ++k) {
+      const double x = k;
+      points.emplace_back(scale * k / 200, height * std::sin(x), height * std::cos(x * x));
+    }
+    Network curve(points);
+    vfc::simplify_curves(curve, params::max_distance(height));
+    return curve.number_of_nodes();
+  };
+  EXPECT_EQ(nodes_of_waves(0x1p-495), nodes_of_waves(1));
+}
+
 TEST(Simplify_curves, refuses_bad_parameters)
 {
   Network curve = coil(100);

@@ -40,11 +40,12 @@ class Replaced_chains
   using Index = std::uint32_t;
 
 public:
-  explicit Replaced_chains(const Network& curve)
+  // Takes the factor from coordinates to lengths of the tests.
+  Replaced_chains(const Network& curve, double factor)
       : m_curve(curve), m_points(curve.number_of_nodes()), m_neighbors(curve.number_of_nodes())
   {
     for(std::size_t v = 0; v < curve.number_of_nodes(); ++v) {
-      m_points[v] = to_vector(curve.point(v));
+      m_points[v] = factor * to_vector(curve.point(v));
       for(std::size_t k = 0; k < 2 && curve.degree(v) == 2; ++k)
         m_neighbors[v][k] = static_cast<Index>(curve.neighbor(v, k));
     }
@@ -145,7 +146,11 @@ class Curve_simplifier
 
 public:
   Curve_simplifier(Guard& guard, double max_distance)
-      : m_guard(guard), m_curve(guard.curve()), m_chains(m_curve), m_max_distance(max_distance)
+      : m_guard(guard),
+        m_curve(guard.curve()),
+        m_factor(unit_factor(m_curve)),
+        m_chains(m_curve, m_factor),
+        m_max_distance(m_factor * max_distance)
   {}
 
   // Returns the number of nodes that were removed, which leave garbage in the network. Ends early
@@ -197,10 +202,21 @@ private:
     return true;
   }
 
-  Vector position(std::size_t v) const { return to_vector(m_curve.point(v)); }
+  // Returns the power of two that makes the largest coordinate about 1, so that no squares of
+  // distances underflow.
+  static double unit_factor(const Network& curve)
+  {
+    double largest = 0;
+    for(const std::size_t v : curve.nodes())
+      largest = (std::max)(largest, to_vector(curve.point(v)).cwiseAbs().maxCoeff());
+    return largest > 0 ? std::ldexp(1., -std::ilogb(largest)) : 1;
+  }
+
+  Vector position(std::size_t v) const { return m_factor * to_vector(m_curve.point(v)); }
 
   Guard& m_guard;
   const Network& m_curve;
+  double m_factor;
   Replaced_chains<Network> m_chains;
   double m_max_distance;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> m_candidates;
