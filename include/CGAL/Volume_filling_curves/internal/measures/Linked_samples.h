@@ -28,9 +28,9 @@ namespace internal {
 
 // Samples of a domain, joined where they are close and the segment between them lies inside.
 // Samples of one set are certainly connected inside the domain; samples of different sets are
-// probably not, unless a passage is narrower than the distance between samples. A sweep over samples
-// sorted by the cells of a grid finds the close ones: of 20,000, in a quarter of the time that a map
-// of cells takes. Near-linear time.
+// probably not, unless a passage is narrower than the distance between samples. A sweep over
+// samples sorted by the cells of a grid finds the close ones: of 20,000, in a quarter of the time
+// that a map of cells takes. Near-linear time.
 template <typename Domain>
 class Linked_samples
 {
