@@ -7,6 +7,8 @@
 #ifndef VFC_PYTHON_RUN_OBSERVER_H
 #define VFC_PYTHON_RUN_OBSERVER_H
 
+#include "Interpreter_lock.h"
+
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Run_progress.h>
@@ -59,10 +61,10 @@ public:
     if(now < m_next && !is_new_stage) return true;
     m_stage = progress.stage;
     m_next = now + std::chrono::milliseconds(50);
-    const py::gil_scoped_acquire lock;
+    const Interpreter_lock lock;
     if(PyErr_CheckSignals() != 0) throw py::error_already_set();
     if(m_function.is_none()) return true;
-    return goes_on(m_function(dictionary(progress)));
+    return goes_on(called(m_function, dictionary(progress)));
   }
 
 private:
@@ -94,7 +96,7 @@ template <typename Function>
 auto interruptible(const Function& function, const py::object& progress = py::none())
 {
   Run_observer observer(progress);
-  const py::gil_scoped_release unlock;
+  const Interpreter_unlock unlock;
   return VFC::internal::measured(VFC::parameters::progress(std::ref(observer)),
                                  [&](VFC::internal::Run_watch* watch) {
                                    const VFC::internal::Watched_scope scope(watch);

@@ -7,6 +7,7 @@
 #ifndef VFC_PYTHON_SHARED_FUNCTION_H
 #define VFC_PYTHON_SHARED_FUNCTION_H
 
+#include "Interpreter_lock.h"
 #include "arrays.h"
 
 #include <memory>
@@ -21,7 +22,7 @@ class Shared_function
 public:
   explicit Shared_function(const py::object& function)
       : m_function(new py::object(function), [](py::object* f) {
-          const py::gil_scoped_acquire lock;
+          const Interpreter_lock lock;
           delete f;
         })
   {}
@@ -29,10 +30,10 @@ public:
   template <typename Result>
   Result call(const Point& p) const
   {
-    const py::gil_scoped_acquire lock;
+    const Interpreter_lock lock;
     const py::object point =
         py::module_::import("numpy").attr("array")(py::make_tuple(p.x(), p.y(), p.z()));
-    const py::object answer = (*m_function)(point);
+    const py::object answer = called(*m_function, point);
     try {
       return answer.template cast<Result>();
     } catch(const py::cast_error&) {

@@ -36,7 +36,7 @@ py::dict arc_spline(const Curve& curve, const Domain* domain, const py::object& 
   const auto np = VFC::parameters::progress(std::ref(observer));
   VFC::Arc_spline<Point> result;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     result = domain == nullptr
                  ? VFC::arc_spline(curve, np)
                  : std::visit([&](const auto& in) { return VFC::arc_spline(curve, in, np); },

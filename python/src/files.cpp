@@ -82,7 +82,7 @@ void write(const std::string& file, const Curve& curve)
 {
   std::error_code error;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     error = error_of_writing(file, curve);
   }
   if(!error) return;

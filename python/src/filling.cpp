@@ -109,7 +109,7 @@ py::dict fill(Curve& curve,
   parameters.certificate = certificate;
   VFC::Filling_result<Point> result;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     result = std::visit(
         [&](const auto& inside) {
           return VFC::fill<CGAL::Parallel_if_available_tag>(curve, inside, parameters);

@@ -22,7 +22,7 @@ py::dict identify(const Curve& curve, const py::object& progress)
   Run_observer observer(progress);
   VFC::Link_identity identity;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     identity = VFC::identify(curve, VFC::parameters::progress(std::ref(observer)));
   }
   return to_python(identity);
@@ -35,7 +35,7 @@ py::dict identify_chain(const Curve& chain, const py::dict& options, const py::o
   Run_observer observer(progress);
   VFC::Chain_identity identity;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     identity = VFC::identify_chain(chain, 0,
                                    VFC::parameters::closures(given.closures)
                                        .random_seed(given.random_seed)

@@ -23,7 +23,7 @@ py::dict measure(const Curve& curve, double r, const py::object& progress)
   Run_observer observer(progress);
   VFC::Curve_measures measures;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     measures = VFC::measure(curve, r, VFC::parameters::progress(std::ref(observer)));
   }
   return to_python(measures);

@@ -40,14 +40,14 @@ auto watched(const Function& function, const py::object& progress)
   require_function(progress);
   std::exception_ptr raised;
   const auto tell = [&](const std::string& step, double seconds) {
-    const py::gil_scoped_acquire lock;
+    const Interpreter_lock lock;
     try {
       if(PyErr_CheckSignals() != 0) throw py::error_already_set();
       if(progress.is_none()) return true;
       py::dict d;
       d["stage"] = step;
       d["seconds"] = seconds;
-      return goes_on(progress(d));
+      return goes_on(called(progress, d));
     } catch(...) {
       raised = std::current_exception();
       return false;
@@ -55,7 +55,7 @@ auto watched(const Function& function, const py::object& progress)
   };
   vfc::Work_watch watch(vfc::Work_watch::never, tell);
   try {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     return function(watch);
   } catch(const vfc::Work_stopped&) {
     if(raised) std::rethrow_exception(raised);
@@ -102,7 +102,7 @@ const std::map<std::string, const char*> mended_in_reading = {
 
 bool is_closed_surface(const Triangles& triangles)
 {
-  const py::gil_scoped_release unlock;
+  const Interpreter_unlock unlock;
   namespace PMP = CGAL::Polygon_mesh_processing;
   if(!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces)) return false;
   Mesh mesh;

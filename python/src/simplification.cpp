@@ -26,7 +26,7 @@ std::size_t simplify(Curve& curve,
   Run_observer observer(progress);
   parameters.progress = std::ref(observer);
   parameters.certificate = certificate;
-  const py::gil_scoped_release unlock;
+  const Interpreter_unlock unlock;
   return VFC::simplify_curves(curve, parameters);
 }
 

@@ -44,7 +44,7 @@ py::dict untangle(Curve& curve,
   parameters.certificate = certificate;
   VFC::Untangling_result result;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     result = result_in(curve, domain, parameters);
   }
   return to_python(result);

@@ -43,7 +43,7 @@ py::dict verify(const VFC::Isotopy_certificate& certificate,
   Run_observer observer(progress);
   VFC::Certificate_verdict result;
   {
-    const py::gil_scoped_release unlock;
+    const Interpreter_unlock unlock;
     result =
         verdict(certificate, start, end, domain, VFC::parameters::progress(std::ref(observer)));
   }

@@ -9,6 +9,7 @@ import operator
 import os
 import pathlib
 import signal
+import subprocess
 import sys
 import tempfile
 import threading
@@ -152,6 +153,16 @@ class Interruption(unittest.TestCase):
         finally:
             is_over.set()
             thread.join()
+
+
+    def test_the_interpreter_ends_while_daemon_threads_work(self):
+        for call in ("vfc.measure(knot)", "vfc.fill(ball, thickness=lambda p: 0.05)",
+                     "vfc.fill(ball, thickness=0.02, progress=lambda p: 0)"):
+            script = (f"import threading, time, vfc\nknot, ball = vfc.torus_knot(2, 3), vfc.Ball((0, 0, 0), 1)\n"
+                      f"def work():\n    while True: {call}\n"
+                      f"threading.Thread(target=work, daemon=True).start()\ntime.sleep(0.1)\n")
+            ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""), call)
 
 
 def callables():
