@@ -30,44 +30,40 @@ using Direction = std::function<internal::Field_vector(const Point&)>;
 
 bool is_array(const py::handle& given)
 {
-  return py::isinstance<py::array>(given) ? py::reinterpret_borrow<py::array>(given).ndim() > 0
-                                          : PyList_Check(given.ptr()) || PyTuple_Check(given.ptr());
+  return py::isinstance<py::array>(given) && py::reinterpret_borrow<py::array>(given).ndim() > 0;
 }
 
-Doubles numbers_of(const py::object& given, const char* name)
-{
-  Doubles values = Doubles::ensure(given);
-  if(values) return values;
-  PyErr_Clear();
-  throw std::invalid_argument(std::string(name) + ": the array does not hold numbers");
-}
-
-const Mesh& mesh_with_values(const Domain& domain)
+const Mesh& mesh_with_values(const Doubles& values, const Domain& domain, const char* name)
 {
   if(!domain.mesh)
     throw std::invalid_argument(
         "an array of thicknesses or directions has a row per vertex of a mesh, "
         "but the domain is no mesh; a function of a point can be given");
+  const auto number = static_cast<std::size_t>(values.shape(0));
+  if(number != domain.mesh->number_of_vertices())
+    throw std::invalid_argument(std::string(name) + " has " + std::to_string(number) +
+                                " rows, but the mesh has " +
+                                std::to_string(domain.mesh->number_of_vertices()) + " vertices");
   return *domain.mesh;
 }
 
 Thickness thickness_at_vertices(const Doubles& values, const Domain& domain)
 {
   if(values.ndim() != 1) throw std::invalid_argument("thickness must have the shape (n,)");
-  return VFC::Mesh_thickness_field_3<>(mesh_with_values(domain),
+  return VFC::Mesh_thickness_field_3<>(mesh_with_values(values, domain, "thickness"),
                                        values.cast<std::vector<double>>());
 }
 
 // One direction, or one per vertex.
 Direction direction_of(const Doubles& values, const Domain& domain)
 {
-  if(values.ndim() == 1) {
+  if(values.ndim() == 1 && values.shape(0) == 3) {
     const Point p = point_of(values);
     return [u = std::array<double, 3>{p.x(), p.y(), p.z()}](const Point&) { return u; };
   }
   if(values.ndim() != 2 || values.shape(1) != 3)
     throw std::invalid_argument("direction_field must have the shape (n, 3) or (3,)");
-  return VFC::Mesh_direction_field_3<>(mesh_with_values(domain),
+  return VFC::Mesh_direction_field_3<>(mesh_with_values(values, domain, "direction_field"),
                                        values.cast<std::vector<std::array<double, 3>>>());
 }
 
@@ -78,7 +74,7 @@ void take_array(py::dict& options, const char* name, const Set& set)
   const py::object given = options.attr("get")(name);
   if(!is_array(given)) return;
   options.attr("pop")(name);
-  set(numbers_of(given, name));
+  set(given.cast<Doubles>());
 }
 
 VFC::Filling_parameters<Point> filling_parameters(const py::dict& given, const Domain& domain)
@@ -123,7 +119,7 @@ py::dict fill(Curve& curve,
 Thickness thickness_of(const py::object& given, const Domain& domain)
 {
   if(PyCallable_Check(given.ptr())) return From_python<Thickness>::value(given);
-  if(is_array(given)) return thickness_at_vertices(numbers_of(given, "thickness"), domain);
+  if(is_array(given)) return thickness_at_vertices(given.cast<Doubles>(), domain);
   const double r = PyFloat_AsDouble(given.ptr());
   if(PyErr_Occurred() != nullptr) {
     PyErr_Clear();

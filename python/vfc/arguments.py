@@ -62,6 +62,12 @@ def vector(value: Any, name: str) -> np.ndarray:
     return coordinates
 
 
+def field(value: Any, name: str) -> Any:
+    """An array of floats in place of any array; numbers and functions stay what they are."""
+    is_array = isinstance(value, (list, tuple)) or np.ndim(value) > 0
+    return numbers(value, name) if is_array else unmasked(value, name)
+
+
 def unmasked(value: Any, name: str) -> Any:
     """The value; the compiled module does not see the mask of an array."""
     if np.ma.is_masked(value):

@@ -10,7 +10,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _results, _vfc
-from .arguments import integer, number, unmasked
+from .arguments import field, integer, number
 from .curves import Closed, Curves, to_core
 from .domains import Domain, core_of, core_or_none
 from .runs import Progress
@@ -55,7 +55,7 @@ def coverage(curves: Curves, domain: Domain, thickness: Any, *, closed: Closed =
     """
     core = to_core(curves, closed)
     return _results.Coverage(
-        **_vfc.coverage(core, core_of(domain), unmasked(thickness, "thickness"), integer(samples, "samples"),
+        **_vfc.coverage(core, core_of(domain), field(thickness, "thickness"), integer(samples, "samples"),
                         integer(random_seed, "random_seed"), progress))
 
 

@@ -12,7 +12,7 @@ from math import isnan
 from typing import Any, Callable, Optional
 
 from . import _options, _results, _vfc
-from .arguments import unmasked
+from .arguments import field
 from .curves import Closed, Curves, from_core, kept, origins, size, to_core
 from .domains import Domain, Mesh, core_of, core_or_none
 
@@ -105,7 +105,7 @@ def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, clo
     if curves is None and (pin is not None or closed is not True):
         raise TypeError("closed and pin are about curves, but no curves are given")
     for name in ("thickness", "direction_field"):
-        unmasked(options.get(name), name)
+        options[name] = field(options.get(name), name)
     given = [] if curves is None else kept(curves)
     core = to_core(given, closed, pin)
     record = _record(certificate)
