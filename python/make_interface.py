@@ -79,7 +79,8 @@ def enumerations_header():
            "  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {\n"
            "    return std::isalnum(c) ? static_cast<char>(std::toupper(c)) : '_';\n  });\n"
            "  return name;\n}\n")
-    yield "template <typename Enumeration>\nEnumeration enumerator(const std::string& name) = delete;\n"
+    yield ("template <typename Enumeration>\n"
+           "Enumeration enumerator(const std::string& option, const std::string& name) = delete;\n")
     used = {kind for name in ("Curve_run_parameters", "Filling_parameters", "Untangling_parameters",
                               "Curve_flow_parameters")
             for kind in (member[1] for member in named_parameters.struct(name)[1].values())}
@@ -87,10 +88,12 @@ def enumerations_header():
         if name not in used:
             continue
         wanted = ", ".join(value for value, _ in values.values())
-        yield f"template <>\ninline VFC::{name} enumerator<VFC::{name}>(const std::string& name)\n{{"
+        yield (f"template <>\ninline VFC::{name} enumerator<VFC::{name}>(const std::string& option, "
+               "const std::string& name)\n{")
         for value in values:
             yield f'  if(in_capitals(name) == "{value}") return VFC::{name}::{value};'
-        yield f'  throw std::invalid_argument("\'" + name + "\' is none of {wanted}");\n}}\n'
+        yield ('  throw std::invalid_argument(option + " is \'" + name + '
+               f'"\', but must be one of {wanted}");\n}}\n')
     yield "} // namespace vfc_python"
 
 

@@ -45,13 +45,7 @@ inline constexpr bool is_set_elsewhere<std::function<void(const VFC::Run_checkpo
 template <typename Value>
 struct From_python
 {
-  static Value value(const py::handle& given)
-  {
-    if constexpr(std::is_enum_v<Value>)
-      return enumerator<Value>(given.cast<std::string>());
-    else
-      return given.cast<Value>();
-  }
+  static Value value(const py::handle& given) { return given.cast<Value>(); }
 };
 
 template <>
@@ -125,8 +119,11 @@ bool set_by_row(Parameters& parameters, const Row& row, const py::handle& given)
     return false;
   else {
     try {
+      const std::string name = VFC::internal_np::name_of(typename Row::Tag());
       if constexpr(std::is_same_v<Value, std::size_t>)
-        parameters.*row.member = count_of(VFC::internal_np::name_of(typename Row::Tag()), given);
+        parameters.*row.member = count_of(name, given);
+      else if constexpr(std::is_enum_v<Value>)
+        parameters.*row.member = enumerator<Value>(name, given.cast<std::string>());
       else
         parameters.*row.member = From_python<Value>::value(given);
     } catch(const py::cast_error&) {

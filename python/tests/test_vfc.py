@@ -63,7 +63,7 @@ class Untangling(unittest.TestCase):
         trefoil = vfc.torus_knot(2, 3, 100)
         self.assertEqual(vfc.untangle(trefoil, strategy="flow", preconditioner="quasi-newton",
                                       number_of_iterations=2).status, "limit")
-        with self.assertRaisesRegex(ValueError, "'fast' is none of flow, search, auto"):
+        with self.assertRaisesRegex(ValueError, "strategy is 'fast', but must be one of flow, search, auto"):
             vfc.untangle(trefoil, strategy="fast")
 
     def test_a_verdict_is_true_if_it_is_valid(self):
