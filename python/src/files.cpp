@@ -34,10 +34,18 @@ std::optional<VFC::Closure> closure_of(const std::optional<bool>& is_closed)
   return *is_closed ? VFC::Closure::CLOSED : VFC::Closure::OPEN;
 }
 
+// The name of a file in a message, which is UTF-8 whatever the bytes of the name are.
+std::string shown(const std::string& file)
+{
+  const Interpreter_lock lock;
+  return py::bytes(file).attr("decode")("utf-8", "backslashreplace").cast<std::string>();
+}
+
 std::string text_of(const VFC::Curve_defect& defect, const std::string& file)
 {
   const bool is_undecided = defect.kind == VFC::Curve_defect_kind::UNDECIDED_CLOSURE;
-  return to_string(defect, file) + (is_undecided ? ": give closed=True or closed=False" : "");
+  return to_string(defect, shown(file)) +
+         (is_undecided ? ": give closed=True or closed=False" : "");
 }
 
 // std::invalid_argument names the first error, with its line.
@@ -51,7 +59,7 @@ Curve curve_in(const std::string& file, bool is_network, const std::optional<boo
   if(internal::draft_to_network(draft, curve, defects, junctions)) return curve;
   for(const VFC::Curve_defect& defect : defects)
     if(VFC::is_error(defect.kind)) throw std::invalid_argument(text_of(defect, file));
-  throw std::invalid_argument(file + " is not a valid curve");
+  throw std::invalid_argument(shown(file) + " is not a valid curve");
 }
 
 Curve read(const std::string& file, bool is_network, const std::optional<bool>& is_closed)
@@ -64,7 +72,7 @@ const vfc::Curve_format& format_to_write(const std::string& file)
   const auto is_written = [](const vfc::Curve_format& format) { return format.is_written(); };
   const vfc::Curve_format* const format = vfc::curve_format_of(file);
   if(format == nullptr || !is_written(*format))
-    throw std::invalid_argument(file + ": curves are written to " +
+    throw std::invalid_argument(shown(file) + ": curves are written to " +
                                 internal::extensions_text(vfc::curve_formats(), is_written) +
                                 " files");
   return *format;

@@ -32,6 +32,18 @@ class Files(unittest.TestCase):
             self.assertTrue(np.array_equal(curves[0], circle()) and np.array_equal(curves[1], ARC), name)
             self.assertTrue(np.array_equal(vfc.read(str(file))[0][0], circle()))
 
+    def test_names_that_are_no_utf_8(self):
+        name = os.fsencode(self.folder) + b"/\xff.obj"
+        for file in (name, os.fsdecode(name)):
+            vfc.write(file, circle())
+            self.assertTrue(np.array_equal(vfc.read(file)[0][0], circle()))
+        with open(name, "w") as file:
+            file.write("v 1 2 x\n")
+        with self.assertRaisesRegex(ValueError, r"\\xff.obj:1: error: unparsable number"):
+            vfc.read(name)
+        with self.assertRaisesRegex(ValueError, r"\\xff.stl: curves are written to"):
+            vfc.write(name.replace(b".obj", b".stl"), circle())
+
     def test_junctions_are_read_as_a_network(self):
         star = vfc.Network([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1], [0, 2], [0, 3]])
         for name in ("star.obj", "star.ply", "star.vtp"):

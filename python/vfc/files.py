@@ -34,7 +34,7 @@ def read(file: Any, *, network: bool = False,
     if closed not in (None, True, False):
         raise TypeError(f"closed is {closed!r}, but must be True, False or None")
     with open(file, "rb"):  # raises the OSError that fits
-        core = _vfc.read(os.fspath(file), bool(network), None if closed is None else bool(closed))
+        core = _vfc.read(os.fsencode(file), bool(network), None if closed is None else bool(closed))
     if network:
         return Network(core.points(), core.edges())
     return split(core.points(), core), core.closedness()
@@ -51,4 +51,4 @@ def write(file: Any, curves: Curves, *, closed: Closed = True) -> None:
     """
     if b"\0" in os.fsencode(file):
         raise ValueError("the name of the file has a null character")
-    _vfc.write(os.fspath(file), to_core(curves, closed))
+    _vfc.write(os.fsencode(file), to_core(curves, closed))
