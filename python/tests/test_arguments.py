@@ -125,6 +125,10 @@ class Arrays(unittest.TestCase):
             self.assertTrue(np.array_equal(vfc.simplify(same).curves, vfc.simplify(knot).curves))
         self.assertAlmostEqual(vfc.length(4 * SQUARE.astype(int) @ np.eye(2, 3, dtype=int)), 16)
 
+    def test_points_that_memory_does_not_hold(self):
+        with self.assertRaises(MemoryError):
+            vfc.length(np.broadcast_to(np.zeros(3), (2**50, 3)))
+
     def test_faces(self):
         wide = np.zeros((24, 6), int)
         wide[::2, ::2] = CUBE_FACES

@@ -44,7 +44,7 @@ def numbers(value: Any, name: str) -> np.ndarray:
     array = _array(value, name)
     if array.dtype.kind not in "fiub":
         raise TypeError(f"{name} must hold numbers, but has the dtype {array.dtype}")
-    return array.astype(float, copy=False)
+    return array.astype(float, order="C", copy=False)  # a MemoryError of NumPy says how much is missing
 
 
 def integers(value: Any, name: str) -> np.ndarray:
@@ -52,7 +52,7 @@ def integers(value: Any, name: str) -> np.ndarray:
     array = _array(value, name)
     if array.dtype.kind not in "iu" and array.size > 0:
         raise TypeError(f"{name} must hold integers, but has the dtype {array.dtype}")
-    return array.astype(np.int64, copy=False)
+    return array.astype(np.int64, order="C", copy=False)
 
 
 def vector(value: Any, name: str) -> np.ndarray:
