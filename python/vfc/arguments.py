@@ -59,6 +59,8 @@ def vector(value: Any, name: str) -> np.ndarray:
     coordinates = numbers(value, name)
     if coordinates.shape != (3,):
         raise ValueError(f"{name} has the shape {coordinates.shape}, but must have three coordinates")
+    if not np.isfinite(coordinates).all():
+        raise ValueError(f"{name} has a coordinate that is not finite")
     return coordinates
 
 
