@@ -88,6 +88,7 @@ class Wrong_arguments(unittest.TestCase):
             ("letter 0 of the braid", lambda: vfc.closed_braid([1, 0])),
             ("low has a coordinate that is not finite", lambda: vfc.Box((np.nan, 0, 0), (1, 1, 1))),
             ("high has .* not finite", lambda: vfc.Implicit(max, (0, 0, 0), (1, np.nan, 1))),
+            ("sides is 1025, but must be at most 1024", lambda: vfc.tube(circle(), 0.1, sides=1025)),
             ("sides is 2, but must be at least 3", lambda: vfc.tube(circle(), 0.1, sides=2)),
             ("null character", lambda: vfc.write("cut\0.obj", circle())),
             ("a curve has rows of different lengths", lambda: vfc.length([[0, 0, 0], [1, 0]])),

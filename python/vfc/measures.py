@@ -80,9 +80,9 @@ def tube(curves: Curves, radius: float, *, closed: Closed = True,
          sides: int = 12) -> tuple[np.ndarray, np.ndarray]:
     """The surface of the tube around curves: vertices (n, 3) and faces (m, 3), oriented outwards.
 
-    At each point, a regular polygon of so many sides has its corners at the distance `radius`, in
-    the plane that bisects the bend. The tube lies within `radius` of the curve; so its volume is
-    some per cent less than pi radius^2 length. It does not meet itself if the radius is less than
-    the `polygonal_thickness` of `measure()`.
+    At each point, a regular polygon of so many sides, at most 1024, has its corners at the distance
+    `radius`, in the plane that bisects the bend. The tube lies within `radius` of the curve; so its
+    volume is some per cent less than pi radius^2 length. It does not meet itself if the radius is
+    less than the `polygonal_thickness` of `measure()`.
     """
-    return _vfc.tube(to_core(curves, closed), number(radius, "radius"), integer(sides, "sides", least=3))
+    return _vfc.tube(to_core(curves, closed), number(radius, "radius"), integer(sides, "sides", 3, 1024))
