@@ -112,7 +112,7 @@ void add_chain_options(CLI::App& command, Identify_options& options)
                    "directions in which an open chain is closed", 1, max_closures)
       .capture_default_str();
   command.add_flag("--core", options.chain.find_core,
-                   "look for the core: a shortest section with the knot of the chain");
+                   "look for the core: a short section with the knot of the chain");
   add_file(command, "--fingerprint", options.fingerprint,
            "the knots of all sections of the chain, .svg, .png or .csv; finds slipknots");
   add_whole_number(command, "--stride", options.chain.stride,
