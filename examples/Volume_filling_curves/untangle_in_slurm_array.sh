@@ -6,7 +6,7 @@
 # Author(s) : The Volume_filling_curves authors
 #
 # Untangles the curves that knots.txt lists, in four tasks of Slurm: sbatch untangle_in_slurm_array.sh
-# Sent again, after a failure or a time limit, it goes on.
+# If submitted again, after a failure or a time limit, it continues.
 
 vfc untangle --batch knots.txt -o untangled --shard "$SLURM_ARRAY_TASK_ID/4" \
   --threads "$SLURM_CPUS_PER_TASK" --quiet
