@@ -14,11 +14,8 @@
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Polyline_conventions.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <map>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -37,10 +34,13 @@ public:
       : m_file(file),
         m_numbers(component_numbers(file.points.size(), file.edges)),
         m_degrees(file.points.size(), 0),
-        m_originals(file.edges.size())
+        m_originals(file.first_equal_edges())
   {
-    find_originals();
-    for(std::size_t e = 0; e < file.edges.size(); ++e) add_edge(e);
+    const std::vector<bool> turns = file.turns();
+    for(std::size_t e = 0; e < file.edges.size(); ++e) {
+      if(turns[e]) m_originals[e] = e;
+      add_edge(e);
+    }
     for(std::size_t v = 0; v < m_degrees.size(); ++v)
       if(m_degrees[v] > 2) m_components[m_numbers[v] - 1].has_junction = true;
     for(std::size_t e = 0; e < file.edges.size(); ++e) add_ends(e);
@@ -63,26 +63,6 @@ private:
   };
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-
-  // Finds the first of several equal edges. As in `Edge_repair`, an edge directly after its reverse
-  // is not a repetition: there the line turns back.
-  void find_originals()
-  {
-    std::iota(m_originals.begin(), m_originals.end(), std::size_t(0));
-    std::map<Curve_draft::Edge, std::size_t> edges;
-    std::size_t previous = none;
-    for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
-      const auto [v, w] = m_file.edges[e];
-      if(v == w) continue;
-      const Curve_draft::Edge sorted = {(std::min)(v, w), (std::max)(v, w)};
-      const std::size_t original = edges.emplace(sorted, e).first->second;
-      const bool is_turn = previous != none &&
-                           m_file.edge_lines[previous] == m_file.edge_lines[e] &&
-                           m_file.edges[previous] == Curve_draft::Edge{w, v};
-      if(!is_turn) m_originals[e] = original;
-      previous = e;
-    }
-  }
 
   bool is_dropped(std::size_t e) const
   {
@@ -133,16 +113,11 @@ private:
 
   void open()
   {
-    std::size_t kept = 0;
-    for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
+    m_file.remove_edges_if([this](std::size_t e) {
       const Component& component = component_of(e);
       const bool is_closed = !component.has_junction && component.ends.empty();
-      if(is_closed && m_originals[e] == component.last_edge) continue;
-      m_file.edges[kept] = m_file.edges[e];
-      m_file.edge_lines[kept++] = m_file.edge_lines[e];
-    }
-    m_file.edges.resize(kept);
-    m_file.edge_lines.resize(kept);
+      return is_closed && m_originals[e] == component.last_edge;
+    });
   }
 
   Curve_draft& m_file;

@@ -10,13 +10,16 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,6 +118,54 @@ struct Curve_draft
   {
     edges.push_back({v, w});
     edge_lines.push_back(line);
+  }
+
+  // Calls is_dropped(e) for each edge in order, which sees the edges from e on as they were.
+  template <typename Is_dropped>
+  void remove_edges_if(const Is_dropped& is_dropped)
+  {
+    std::size_t kept = 0;
+    for(std::size_t e = 0; e < edges.size(); ++e) {
+      if(is_dropped(e)) continue;
+      edges[kept] = edges[e];
+      edge_lines[kept++] = edge_lines[e];
+    }
+    edges.resize(kept);
+    edge_lines.resize(kept);
+  }
+
+  // Returns for each edge the first one between the same two nodes; for a loop itself. O(n log n).
+  std::vector<std::size_t> first_equal_edges() const
+  {
+    std::vector<std::array<std::size_t, 3>> keys;
+    keys.reserve(edges.size());
+    check_run();
+    for(std::size_t e = 0; e < edges.size(); ++e) {
+      const auto [lower, upper] = std::minmax(edges[e][0], edges[e][1]);
+      if(lower != upper) keys.push_back({lower, upper, e});
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::size_t> firsts(edges.size());
+    std::iota(firsts.begin(), firsts.end(), std::size_t(0));
+    for(std::size_t i = 1; i < keys.size(); ++i)
+      if(keys[i][0] == keys[i - 1][0] && keys[i][1] == keys[i - 1][1])
+        firsts[keys[i][2]] = firsts[keys[i - 1][2]];
+    return firsts;
+  }
+
+  // Returns for each edge whether it runs straight back over the edge before it, loops left out.
+  // Such an edge repeats none: there the line turns back.
+  std::vector<bool> turns() const
+  {
+    std::vector<bool> are_turns(edges.size(), false);
+    std::size_t previous = 0;
+    for(std::size_t e = 0; e < edges.size(); ++e) {
+      const auto [v, w] = edges[e];
+      if(v == w) continue;
+      are_turns[e] = edge_lines[previous] == edge_lines[e] && edges[previous] == Edge{w, v};
+      previous = e;
+    }
+    return are_turns;
   }
 
   // Interprets a file without lines, in a format that has them: faces or no vertices are an error;

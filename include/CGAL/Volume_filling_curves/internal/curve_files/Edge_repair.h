@@ -11,11 +11,9 @@
 
 #include <CGAL/Volume_filling_curves/internal/curve_files/Curve_draft.h>
 #include <CGAL/Volume_filling_curves/internal/support/Disjoint_sets.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Curve_defect.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -41,30 +39,28 @@ public:
 
   void run()
   {
-    collect_edges();
+    drop_unreadable_edges();
     warn_of_isolated_vertices();
     drop_duplicate_edges();
     contract_short_edges();
     drop_collapsed_loops();
     check_degrees();
-    store();
   }
 
 private:
-  struct Edge
+  struct Turn
   {
     std::size_t source, target, line;
   };
 
   // Omits the edges of unreadable vertices.
-  void collect_edges()
+  void drop_unreadable_edges()
   {
-    for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
+    m_file.remove_edges_if([this](std::size_t e) {
       const auto [v, w] = m_file.edges[e];
       m_has_edge[v] = m_has_edge[w] = true;
-      if(m_file.is_readable(v) && m_file.is_readable(w))
-        m_edges.push_back({v, w, m_file.edge_lines[e]});
-    }
+      return !m_file.is_readable(v) || !m_file.is_readable(w);
+    });
   }
 
   // After an error a vertex may lack edges only because their record is unreadable.
@@ -82,82 +78,50 @@ private:
                count == 1 ? "a vertex is in no line and is ignored"
                           : std::to_string(count) + " vertices are in no line and are ignored",
                line, isolated);
-    if(m_edges.empty()) add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no edges", line, {});
+    if(m_file.edges.empty())
+      add_defect(Curve_defect_kind::NO_GEOMETRY, "there are no edges", line, {});
   }
 
-  // Keeps the first of several equal edges. An edge directly after its reverse is not a repetition:
-  // there the line turns back.
+  // Keeps the first of several equal edges. Turns are judged by the degrees that remain.
   void drop_duplicate_edges()
   {
-    const std::vector<std::size_t> turns = find_turns(), duplicates = find_parallel_edges();
-    for(const std::size_t e : duplicates) {
-      const Edge& edge = m_edges[e];
-      if(std::binary_search(turns.begin(), turns.end(), e))
-        m_turns.push_back(edge);
+    const std::vector<bool> turns = m_file.turns();
+    const std::vector<std::size_t> firsts = m_file.first_equal_edges();
+    m_file.remove_edges_if([&](std::size_t e) {
+      if(firsts[e] == e) return false;
+      const auto [v, w] = m_file.edges[e];
+      if(turns[e])
+        m_turns.push_back({v, w, m_file.edge_lines[e]});
       else
         add_defect(Curve_defect_kind::DUPLICATE_EDGE, "an edge is given again and is dropped",
-                   edge.line, {edge.source, edge.target});
-    }
-    remove_edges(duplicates);
-  }
-
-  std::vector<std::size_t> find_turns() const
-  {
-    std::vector<std::size_t> turns;
-    const Edge* previous = nullptr;
-    for(std::size_t e = 0; e < m_edges.size(); ++e) {
-      const Edge& edge = m_edges[e];
-      if(edge.source == edge.target) continue;
-      if(previous && previous->line == edge.line && previous->source == edge.target &&
-         previous->target == edge.source)
-        turns.push_back(e);
-      previous = &edge;
-    }
-    return turns;
-  }
-
-  // Returns the edges that have both nodes in common with an earlier edge.
-  std::vector<std::size_t> find_parallel_edges() const
-  {
-    std::vector<std::array<std::size_t, 3>> keys;
-    keys.reserve(m_edges.size());
-    check_run();
-    for(std::size_t e = 0; e < m_edges.size(); ++e) {
-      const auto [lower, upper] = std::minmax(m_edges[e].source, m_edges[e].target);
-      if(lower != upper) keys.push_back({lower, upper, e});
-    }
-    std::sort(keys.begin(), keys.end());
-    std::vector<std::size_t> parallel;
-    for(std::size_t i = 1; i < keys.size(); ++i)
-      if(keys[i][0] == keys[i - 1][0] && keys[i][1] == keys[i - 1][1])
-        parallel.push_back(keys[i][2]);
-    std::sort(parallel.begin(), parallel.end());
-    return parallel;
+                   m_file.edge_lines[e], {v, w});
+      return true;
+    });
   }
 
   // Merges the ends of edges of length zero into their first node.
   void contract_short_edges()
   {
-    for(const Edge& edge : m_edges)
-      if(m_file.points[edge.source] == m_file.points[edge.target]) merge_nodes(edge);
-    std::vector<std::size_t> contracted;
-    for(std::size_t e = 0; e < m_edges.size(); ++e) {
-      Edge& edge = m_edges[e];
-      edge.source = m_representatives.find(edge.source);
-      edge.target = m_representatives.find(edge.target);
-      if(edge.source != edge.target) continue;
-      contracted.push_back(e);
-      m_merged.push_back(edge.source);
+    for(std::size_t e = 0; e < m_file.edges.size(); ++e) {
+      const auto [v, w] = m_file.edges[e];
+      if(m_file.points[v] == m_file.points[w]) merge_nodes(v, w, m_file.edge_lines[e]);
     }
-    remove_edges(contracted);
+    for(Curve_draft::Edge& edge : m_file.edges)
+      for(std::size_t& v : edge) v = m_representatives.find(v);
+    for(std::size_t& v : m_file.pinned) v = m_representatives.find(v);
+    m_file.remove_edges_if([this](std::size_t e) {
+      const auto [v, w] = m_file.edges[e];
+      if(v == w) m_merged.push_back(v);
+      return v == w;
+    });
   }
 
-  void merge_nodes(const Edge& edge)
+  void merge_nodes(std::size_t v, std::size_t w, std::size_t line)
   {
-    const auto [first, second] = std::minmax(edge.source, edge.target);
+    const auto [first, second] = std::minmax(v, w);
     if(first == second)
       add_defect(Curve_defect_kind::COINCIDENT_NODES, "a node follows itself and is taken once",
-                 edge.line, {first});
+                 line, {first});
     else
       add_defect(Curve_defect_kind::COINCIDENT_NODES, "coincident nodes are merged",
                  m_file.point_lines[second], {first, second});
@@ -168,62 +132,44 @@ private:
   void drop_collapsed_loops()
   {
     if(m_merged.empty()) return;
-    const std::vector<std::size_t> parallel = find_parallel_edges();
-    for(const std::size_t e : parallel) add_degenerate_loop(m_edges[e]);
-    remove_edges(parallel);
+    const std::vector<std::size_t> firsts = m_file.first_equal_edges();
+    m_file.remove_edges_if([&](std::size_t e) {
+      if(firsts[e] == e) return false;
+      add_degenerate_loop(m_file.edges[e][0], m_file.edges[e][1], m_file.edge_lines[e]);
+      return true;
+    });
   }
 
   // If a merged node has no edges left, all nodes of a curve coincide.
   void check_degrees()
   {
     std::vector<std::size_t> degrees(m_file.points.size(), 0);
-    for(const Edge& edge : m_edges)
-      for(const std::size_t v : {edge.source, edge.target}) ++degrees[v];
+    for(const Curve_draft::Edge& edge : m_file.edges)
+      for(const std::size_t v : edge) ++degrees[v];
     std::sort(m_merged.begin(), m_merged.end());
     m_merged.erase(std::unique(m_merged.begin(), m_merged.end()), m_merged.end());
     for(const std::size_t v : m_merged)
       if(degrees[v] == 0)
         add_defect(Curve_defect_kind::DEGENERATE_LOOP, "all nodes of a curve coincide",
                    m_file.point_lines[v], {v});
-    for(const Edge& edge : m_turns) check_turn(edge, degrees);
+    for(const Turn& turn : m_turns) check_turn(turn, degrees);
   }
 
-  void check_turn(const Edge& edge, const std::vector<std::size_t>& degrees)
+  void check_turn(const Turn& turn, const std::vector<std::size_t>& degrees)
   {
-    const std::size_t v = m_representatives.find(edge.source);
-    const std::size_t w = m_representatives.find(edge.target);
+    const std::size_t v = m_representatives.find(turn.source);
+    const std::size_t w = m_representatives.find(turn.target);
     if(v == w) return; // contracted
-    if(degrees[v] == 1 && degrees[w] == 1) return add_degenerate_loop(edge);
+    if(degrees[v] == 1 && degrees[w] == 1)
+      return add_degenerate_loop(turn.source, turn.target, turn.line);
     add_defect(Curve_defect_kind::SELF_CONTACT, "a line runs straight back over its last edge",
-               edge.line, {edge.source, edge.target});
+               turn.line, {turn.source, turn.target});
   }
 
-  // \pre the indices are sorted
-  void remove_edges(const std::vector<std::size_t>& indices)
-  {
-    auto next = indices.begin();
-    std::size_t kept = 0;
-    for(std::size_t e = 0; e < m_edges.size(); ++e) {
-      if(next != indices.end() && *next == e)
-        ++next;
-      else
-        m_edges[kept++] = m_edges[e];
-    }
-    m_edges.resize(kept);
-  }
-
-  void store()
-  {
-    m_file.edges.clear();
-    m_file.edge_lines.clear();
-    for(const Edge& edge : m_edges) m_file.add_edge(edge.source, edge.target, edge.line);
-    for(std::size_t& v : m_file.pinned) v = m_representatives.find(v);
-  }
-
-  void add_degenerate_loop(const Edge& edge)
+  void add_degenerate_loop(std::size_t v, std::size_t w, std::size_t line)
   {
     add_defect(Curve_defect_kind::DEGENERATE_LOOP, "a closed curve needs three distinct nodes",
-               edge.line, {edge.source, edge.target});
+               line, {v, w});
   }
 
   void add_defect(Curve_defect_kind kind,
@@ -235,8 +181,7 @@ private:
   }
 
   Curve_draft& m_file;
-  std::vector<Edge> m_edges;
-  std::vector<Edge> m_turns;         // edges that run straight back over the edge before them
+  std::vector<Turn> m_turns;         // edges that run straight back over the edge before them
   std::vector<std::size_t> m_merged; // nodes that represent several
   std::vector<bool> m_has_edge;
   std::vector<std::size_t> m_components;
