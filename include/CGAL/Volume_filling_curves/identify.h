@@ -85,7 +85,8 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
                                 "has " +
                                 std::to_string(n));
   return internal::measured(np, [&](internal::Run_watch* watch) {
-    return internal::Link_identification(internal::simplified_diagram(diagram, watch), watch)();
+    const internal::Watched_scope scope(watch);
+    return internal::Link_identification(internal::simplified_diagram(diagram))();
   });
 }
 
@@ -120,6 +121,7 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 {
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   return internal::measured(np, [&](internal::Run_watch* watch) {
+    const internal::Watched_scope scope(watch);
     return internal::Curve_identification<Curve_network_3<Traits>>(curves, *watch)();
   });
 }
@@ -205,6 +207,7 @@ template <typename ConcurrencyTag = Sequential_tag,
   internal::check_embedded(curves);
   auto chain = internal::points_of_chain(curves, component);
   return internal::measured(parameters::progress(given.progress), [&](internal::Run_watch* watch) {
+    const internal::Watched_scope scope(watch);
     return internal::Chain_identification<ConcurrencyTag>(std::move(chain), given, *watch)();
   });
 }
@@ -283,8 +286,9 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   constexpr std::size_t directions = 20;
   return internal::measured(np, [&](internal::Run_watch* watch) {
+    const internal::Watched_scope scope(watch);
     const auto polygons = internal::closed_polygons(curves);
-    return internal::simplified_diagram(internal::best_diagram(polygons, directions, watch), watch);
+    return internal::simplified_diagram(internal::best_diagram(polygons, directions));
   });
 }
 

@@ -242,23 +242,24 @@ TEST(Knot_polynomials, Connected_sums_multiply_them)
 TEST(Knot_polynomials, A_limit_of_work_ends_without_a_polynomial)
 {
   const Planar_diagram diagram = closure(torus_braid(4, 9));
-  EXPECT_FALSE(homfly_polynomial(diagram, Polynomial_work(nullptr, 100)));
-  EXPECT_FALSE(colored_jones_polynomial(diagram, 2, Polynomial_work(nullptr, 100)));
+  EXPECT_FALSE(homfly_polynomial(diagram, Polynomial_work(100)));
+  EXPECT_FALSE(colored_jones_polynomial(diagram, 2, Polynomial_work(100)));
   EXPECT_TRUE(homfly_polynomial(diagram));
 }
 
 TEST(Knot_polynomials, A_run_that_is_to_stop_ends_them)
 {
   const Planar_diagram diagram = closure(torus_braid(4, 9));
-  Run_watch over(0);
-  EXPECT_THROW((void)homfly_polynomial(diagram, Polynomial_work(&over)), Run_stopped);
-  EXPECT_THROW((void)colored_jones_polynomial(diagram, 2, Polynomial_work(&over)), Run_stopped);
   const Planar_diagram sum = closure(connected_sum({2, {1, 1, 1}}, {2, {1, 1, 1}}));
-  EXPECT_THROW((void)diagram_pieces(sum, &over), Run_stopped);
+  Run_watch over(0);
+  const Watched_scope scope(&over);
+  EXPECT_THROW((void)homfly_polynomial(diagram), Run_stopped);
+  EXPECT_THROW((void)colored_jones_polynomial(diagram, 2), Run_stopped);
+  EXPECT_THROW((void)diagram_pieces(sum), Run_stopped);
   const auto spend = [](Polynomial_work& work) {
     for(int i = 0; i < 1000; ++i) work.use(1);
   };
-  Polynomial_work work(&over);
+  Polynomial_work work;
   EXPECT_THROW(spend(work), Run_stopped);
 }
 

@@ -97,8 +97,8 @@ TEST(Identify_chain, closures_at_infinity_are_those_of_polygons_with_a_point_far
   std::map<std::string, int> names;
   for(const Chain& chain : {rope(), opened_braid({1, -2, 1, -2}, 70), opened_braid({1, 1, 1}, 40)})
     for(const auto& direction : VFC::internal::spread_directions(25, 3)) {
-      const auto identity = VFC::identify(
-          VFC::internal::diagram_closed_at_infinity(vectors(chain), direction, nullptr));
+      const auto identity =
+          VFC::identify(VFC::internal::diagram_closed_at_infinity(vectors(chain), direction));
       EXPECT_EQ(identity.name, VFC::identify(closed_far_away(chain, direction)).name);
       EXPECT_TRUE(identity.is_proved);
       ++names[identity.name];

@@ -33,9 +33,9 @@ inline Knot_key computed_third_key(const Braid& braid)
 {
   namespace internal = CGAL::Volume_filling_curves::internal;
   constexpr std::size_t operations = 1'000'000'000;
-  return Knot_key::of(internal::colored_jones_polynomial(
-                          closure(braid), 3, internal::Polynomial_work(nullptr, operations))
-                          .value());
+  return Knot_key::of(
+      internal::colored_jones_polynomial(closure(braid), 3, internal::Polynomial_work(operations))
+          .value());
 }
 
 } // namespace knot_test

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <thread>
 #include <vector>
@@ -22,6 +23,7 @@ namespace test_run_watch {
 using CGAL::Volume_filling_curves::Run_progress;
 using CGAL::Volume_filling_curves::Run_stage;
 using CGAL::Volume_filling_curves::internal::check_run;
+using CGAL::Volume_filling_curves::internal::for_each_block;
 using CGAL::Volume_filling_curves::internal::for_each_index;
 using CGAL::Volume_filling_curves::internal::Run_stopped;
 using CGAL::Volume_filling_curves::internal::Run_watch;
@@ -132,6 +134,18 @@ TEST(Watched_scope, ends_loops_over_blocks_in_all_threads)
   EXPECT_EQ(indices_seen<CGAL::Parallel_if_available_tag>(&over), 0u);
   EXPECT_EQ(indices_seen<CGAL::Parallel_if_available_tag>(&watch), 100000u);
   EXPECT_EQ(indices_seen<CGAL::Parallel_if_available_tag>(nullptr), 100000u);
+}
+
+TEST(Watched_scope, reaches_into_blocks_in_all_threads)
+{
+  Run_watch watch;
+  const Watched_scope scope(&watch);
+  std::atomic<std::size_t> outside{0};
+  for_each_block<CGAL::Parallel_if_available_tag>(1000, 1, [&](std::size_t, std::size_t) {
+    std::this_thread::sleep_for(std::chrono::microseconds(10)); // so that other threads join in
+    if(Watched_scope::current() != &watch) ++outside;
+  });
+  EXPECT_EQ(outside, 0u);
 }
 
 TEST(Watched_scope, is_suspended_by_an_inner_one)

@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Prime_field.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Sparse_determinant.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/diagram_of_curve.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,11 +33,10 @@ public:
   using Number = Prime_field::Number;
 
   // \pre is_planar_diagram(diagram)
-  explicit Alexander_matrix(const Planar_diagram& diagram, Run_watch* watch = nullptr)
+  explicit Alexander_matrix(const Planar_diagram& diagram)
       : m_faces(diagram),
         m_size(diagram.crossings.size()),
-        m_is_split(m_faces.number_of_parts() + diagram.number_of_free_loops > 1),
-        m_watch(watch)
+        m_is_split(m_faces.number_of_parts() + diagram.number_of_free_loops > 1)
   {
     for(std::size_t face = 0, column = 0; face < m_faces.number_of_faces(); ++face) {
       const bool is_left_out = face == m_faces.face(0, 0) || face == m_faces.face(0, 1);
@@ -49,11 +47,11 @@ public:
   // an upper bound of the degree of value() as a polynomial in t
   std::size_t max_degree() const { return m_size; }
 
-  // \throws Run_stopped if a watch requests it
+  // \throws Run_stopped in a Watched_scope
   Number value(Number t, const Prime_field& field) const
   {
     if(m_is_split) return 0;
-    Sparse_determinant determinant(m_size, field, m_watch);
+    Sparse_determinant determinant(m_size, field);
     const Number coefficients[4] = {1, field.negative(1), t, field.negative(t)}; // of the corners
     for(std::size_t c = 0; c < m_size; ++c)
       for(std::size_t k = 0; k < 4; ++k) {
@@ -75,7 +73,6 @@ private:
   Diagram_faces m_faces;
   std::size_t m_size;
   bool m_is_split;
-  Run_watch* m_watch;                 // none if null
   std::vector<std::size_t> m_columns; // of each face; none for two
 };
 
@@ -85,11 +82,10 @@ inline constexpr std::uint64_t alexander_arguments[] = {1234567, 271828182};
 // Returns whether a knot seems to have the Alexander polynomial of the unknot, by its values at two
 // points of a prime field. If not, the knot is proved knotted; otherwise nothing is proved,
 // although no nontrivial knot of up to 10 crossings has this polynomial.
-// \throws Run_stopped if a watch requests it
-inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram,
-                                             Run_watch* watch = nullptr)
+// \throws Run_stopped in a Watched_scope
+inline bool has_trivial_alexander_polynomial(const Planar_diagram& diagram)
 {
-  const Alexander_matrix matrix(diagram, watch);
+  const Alexander_matrix matrix(diagram);
   const Prime_field field;
   for(const std::uint64_t t : alexander_arguments)
     if(matrix.squared_norm(t, field) != 1) return false;

@@ -40,9 +40,7 @@ struct Diagram_pieces
 class Diagram_divider
 {
 public:
-  Diagram_divider(const Planar_diagram& diagram, Run_watch* watch)
-      : m_diagram(diagram), m_watch(watch)
-  {}
+  explicit Diagram_divider(const Planar_diagram& diagram) : m_diagram(diagram) {}
 
   Diagram_pieces operator()()
   {
@@ -50,7 +48,7 @@ public:
     const Diagram_faces faces(m_diagram);
     const std::size_t parts = faces.number_of_parts() + m_diagram.number_of_free_loops;
     pieces.number_of_splits = parts == 0 ? 0 : parts - 1;
-    while(smooth_nugatory_crossing() || cut_connected_sum()) check(m_watch);
+    while(smooth_nugatory_crossing() || cut_connected_sum()) check_run();
     add_parts(pieces.diagrams);
     return pieces;
   }
@@ -157,13 +155,12 @@ private:
   }
 
   Planar_diagram m_diagram;
-  Run_watch* m_watch; // none if null
 };
 
-// \throws Run_stopped if a watch requests it
-inline Diagram_pieces diagram_pieces(const Planar_diagram& diagram, Run_watch* watch = nullptr)
+// \throws Run_stopped in a Watched_scope
+inline Diagram_pieces diagram_pieces(const Planar_diagram& diagram)
 {
-  return Diagram_divider(diagram, watch)();
+  return Diagram_divider(diagram)();
 }
 
 } // namespace internal

@@ -48,13 +48,12 @@ class Disk_sweep
 public:
   // \pre the diagram was returned by diagram_pieces(), or is a cable of such a diagram
   // \throws Polynomial_limit if all orders that were tried are wider than max_boundary
-  // \throws Run_stopped if a watch requests it
-  Disk_sweep(const Planar_diagram& diagram, Run_watch* watch)
-      : m_diagram(diagram), m_strands(diagram)
+  // \throws Run_stopped in a Watched_scope
+  explicit Disk_sweep(const Planar_diagram& diagram) : m_diagram(diagram), m_strands(diagram)
   {
     const std::size_t n = m_diagram.crossings.size();
     for(std::size_t c = 0; c < n; c += 1 + n / max_starts) {
-      check(watch);
+      check_run();
       const double cost = sweep_from(c);
       if(cost >= m_cost) continue;
       m_cost = cost;

@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Sparse_determinant.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Symmetric_form.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Exact_integer.h>
 
@@ -52,14 +51,14 @@ public:
   }
 
   // |Alexander(-1)|, exactly, for thousands of crossings
-  // \throws Run_stopped if a watch requests it
-  Exact_integer determinant(Run_watch* watch = nullptr) const
+  // \throws Run_stopped in a Watched_scope
+  Exact_integer determinant() const
   {
     if(m_is_split) return Exact_integer(0);
     Chinese_remainders remainders(1, max_bits());
     while(!remainders.is_complete()) {
       const Prime_field field = remainders.field();
-      Sparse_determinant matrix(m_size, field, watch);
+      Sparse_determinant matrix(m_size, field);
       for(const Entry& entry : m_entries)
         matrix.add(entry.row, entry.column, field.residue(entry.value));
       remainders.add({matrix()});
@@ -69,15 +68,13 @@ public:
   }
 
   // -2 for the right-handed trefoil
-  // \throws Run_stopped if a watch requests it
-  int signature(Run_watch* watch = nullptr) const
+  // \throws Run_stopped in a Watched_scope
+  int signature() const
   {
-    Symmetric_form form(m_size, watch);
+    Symmetric_form form(m_size);
     for(const Entry& entry : m_entries) form.add(entry.row, entry.column, entry.value);
     return m_correction - form.signature();
   }
-
-  std::size_t size() const { return m_size; }
 
 private:
   static constexpr std::size_t none = ~std::size_t(0);

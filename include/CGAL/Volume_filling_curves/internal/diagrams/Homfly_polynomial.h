@@ -32,7 +32,7 @@ public:
 
   Laurent_polynomial_2 operator()(const Planar_diagram& diagram)
   {
-    const Diagram_pieces pieces = diagram_pieces(diagram, m_work.watch());
+    const Diagram_pieces pieces = diagram_pieces(diagram);
     auto product = Laurent_polynomial_2::monomial({0, 0});
     for(const Planar_diagram& piece : pieces.diagrams) product = product * of_piece(piece);
     for(std::size_t i = 0; i < pieces.number_of_splits; ++i)
@@ -43,7 +43,7 @@ public:
 private:
   Laurent_polynomial_2 of_piece(const Planar_diagram& diagram)
   {
-    const Disk_sweep sweep(diagram, m_work.watch());
+    const Disk_sweep sweep(diagram);
     const Diagram_strands strands(diagram);
     Homfly_skein skein(m_work);
     int writhe = 0;
@@ -79,7 +79,7 @@ private:
 };
 
 // Returns nothing if the polynomial exceeds the limits.
-// \throws Run_stopped if a watch requests it
+// \throws Run_stopped in a Watched_scope
 inline std::optional<Laurent_polynomial_2> homfly_polynomial(
     const Planar_diagram& diagram, Polynomial_work work = Polynomial_work())
 {

@@ -38,7 +38,7 @@ public:
   {
     m_states = {{Pairing{}, Laurent_polynomial::monomial(0)}};
     m_width = 0;
-    const Disk_sweep sweep(diagram, m_work.watch());
+    const Disk_sweep sweep(diagram);
     for(const Sweep_step& step : sweep.steps()) take_in(step);
     const Laurent_polynomial sum = m_states.empty() ? Laurent_polynomial() : m_states[0].factor;
     Laurent_polynomial bracket; // the factors are in A^2, without 1/A for each crossing

@@ -13,8 +13,6 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -73,8 +71,8 @@ namespace internal {
 // without crossings; hence the diagram is simplified first. Cheap invariants come first: different
 // residues modulo a prime already prove a knot. A trivial link of several components has the
 // determinant and the Alexander polynomial 0.
-// \throws Run_stopped if a watch requests it
-inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch = nullptr)
+// \throws Run_stopped in a Watched_scope
+inline Knottedness knottedness(const Planar_diagram& diagram)
 {
   if(diagram.crossings.empty()) return Knottedness::UNKNOTTED;
   const std::size_t components = number_of_components(diagram);
@@ -82,7 +80,7 @@ inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch =
   for(const auto& row : linking_matrix({diagram.crossings, 0}))
     for(const int number : row)
       if(number != 0) return Knottedness::LINKED_BY_LINKING_NUMBER;
-  const Alexander_matrix matrix(diagram, watch);
+  const Alexander_matrix matrix(diagram);
   const Prime_field field;
   const Prime_field::Number trivial = components == 1 ? 1 : 0, minus_one = field.negative(1);
   const auto determinant = matrix.value(minus_one, field);
@@ -91,7 +89,7 @@ inline Knottedness knottedness(const Planar_diagram& diagram, Run_watch* watch =
   for(const std::uint64_t t : alexander_arguments)
     if(matrix.squared_norm(t, field) != trivial)
       return Knottedness::KNOTTED_BY_ALEXANDER_POLYNOMIAL;
-  const auto homfly = homfly_polynomial(diagram, Polynomial_work(watch));
+  const auto homfly = homfly_polynomial(diagram);
   if(!homfly) return Knottedness::UNKNOWN;
   auto of_trivial_link = Laurent_polynomial_2::monomial({0, 0});
   for(std::size_t k = 1; k < components; ++k)

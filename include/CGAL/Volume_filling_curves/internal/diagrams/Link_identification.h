@@ -15,11 +15,9 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Knottedness.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Link_identity.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/Polynomial_work.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Prime_knot.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Prime_link.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/colored_jones_polynomial.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,18 +41,18 @@ class Link_identification
 {
 public:
   // \pre the diagram is simplified
-  explicit Link_identification(Planar_diagram diagram, Run_watch* watch = nullptr) : m_watch(watch)
+  explicit Link_identification(Planar_diagram diagram)
   {
     m_identity.diagram = std::move(diagram);
     m_identity.number_of_components = number_of_components(m_identity.diagram);
     m_identity.linking_matrix = linking_matrix(m_identity.diagram);
   }
 
-  // \throws Run_stopped if the watch, if there is one, says so
+  // \throws Run_stopped in a Watched_scope
   Link_identity operator()()
   {
     if(m_identity.number_of_components == 0) return std::move(m_identity);
-    m_identity.knottedness = internal::knottedness(m_identity.diagram, m_watch);
+    m_identity.knottedness = internal::knottedness(m_identity.diagram);
     find_polynomials();
     if(m_identity.diagram.crossings.empty())
       name_trivial_link();
@@ -75,8 +73,8 @@ private:
   void find_polynomials()
   {
     const Planar_diagram& diagram = m_identity.diagram;
-    m_homfly = homfly_polynomial(diagram, Polynomial_work(m_watch));
-    const auto jones = colored_jones_polynomial(diagram, 1, Polynomial_work(m_watch));
+    m_homfly = homfly_polynomial(diagram);
+    const auto jones = colored_jones_polynomial(diagram, 1);
     std::ostringstream homfly_text, jones_text;
     for(std::ostringstream* text : {&homfly_text, &jones_text}) text->imbue(std::locale::classic());
     if(m_homfly) m_homfly->write(homfly_text, {"v", "z"});
@@ -98,7 +96,7 @@ private:
   {
     std::vector<Prime_knot> factors;
     bool are_named = true, are_oriented = true, are_proved = true;
-    for(const Planar_diagram& piece : diagram_pieces(m_identity.diagram, m_watch).diagrams) {
+    for(const Planar_diagram& piece : diagram_pieces(m_identity.diagram).diagrams) {
       const Piece_name name = piece_name(piece);
       are_named = are_named && name.is_known;
       are_oriented = are_oriented && name.is_oriented;
@@ -123,7 +121,7 @@ private:
   void name_link()
   {
     const std::size_t crossings = m_identity.diagram.crossings.size();
-    const auto pieces = diagram_pieces(m_identity.diagram, m_watch);
+    const auto pieces = diagram_pieces(m_identity.diagram);
     if(!m_homfly || pieces.diagrams.size() > 1 || pieces.number_of_splits > 0) return;
     const auto link = Prime_link::of(Knot_key::of(*m_homfly));
     if(!link || link->components != m_identity.number_of_components || link->crossings > crossings)
@@ -147,8 +145,8 @@ private:
 
   Piece_name piece_name(const Planar_diagram& piece)
   {
-    const auto homfly = homfly_polynomial(piece, Polynomial_work(m_watch));
-    const auto jones = colored_jones_polynomial(piece, 2, Polynomial_work(m_watch));
+    const auto homfly = homfly_polynomial(piece);
+    const auto jones = colored_jones_polynomial(piece, 2);
     const std::size_t crossings = piece.crossings.size();
     if(!homfly || !jones) {
       m_can_be_proved = true;
@@ -171,7 +169,7 @@ private:
     for(Prime_knot& knot : factors) {
       const Third_knot_key* third = knot.third_key();
       if(!third) continue;
-      const auto jones = colored_jones_polynomial(piece, 3, Polynomial_work(m_watch));
+      const auto jones = colored_jones_polynomial(piece, 3);
       if(!jones || factors.size() > 1) return false;
       knot.is_mirror = Knot_key::of(*jones) == Knot_key(third->keys[1]);
       if(Knot_key::of(*jones) != Knot_key(third->keys[knot.is_mirror ? 1 : 0])) return false;
@@ -179,7 +177,6 @@ private:
     return true;
   }
 
-  Run_watch* m_watch; // none if null
   Link_identity m_identity;
   std::optional<Laurent_polynomial_2> m_homfly;
   bool m_can_be_proved = false;

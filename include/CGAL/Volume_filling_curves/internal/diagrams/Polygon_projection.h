@@ -56,12 +56,10 @@ public:
   // They must not cross each other.
   Polygon_projection(const Closed_polygons& polygons,
                      const Viewing_direction& direction,
-                     Run_watch* watch = nullptr,
                      std::size_t lifted = none)
       : m_polygons(polygons),
         m_predicates(polygons.points, direction),
         m_next(polygons.points.size()),
-        m_watch(watch),
         m_lifted(lifted)
   {
     for(std::size_t v = 0, c = 0; v < m_next.size(); ++v) {
@@ -75,7 +73,7 @@ public:
   }
 
   // Returns nothing if the direction is not generic.
-  // \throws Run_stopped if a watch requests it
+  // \throws Run_stopped in a Watched_scope
   std::optional<Planar_diagram> operator()()
   {
     if(!find_crossings() || !sort_passes()) return std::nullopt;
@@ -96,7 +94,7 @@ private:
     bool is_generic = true;
     unsigned pairs = 0;
     for_each_overlapping_pair(Box_tree(images_of_edges()), [&](std::size_t e, std::size_t f) {
-      check_sometimes(m_watch, pairs);
+      check_sometimes(nullptr, pairs);
       if(is_generic) is_generic = meet(e, f);
     });
     return is_generic;
@@ -252,7 +250,6 @@ private:
   const Closed_polygons& m_polygons;
   const Projection_predicates m_predicates;
   std::vector<std::size_t> m_next;
-  Run_watch* m_watch; // none if null
   const std::size_t m_lifted;
   Vector m_right, m_up; // span the image
   std::vector<Pass> m_passes;

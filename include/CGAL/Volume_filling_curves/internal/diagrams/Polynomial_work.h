@@ -25,26 +25,21 @@ class Polynomial_work
 public:
   static constexpr std::size_t about_a_second = 25'000'000;
 
-  explicit Polynomial_work(Run_watch* watch = nullptr, std::size_t operations = about_a_second)
-      : m_watch(watch), m_left(operations)
-  {}
+  explicit Polynomial_work(std::size_t operations = about_a_second) : m_left(operations) {}
 
   Polynomial_work(const Polynomial_work&) = delete;
   Polynomial_work& operator=(const Polynomial_work&) = delete;
 
   // \throws Polynomial_limit if less is left
-  // \throws Run_stopped if a watch requests it
+  // \throws Run_stopped in a Watched_scope
   void use(std::size_t operations)
   {
     if(operations > m_left) throw Polynomial_limit();
     m_left -= operations;
-    check_sometimes(m_watch, m_steps);
+    check_sometimes(nullptr, m_steps);
   }
 
-  Run_watch* watch() const { return m_watch; } // none if null
-
 private:
-  Run_watch* m_watch;
   std::size_t m_left;
   unsigned m_steps = 0;
 };

@@ -32,8 +32,8 @@ class Sparse_determinant
 public:
   using Number = Prime_field::Number;
 
-  explicit Sparse_determinant(std::size_t n, const Prime_field& field, Run_watch* watch = nullptr)
-      : m_field(field), m_watch(watch), m_rows(n), m_columns(n)
+  Sparse_determinant(std::size_t n, const Prime_field& field)
+      : m_field(field), m_rows(n), m_columns(n)
   {}
 
   void add(std::size_t row, std::size_t column, Number x)
@@ -47,14 +47,14 @@ public:
   }
 
   // Returns the determinant. Consumes the matrix.
-  // \throws Run_stopped if a watch requests it
+  // \throws Run_stopped in a Watched_scope
   Number operator()()
   {
     begin();
     Number result = 1;
     unsigned steps = 0;
     while(!m_queue.empty()) {
-      check_sometimes(m_watch, steps);
+      check_sometimes(nullptr, steps);
       const auto [length, row] = m_queue.top();
       m_queue.pop();
       if(m_is_done[row] || length != m_rows[row].size()) continue;
@@ -143,7 +143,6 @@ private:
   using Item = std::pair<std::size_t, std::size_t>; // length, maybe a former one, and row
 
   const Prime_field m_field;
-  Run_watch* m_watch; // none if null
   std::vector<Row> m_rows;
   std::vector<std::vector<std::size_t>> m_columns; // rows that have, or had, an entry there
   std::vector<bool> m_is_done;

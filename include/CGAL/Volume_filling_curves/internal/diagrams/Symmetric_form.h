@@ -32,7 +32,7 @@ namespace internal {
 class Symmetric_form
 {
 public:
-  explicit Symmetric_form(std::size_t n, Run_watch* watch = nullptr) : m_watch(watch), m_rows(n) {}
+  explicit Symmetric_form(std::size_t n) : m_rows(n) {}
 
   void add(std::size_t i, std::size_t j, const Exact_rational& x)
   {
@@ -42,13 +42,13 @@ public:
   }
 
   // Consumes the matrix.
-  // \throws Run_stopped if a watch requests it
+  // \throws Run_stopped in a Watched_scope
   int signature()
   {
     for(std::size_t i = 0; i < m_rows.size(); ++i) enqueue(i);
     int result = 0;
     while(!m_queue.empty() || find_any_pivot()) {
-      check(m_watch);
+      check_run();
       const std::size_t i = m_queue.begin()->second;
       result += CGAL::sign(m_rows[i].at(i)) == POSITIVE ? 1 : -1;
       eliminate(i);
@@ -99,7 +99,6 @@ private:
     }
   }
 
-  Run_watch* m_watch; // none if null
   std::vector<Row> m_rows;
   std::set<std::pair<std::size_t, std::size_t>> m_queue; // lengths and rows with a diagonal entry
 };

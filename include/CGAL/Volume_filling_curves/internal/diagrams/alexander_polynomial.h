@@ -13,7 +13,6 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Chinese_remainders.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Prime_field.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <CGAL/Exact_integer.h>
 
@@ -49,11 +48,10 @@ inline std::vector<Prime_field::Number> interpolation(std::vector<Prime_field::N
 // their sum is 1 for a knot; for a link the first one is positive. None if the polynomial is 0, as
 // for a split link. Every row of the matrix has norm 2 on the unit circle, which bounds them
 // (Hadamard). O(n^2.5) operations modulo each of n / 31 primes: 0.7 s for 257 crossings.
-// \throws Run_stopped if a watch requests it
-inline std::vector<Exact_integer> alexander_polynomial(const Planar_diagram& diagram,
-                                                       Run_watch* watch = nullptr)
+// \throws Run_stopped in a Watched_scope
+inline std::vector<Exact_integer> alexander_polynomial(const Planar_diagram& diagram)
 {
-  const Alexander_matrix matrix(diagram, watch);
+  const Alexander_matrix matrix(diagram);
   const std::size_t n = matrix.max_degree() + 1;
   Chinese_remainders remainders(n, static_cast<double>(n));
   while(!remainders.is_complete()) {

@@ -104,7 +104,7 @@ public:
   // in t of a knot; of a link, for color 1 only, in the square root of t
   Laurent_polynomial operator()(const Planar_diagram& diagram, int color)
   {
-    const Diagram_pieces pieces = diagram_pieces(diagram, m_work.watch());
+    const Diagram_pieces pieces = diagram_pieces(diagram);
     auto product = Laurent_polynomial::monomial(0);
     for(const Planar_diagram& piece : pieces.diagrams) product = product * of_piece(piece, color);
     for(std::size_t i = 0; i < pieces.number_of_splits; ++i) product = product * bracket_of_loop(1);
@@ -143,7 +143,7 @@ private:
 
 // Returns the Jones polynomial J_c of color c, from 1 to 3; nothing if it exceeds the limits.
 // \pre the diagram is that of a knot if c > 1
-// \throws Run_stopped if a watch requests it
+// \throws Run_stopped in a Watched_scope
 inline std::optional<Laurent_polynomial> colored_jones_polynomial(
     const Planar_diagram& diagram, int color, Polynomial_work work = Polynomial_work())
 {

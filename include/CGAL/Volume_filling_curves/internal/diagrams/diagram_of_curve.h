@@ -14,7 +14,6 @@
 #include <CGAL/Volume_filling_curves/internal/diagrams/Polygon_projection.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <cmath>
 #include <cstddef>
@@ -54,17 +53,16 @@ inline Viewing_direction viewing_direction(std::size_t k)
 
 // Diagram with the fewest crossings among several directions, or that of the first direction if it
 // has very many; none if the polygons meet, and hence no direction is generic.
-// \throws Run_stopped if a watch requests it
+// \throws Run_stopped in a Watched_scope
 inline std::optional<Planar_diagram> find_diagram(const Closed_polygons& polygons,
-                                                  std::size_t number_of_directions,
-                                                  Run_watch* watch = nullptr)
+                                                  std::size_t number_of_directions)
 {
   // Of 10,000 directions, none is refused for an embedded curve, on a lattice or not.
   constexpr std::size_t max_refused = 20;
   std::optional<Planar_diagram> best;
   std::size_t seen = 0, refused = 0;
   while(seen < number_of_directions || !best) {
-    auto diagram = Polygon_projection(polygons, viewing_direction(seen + refused), watch)();
+    auto diagram = Polygon_projection(polygons, viewing_direction(seen + refused))();
     if(diagram) {
       ++seen;
       if(!best || diagram->crossings.size() < best->crossings.size()) best = std::move(diagram);
@@ -76,10 +74,9 @@ inline std::optional<Planar_diagram> find_diagram(const Closed_polygons& polygon
 
 // The same. \throws std::invalid_argument if the polygons meet
 inline Planar_diagram best_diagram(const Closed_polygons& polygons,
-                                   std::size_t number_of_directions,
-                                   Run_watch* watch = nullptr)
+                                   std::size_t number_of_directions)
 {
-  auto diagram = find_diagram(polygons, number_of_directions, watch);
+  auto diagram = find_diagram(polygons, number_of_directions);
   if(!diagram) throw std::invalid_argument("the curve has no generic projection: it meets itself");
   return std::move(*diagram);
 }

@@ -30,21 +30,21 @@ class Diagram_simplification
   using Slot = Editable_diagram::Slot;
 
 public:
-  explicit Diagram_simplification(const Planar_diagram& diagram, Run_watch* watch = nullptr)
-      : m_diagram(diagram), m_rerouting(m_diagram), m_watch(watch)
+  explicit Diagram_simplification(const Planar_diagram& diagram)
+      : m_diagram(diagram), m_rerouting(m_diagram)
   {}
 
   Planar_diagram result() const { return m_diagram.planar_diagram(); }
   std::size_t number_of_crossings() const { return m_diagram.number_of_crossings(); }
 
   // Shortens strands until none gets shorter.
-  // \throws Run_stopped if a watch requests it
+  // \throws Run_stopped in a Watched_scope
   void shorten_strands()
   {
     for(std::size_t before = number_of_crossings() + 1; number_of_crossings() < before;) {
       before = number_of_crossings();
       for(Slot s = 0; s < m_diagram.number_of_slots(); ++s) {
-        check_sometimes(m_watch, m_calls);
+        check_sometimes(nullptr, m_calls);
         if(!m_diagram.is_used(s) || !m_diagram.is_outgoing(s)) continue;
         if(Editable_diagram::is_over(s) != Editable_diagram::is_over(m_diagram.mate(s)))
           m_rerouting.shorten(s, all);
@@ -62,7 +62,7 @@ public:
   void shake(std::size_t moves_per_crossing, Random_source& random)
   {
     for(std::size_t k = moves_per_crossing * number_of_crossings(); k > 0 && !is_work_done(); --k) {
-      check_sometimes(m_watch, m_calls);
+      check_sometimes(nullptr, m_calls);
       const Slot s = static_cast<Slot>(random.index(m_diagram.number_of_slots()));
       const std::size_t length = 1 + random.index(max_shaken_length);
       if(m_diagram.is_used(s) && m_diagram.is_outgoing(s))
@@ -79,21 +79,20 @@ private:
 
   Editable_diagram m_diagram;
   Strand_rerouting m_rerouting;
-  Run_watch* m_watch; // none if null
   unsigned m_calls = 0;
 };
 
 // Returns a diagram of the same link with few crossings. 128 tangled prime knots of up to 10
 // crossings, seen from 10 directions each, all reach their crossing number, in 0.6 ms on average; a
 // random polygon of 100,000 nodes goes from 15,349 to 2,700 crossings in half a second.
-// \throws Run_stopped if a watch requests it
-inline Planar_diagram simplified_diagram(const Planar_diagram& diagram, Run_watch* watch = nullptr)
+// \throws Run_stopped in a Watched_scope
+inline Planar_diagram simplified_diagram(const Planar_diagram& diagram)
 {
   constexpr std::size_t moves_per_crossing = 16;
   // Rounds without success: 30 sufficed for the 128 knots, and 10 left one crossing in one of them.
   constexpr std::size_t min_rounds = 3, max_rounds = 100, max_work = 20000;
   Random_source random(0);
-  Diagram_simplification simplification(diagram, watch);
+  Diagram_simplification simplification(diagram);
   simplification.shorten_strands();
   for(std::size_t failures = 0; simplification.number_of_crossings() > 0; ++failures) {
     const std::size_t before = simplification.number_of_crossings();

@@ -54,7 +54,7 @@ public:
   {}
 
   // \throws std::invalid_argument if the chain meets itself
-  // \throws Run_stopped if the watch says so
+  // \throws Run_stopped in a Watched_scope
   Chain_identity operator()()
   {
     Chain_identity identity;
@@ -99,16 +99,15 @@ private:
 
   Closure_knot knot(std::size_t first, std::size_t last, const Viewing_direction& direction)
   {
-    m_watch.check();
     const auto begin = m_chain.begin();
     std::vector<Vector> section(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last) + 1);
-    return knot(diagram_closed_at_infinity(std::move(section), direction, &m_watch));
+    return knot(diagram_closed_at_infinity(std::move(section), direction));
   }
 
   Closure_knot knot(const Closed_polygons& polygon)
   {
     constexpr std::size_t number_of_directions = 20;
-    const auto diagram = find_diagram(polygon, number_of_directions, &m_watch);
+    const auto diagram = find_diagram(polygon, number_of_directions);
     return diagram ? knot(*diagram) : Closure_knot();
   }
 
@@ -116,14 +115,14 @@ private:
   // meet a new one at the same time both find the same knot.
   Closure_knot knot(const Planar_diagram& diagram)
   {
-    Planar_diagram simplified = simplified_diagram(diagram, &m_watch);
+    Planar_diagram simplified = simplified_diagram(diagram);
     const Crossings crossings = simplified.crossings;
     {
       const std::lock_guard<std::mutex> lock(m_mutex);
       const auto known = m_known.find(crossings);
       if(known != m_known.end()) return known->second;
     }
-    const Link_identity identity = Link_identification(std::move(simplified), &m_watch)();
+    const Link_identity identity = Link_identification(std::move(simplified))();
     const std::lock_guard<std::mutex> lock(m_mutex);
     return m_known.try_emplace(crossings, Closure_knot{identity.name, identity.is_proved})
         .first->second;

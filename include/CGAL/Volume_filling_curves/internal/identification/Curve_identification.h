@@ -45,17 +45,17 @@ public:
     (void)closed_polygons(m_curves);
   }
 
-  // \throws Run_stopped if the watch requests it
+  // \throws Run_stopped in a Watched_scope
   Link_identity operator()()
   {
     simplify();
-    Link_identification first(diagram(), &m_watch);
+    Link_identification first(diagram());
     Link_identity identity = first();
     if(!first.can_be_proved_by_fewer_crossings() || m_curves.number_of_edges() > max_searched_edges)
       return identity;
     search();
     simplify();
-    Link_identity second = Link_identification(diagram(), &m_watch)();
+    Link_identity second = Link_identification(diagram())();
     return second.is_proved ? second : identity;
   }
 
@@ -74,8 +74,7 @@ private:
   Planar_diagram diagram() const
   {
     constexpr std::size_t number_of_directions = 20;
-    return simplified_diagram(
-        best_diagram(closed_polygons(m_curves), number_of_directions, &m_watch), &m_watch);
+    return simplified_diagram(best_diagram(closed_polygons(m_curves), number_of_directions));
   }
 
   void search()

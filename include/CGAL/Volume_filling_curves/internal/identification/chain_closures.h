@@ -15,7 +15,6 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
-#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +74,9 @@ inline std::vector<Viewing_direction> spread_directions(std::size_t number, std:
 // projection gives this diagram without any points far away. The path has a corner: a single edge
 // would cover one at an end of the chain that points at the other end.
 // \throws std::invalid_argument if the chain meets itself
-// \throws Run_stopped if the watch says so
+// \throws Run_stopped in a Watched_scope
 inline Planar_diagram diagram_closed_at_infinity(std::vector<Vector> chain,
-                                                 Viewing_direction direction,
-                                                 Run_watch* watch)
+                                                 Viewing_direction direction)
 {
   constexpr int max_refused = 20; // as in find_diagram()
   const std::size_t last = chain.size() - 1;
@@ -90,7 +88,7 @@ inline Planar_diagram diagram_closed_at_infinity(std::vector<Vector> chain,
   Closed_polygons polygon = closed_polygon(std::move(chain));
   for(int k = 0; k < max_refused; ++k) {
     polygon.points.back() = middle + length / 4 * Random_source(std::size_t(k)).direction();
-    auto diagram = Polygon_projection(polygon, direction, watch, last)();
+    auto diagram = Polygon_projection(polygon, direction, last)();
     if(diagram) return std::move(*diagram);
     direction[std::size_t(k % 3)] += k + 1; // an angle of 1e-6 makes it generic
   }

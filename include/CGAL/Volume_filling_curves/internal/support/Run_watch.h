@@ -30,9 +30,10 @@ struct Run_stopped
 
 class Run_watch;
 
-// Scope in which a watch is that of the current thread: loops over blocks that the thread starts,
-// in whatever threads they run, and loops that call check_run(), or check() without a watch, end
-// with Run_stopped once the run is to stop. A null watch suspends an outer scope.
+// Scope in which a watch is that of the current thread, and of the blocks of loops that it starts,
+// in whatever threads they run: loops over blocks, and loops that call check_run(), or check()
+// without a watch, end with Run_stopped once the run is to stop. A null watch suspends an outer
+// scope.
 class Watched_scope
 {
 public:

@@ -51,7 +51,8 @@ void for_each_block(std::size_t n, std::size_t block, const Function& f)
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
   Run_watch* const watch = Watched_scope::current();
   const auto run_block = [&](std::size_t b) {
-    if(watch) watch->check();
+    const Watched_scope scope(watch); // in whatever thread
+    check_run();
     f(b * block, (std::min)(n, (b + 1) * block));
   };
   const std::size_t number_of_blocks = (n + block - 1) / block;
