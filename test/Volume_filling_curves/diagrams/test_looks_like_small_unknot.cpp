@@ -8,7 +8,7 @@
 #include "support/knot_invariants.h"
 
 #include <CGAL/Volume_filling_curves/generators.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/Alexander_matrix.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/alexander_polynomial.h>
 
 #include <gtest/gtest.h>
 

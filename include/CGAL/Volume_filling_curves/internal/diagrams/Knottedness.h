@@ -9,10 +9,10 @@
 
 #include <CGAL/license/Volume_filling_curves.h>
 
-#include <CGAL/Volume_filling_curves/internal/diagrams/Alexander_matrix.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Homfly_skein.h>
 #include <CGAL/Volume_filling_curves/internal/diagrams/Planar_diagram.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/alexander_polynomial.h>
 
 #include <cstddef>
 #include <cstdint>

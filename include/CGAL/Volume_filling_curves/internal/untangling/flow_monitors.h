@@ -10,7 +10,7 @@
 #include <CGAL/license/Volume_filling_curves.h>
 
 #include <CGAL/Volume_filling_curves/internal/curve/curve_walks.h>
-#include <CGAL/Volume_filling_curves/internal/diagrams/Alexander_matrix.h>
+#include <CGAL/Volume_filling_curves/internal/diagrams/alexander_polynomial.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Step_size.h>
 
 #include <algorithm>
