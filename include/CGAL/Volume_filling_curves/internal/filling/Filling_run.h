@@ -30,6 +30,7 @@
 #include <CGAL/Volume_filling_curves/internal/guard/Garbage_scope.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>

@@ -23,6 +23,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/spheres/Default_thickness.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_saver.h>
+#include <CGAL/Volume_filling_curves/internal/state/run_fingerprint.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_visitor.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/untangling/Closing_rays.h>
