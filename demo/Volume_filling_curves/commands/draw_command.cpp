@@ -7,11 +7,11 @@
 // vfc draw: a picture of a curve, and of a surface around it, or a film of a run.
 
 #include "commands/commands.h"
+#include "files/Frames.h"
 #include "files/curve_files.h"
 #include "files/polygon_files.h"
 #include "film/Film.h"
 #include "film/film_page.h"
-#include "film/frame_files.h"
 #include "meshes/flat_mesh.h"
 #include "options/Command_line.h"
 #include "options/option_kinds.h"

@@ -7,7 +7,9 @@
 #include "files/Frames.h"
 
 #include "files/Output_files.h"
+#include "options/numbers.h"
 #include "session/Console.h"
+#include "session/errors.h"
 
 #include <CGAL/Volume_filling_curves/untangle.h>
 
@@ -23,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char frame_prefix[] = "frame_";
+constexpr std::size_t start_of_number = sizeof frame_prefix - 1;
 constexpr char list_of_frames[] = "frames.pvd";
 
 } // namespace
@@ -30,11 +33,10 @@ constexpr char list_of_frames[] = "frames.pvd";
 bool Frames::is_frame(const fs::path& file)
 {
   const std::string number = file.stem().string();
-  const std::size_t start = sizeof frame_prefix - 1;
   const bool is_curve = file.extension() == ".obj" || file.extension() == ".vtp";
   return file.filename() == list_of_frames ||
-         (is_curve && number.compare(0, start, frame_prefix) == 0 &&
-          number.find_first_not_of("0123456789", start) == std::string::npos);
+         (is_curve && number.compare(0, start_of_number, frame_prefix) == 0 &&
+          number.find_first_not_of("0123456789", start_of_number) == std::string::npos);
 }
 
 void Frames::add(std::size_t iteration, const Curve& curve)
@@ -102,6 +104,27 @@ void Frames::prepare_folder() const
     if(is_frame(entry.path()) && !Output_files::is_to_be_new(entry.path().string()))
       old.push_back(entry.path());
   for(const fs::path& file : old) fs::remove(file, error);
+}
+
+std::vector<Frame_file> frames_in(const std::string& folder)
+{
+  std::error_code error;
+  std::vector<Frame_file> frames;
+  fs::directory_iterator entry(folder, error);
+  for(; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::path file = entry->path();
+    if(!Frames::is_frame(file)) continue;
+    unsigned long long iteration = 0;
+    if(parse(file.stem().string().substr(start_of_number), iteration))
+      frames.push_back({static_cast<std::size_t>(iteration), file.string()});
+  }
+  if(error) throw Usage_error("--film: " + folder + ": cannot be read: " + error.message());
+  if(frames.empty())
+    throw Usage_error("--film: " + folder + ": holds no frames; --frames of untangle and fill " +
+                      "writes them");
+  std::sort(frames.begin(), frames.end(),
+            [](const Frame_file& a, const Frame_file& b) { return a.iteration < b.iteration; });
+  return frames;
 }
 
 } // namespace vfc

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace vfc {
 
@@ -53,6 +54,16 @@ private:
   bool m_are_wanted;
   std::set<std::size_t> m_written; // iterations; a strategy can repeat them
 };
+
+struct Frame_file
+{
+  std::size_t iteration;
+  std::string file;
+};
+
+// Returns the frames of a run in a folder, in order, for a film. \throws Usage_error if there are
+// none
+std::vector<Frame_file> frames_in(const std::string& folder);
 
 } // namespace vfc
 
