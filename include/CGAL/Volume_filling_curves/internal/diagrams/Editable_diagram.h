@@ -47,7 +47,6 @@ public:
   std::size_t number_of_crossings() const { return m_number_of_crossings; }
   std::size_t number_of_slots() const { return m_mates.size(); }
   bool is_used(Slot s) const { return m_is_used[s / 4]; }
-  bool is_positive(Slot s) const { return m_is_positive[s / 4]; }
 
   Slot mate(Slot s) const { return m_mates[s]; }
   static Slot rotated(Slot s, unsigned by) { return (s & ~Slot(3)) | ((s + by) & 3); }

@@ -68,7 +68,7 @@ public:
 
   // Sets the least distance of inside triangles to the boundary, and the width of the layer along
   // the boundary that counts as outside for the flow. \pre the layer is no wider than the distance
-  void set_wall_distance(double distance, double layer = 0)
+  void set_wall_distance(double distance, double layer)
   {
     m_wall_distance = (std::max)(0., distance); // 0 for NaN
     m_layer = layer;
