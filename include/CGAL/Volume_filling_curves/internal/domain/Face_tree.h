@@ -87,9 +87,13 @@ public:
   // returns whether the closed triangle, which may be degenerate, meets the surface; exact
   bool does_meet(const std::array<Point_3, 3>& triangle) const
   {
-    Meeting_query query{*this, triangle, box_of(triangle), false};
-    Nearest_first_descent<Meeting_query>(m_tree, query).run();
-    return query.has_met;
+    const Bbox_3 box = box_of(triangle);
+    const auto overlaps = [&](const Bbox_3& other) { return CGAL::do_overlap(box, other); };
+    return any_leaf(m_tree, overlaps, [&](std::size_t i) {
+      const Triangle& face = m_triangles[i];
+      return overlaps(box_of(face)) &&
+             Triangle_intersection<Curve_flow_traits_3<Kernel>>().do_intersect(face, triangle);
+    });
   }
 
   // returns whether the point lies strictly inside of the surface; exact
@@ -154,54 +158,19 @@ public:
 private:
   using Triangle = std::array<Point_3, 3>;
 
-  struct Meeting_query
-  {
-    const Face_tree& faces;
-    const Triangle& triangle;
-    Bbox_3 box;
-    bool has_met;
-
-    double bound() const { return has_met ? 0 : 1; }
-
-    double entry(const Bbox_3& other) const { return CGAL::do_overlap(box, other) ? 0 : 1; }
-
-    void visit(std::size_t i)
-    {
-      const Triangle& face = faces.m_triangles[i];
-      if(has_met || !CGAL::do_overlap(box, box_of(face))) return;
-      has_met = Triangle_intersection<Curve_flow_traits_3<Kernel>>().do_intersect(face, triangle);
-    }
-  };
-
   // Passes the faces that an upward ray may meet to a function, by their order in the tree.
-  template <typename Function>
-  struct Crossing_query
-  {
-    const Face_tree& faces;
-    Vector source;
-    Function function;
-
-    double bound() const { return 1; }
-
-    double entry(const Bbox_3& box) const
-    {
-      const bool is_met = box.xmin() <= source.x() && source.x() <= box.xmax() &&
-                          box.ymin() <= source.y() && source.y() <= box.ymax() &&
-                          source.z() <= box.zmax();
-      return is_met ? 0 : 1;
-    }
-
-    void visit(std::size_t i)
-    {
-      if(entry(box_of(faces.m_triangles[i])) < bound()) function(i);
-    }
-  };
-
   template <typename Function>
   void for_each_face_above(const Point_3& p, const Function& function) const
   {
-    Crossing_query<Function> query{*this, to_vector(p), function};
-    Nearest_first_descent<Crossing_query<Function>>(m_tree, query).run();
+    const Vector source = to_vector(p);
+    const auto may_meet = [&](const Bbox_3& box) {
+      return box.xmin() <= source.x() && source.x() <= box.xmax() && box.ymin() <= source.y() &&
+             source.y() <= box.ymax() && source.z() <= box.zmax();
+    };
+    any_leaf(m_tree, may_meet, [&](std::size_t i) {
+      if(may_meet(box_of(m_triangles[i]))) function(i);
+      return false;
+    });
   }
 
   struct Distance_query

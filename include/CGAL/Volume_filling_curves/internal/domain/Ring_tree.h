@@ -83,25 +83,21 @@ public:
   const Bbox_3& bbox() const { return m_tree.root().hull(); }
 
   // Calls a function for the edges that meet a closed triangle, which may be degenerate, until it
-  // returns true. Exact.
+  // returns true; returns whether it has. Exact.
   template <typename Function>
-  void for_each_meeting(const std::array<Planar_point, 3>& triangle, const Function& function) const
+  bool any_meeting(const std::array<Planar_point, 3>& triangle, const Function& function) const
   {
     const Bbox_3 box = box_of(triangle[0]) + box_of(triangle[1]) + box_of(triangle[2]);
-    bool is_done = false;
-    const auto visit = [&](const Edge& edge) {
-      if(!is_done && does_triangle_meet_segment(triangle, edge.source, edge.target))
-        is_done = function(edge);
-      return is_done;
-    };
-    for_each_in([&](const Bbox_3& other) { return CGAL::do_overlap(box, other); }, visit);
+    const auto overlaps = [&](const Bbox_3& other) { return CGAL::do_overlap(box, other); };
+    return any_leaf(m_tree, overlaps, [&](std::size_t i) {
+      const Edge& edge = m_edges[i];
+      return does_triangle_meet_segment(triangle, edge.source, edge.target) && function(edge);
+    });
   }
 
   bool does_meet(const std::array<Planar_point, 3>& triangle) const
   {
-    bool is_met = false;
-    for_each_meeting(triangle, [&](const Edge&) { return is_met = true; });
-    return is_met;
+    return any_meeting(triangle, [](const Edge&) { return true; });
   }
 
   // Returns the rings, except a given one, that have the point strictly inside, in order, by the
@@ -153,47 +149,24 @@ private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Visits edges in the boxes for which a predicate holds.
-  template <typename Holds, typename Visit>
-  struct Search
-  {
-    const Ring_tree& rings;
-    const Holds& holds;
-    const Visit& visit_edge; // returns whether the search is done
-    bool is_done = false;
-
-    double bound() const { return is_done ? 0 : 1; }
-    double entry(const Bbox_3& box) const { return holds(box) ? 0 : 1; }
-    void visit(std::size_t i) { is_done = is_done || visit_edge(rings.m_edges[i]); }
-  };
-
-  template <typename Holds, typename Visit>
-  void for_each_in(const Holds& holds, const Visit& visit) const
-  {
-    Search<Holds, Visit> search{*this, holds, visit};
-    Nearest_first_descent<Search<Holds, Visit>>(m_tree, search).run();
-  }
-
   // Calls a function for the edges that the ray crosses, except those of one ring, unless the point
   // lies on an edge; returns whether it does not. An edge contains its lower end, hence a corner
   // counts once.
   template <typename Function>
   bool cross(const Planar_point& p, std::size_t except, const Function& function) const
   {
-    bool is_on_ring = false;
     const auto may_cross = [&](const Bbox_3& box) {
       return box.ymin() <= p.y() && p.y() <= box.ymax() && p.x() <= box.xmax();
     };
-    for_each_in(may_cross, [&](const Edge& e) {
+    return !any_leaf(m_tree, may_cross, [&](std::size_t i) {
+      const Edge& e = m_edges[i];
       if(e.ring == except) return false;
-      is_on_ring = is_on_ring || does_segment_hold(e.source, e.target, p);
       const bool is_upward = e.source.y() <= p.y();
       if(is_upward != (e.target.y() <= p.y()) &&
          CGAL::orientation(e.source, e.target, p) == (is_upward ? LEFT_TURN : RIGHT_TURN))
         function(e);
-      return is_on_ring;
+      return does_segment_hold(e.source, e.target, p);
     });
-    return !is_on_ring;
   }
 
   struct Distance_query

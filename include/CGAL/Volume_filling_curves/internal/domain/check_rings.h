@@ -75,7 +75,7 @@ private:
 
   void check_edge(const Edge& edge, const Ring_tree& tree) const
   {
-    tree.for_each_meeting({edge.source, edge.target, edge.target}, [&](const Edge& other) {
+    tree.any_meeting({edge.source, edge.target, edge.target}, [&](const Edge& other) {
       if(do_cross(edge, other)) refuse_pair(edge, other);
       return false;
     });

@@ -75,6 +75,29 @@ private:
   Query& m_query;
 };
 
+template <typename May_hold, typename Predicate>
+struct Any_leaf_query
+{
+  const May_hold& may_hold;
+  const Predicate& predicate;
+  bool is_found = false;
+
+  double bound() const { return is_found ? 0 : 1; }
+  double entry(const Bbox_3& box) const { return may_hold(box) ? 0 : 1; }
+  void visit(std::size_t i) { is_found = is_found || predicate(i); }
+};
+
+// Returns whether `predicate(i)` holds for a leaf i in boxes for which `may_hold(box)` holds. Ends
+// with the first one.
+template <typename May_hold, typename Predicate>
+bool any_leaf(const Box_tree& tree, const May_hold& may_hold, const Predicate& predicate)
+{
+  using Query = Any_leaf_query<May_hold, Predicate>;
+  Query query{may_hold, predicate};
+  Nearest_first_descent<Query>(tree, query).run();
+  return query.is_found;
+}
+
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL
