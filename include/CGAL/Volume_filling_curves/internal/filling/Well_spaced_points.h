@@ -92,6 +92,9 @@ private:
   static constexpr int max_halvings = 20;                    // of the box
   static constexpr std::size_t max_candidates = 200'000'000; // 5 GB; a million nodes need a million
   static constexpr std::size_t max_cubes = 2'000'000'000;    // 8 GB; also those outside of the box
+  // In units of the box. Candidates outside of other boxes take little time, and stay for the sake
+  // of the random order.
+  static constexpr double min_cube_of_thin_box = 64;
   static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
 
   struct Cube // or square
@@ -109,6 +112,9 @@ private:
     double side = size_of_cube(low + sides / 2);
     while(side < sides.maxCoeff()) side *= 2;
     m_min_side = side * std::ldexp(1, -max_halvings);
+    double cube = 1; // in units of the box
+    for(int i = 0; i < Space::dimension; ++i) cube *= side / sides[i];
+    m_is_thin = cube > min_cube_of_thin_box;
     divide({low, side}, random);
   }
 
@@ -144,11 +150,15 @@ private:
     if(m_is_kept.back()) m_candidates.push_back(p);
   }
 
+  // Distances of points outside of the domain may be 0, those from its box are not.
   bool is_outside(const Cube& cube) const
   {
     constexpr double half_diagonal = 0.87; // of a cube of side 1, rounded up
-    const Point_3 center = to_point(cube.low + cube.side / 2 * Space::ones(), m_traits);
-    return !m_domain.is_inside(center) && m_domain.distance(center) > half_diagonal * cube.side;
+    const double radius = half_diagonal * cube.side;
+    const Vector center = cube.low + cube.side / 2 * Space::ones();
+    if(m_is_thin && squared_distance_to_box(center, m_domain.bbox()) > radius * radius) return true;
+    const Point_3 p = to_point(center, m_traits);
+    return !m_domain.is_inside(p) && m_domain.distance(p) > radius;
   }
 
   bool has_clearance(const Vector& x, double clearance) const
@@ -222,6 +232,7 @@ private:
   Run_watch& m_watch;
   const double m_layer;
   double m_min_side = 0;
+  bool m_is_thin = false;          // whether nearly all of the cube lies outside of the box
   std::deque<Vector> m_candidates; // no vector, which takes thrice as much while it grows
   std::vector<bool> m_is_kept;     // of all candidates, in the order of the cubes
   std::vector<bool> m_is_struck_out;
