@@ -19,6 +19,7 @@ COMMAND = r"\\vfcNamedParams\{(\w+)\}"
 SEQUENCE = "an optional sequence of named parameters among the ones listed below"
 STRUCT = "the parameters, whose members are listed below"
 RANGES = {"POSITIVE": "positive and finite", "UP_TO_ONE": "positive and at most 1",
+          "UP_TO_A_MILLION": "positive and at most 1,000,000",
           "NOT_NEGATIVE": "finite and not negative", "NOT_NEGATIVE_OR_NEVER": "not negative"}
 UNITS = r"in units of|in the input's unit|in seconds|dimensionless"
 DEFAULTS = {"std::numeric_limits<double>::infinity()": "infinity", "nullptr": "none", "": "none"}
@@ -81,8 +82,6 @@ def from_members(name, owner, settings):
     ranges = [RANGES[limits] for _, limits in settings if limits]
     if "double" in kinds and not re.search(UNITS, text):
         raise SystemExit(f"{name} of {owner} has no unit")
-    if "std::size_t" in kinds:
-        ranges = [limits.removesuffix(" and finite") for limits in ranges]
     return [rf"\cgalParamNBegin{{{name}}}", rf"\cgalParamDescription{{{text}}}",
             rf"\cgalParamType{{{kind}}}", rf"\cgalParamDefault{{{default}}}",
             *(rf"\cgalParamPrecondition{{{limits}}}" for limits in ranges), r"\cgalParamNEnd"]

@@ -186,7 +186,9 @@ TEST(Checks, name_the_parameter_and_what_is_wrong)
   EXPECT_EQ(complaint_about(parameters::number_of_iterations(-1)),
             "number_of_iterations is -1, but must not be negative");
   EXPECT_EQ(complaint_about(parameters::number_of_chains(0)),
-            "number_of_chains is 0, but must be positive");
+            "number_of_chains is 0, but must be positive and at most 1000000");
+  EXPECT_EQ(complaint_about(parameters::number_of_directions(1000001)),
+            "number_of_directions is 1000001, but must be positive and at most 1000000");
 }
 
 TEST(Checks, refuse_what_is_no_number_or_infinite)

@@ -217,7 +217,7 @@ TEST(Untangle_parameters, are_refused_by_name)
   EXPECT_EQ(complaint(curve, parameters::screening(-1)),
             "screening is -1, but must be positive and finite");
   EXPECT_EQ(complaint(curve, parameters::number_of_chains(0)),
-            "number_of_chains is 0, but must be positive");
+            "number_of_chains is 0, but must be positive and at most 1000000");
   EXPECT_EQ(complaint(curve, parameters::time_limit(-1)),
             "time_limit is -1, but must not be negative");
   EXPECT_EQ(complaint(curve, parameters::thickness(1e-9)),

@@ -36,8 +36,7 @@ auto thickness_function(const Thickness& thickness)
 {
   if constexpr(std::is_arithmetic<Thickness>::value) {
     const double r = static_cast<double>(thickness);
-    if(!is_positive(r))
-      refuse_value(internal_np::thickness_t(), r, demand<double>(Range::POSITIVE));
+    if(!is_positive(r)) refuse_value(internal_np::thickness_t(), r, demand(Range::POSITIVE));
     return [r](const auto&) { return r; };
   } else {
     return [&thickness](const auto& p) {

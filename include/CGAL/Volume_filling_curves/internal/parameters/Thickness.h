@@ -41,7 +41,7 @@ template <typename Point_3>
 template <typename Point_3>
 double checked_thickness(double value, const Point_3& p)
 {
-  if(!is_positive(value)) refuse_thickness(value, p, demand<double>(Range::POSITIVE));
+  if(!is_positive(value)) refuse_thickness(value, p, demand(Range::POSITIVE));
   return value;
 }
 

@@ -41,6 +41,8 @@ inline bool is_in_range(double x, Range range)
     return is_positive(x);
   case Range::UP_TO_ONE:
     return x > 0 && x <= 1;
+  case Range::UP_TO_A_MILLION:
+    return x > 0 && x <= 1e6;
   case Range::NOT_NEGATIVE:
     return x == 0 || is_positive(x);
   case Range::NOT_NEGATIVE_OR_NEVER:
@@ -50,14 +52,15 @@ inline bool is_in_range(double x, Range range)
   }
 }
 
-template <typename Value>
-const char* demand(Range range)
+inline const char* demand(Range range)
 {
   switch(range) {
   case Range::POSITIVE:
-    return std::is_integral_v<Value> ? "must be positive" : "must be positive and finite";
+    return "must be positive and finite";
   case Range::UP_TO_ONE:
     return "must be positive and at most 1";
+  case Range::UP_TO_A_MILLION:
+    return "must be positive and at most 1000000";
   case Range::NOT_NEGATIVE:
     return "must be finite and not negative";
   case Range::NOT_NEGATIVE_OR_NEVER:
@@ -87,8 +90,7 @@ template <typename Tag, typename Value>
 template <typename Value>
 void check_value(const char* name, const Value& value, Range range)
 {
-  if(!is_in_range(static_cast<double>(value), range))
-    refuse_value(name, value, demand<Value>(range));
+  if(!is_in_range(static_cast<double>(value), range)) refuse_value(name, value, demand(range));
 }
 
 template <typename Parameters, typename Row>

@@ -35,6 +35,7 @@ enum class Range
   ANY,
   POSITIVE,             // and finite
   UP_TO_ONE,            // and positive
+  UP_TO_A_MILLION,      // likewise
   NOT_NEGATIVE,         // and finite
   NOT_NEGATIVE_OR_NEVER // or infinite
 };
@@ -62,7 +63,7 @@ constexpr auto parameter_table(const Curve_flow_parameters*)
   using P = Curve_flow_parameters;
   return std::make_tuple(
       parameter<thickness_t>(&P::thickness, Range::NOT_NEGATIVE),
-      parameter<number_of_directions_t>(&P::number_of_directions, Range::POSITIVE),
+      parameter<number_of_directions_t>(&P::number_of_directions, Range::UP_TO_A_MILLION),
       parameter<max_radius_t>(&P::max_radius, Range::POSITIVE),
       parameter<spacing_t>(&P::spacing, Range::UP_TO_ONE),
       parameter<screening_t>(&P::screening, Range::POSITIVE),
@@ -94,7 +95,7 @@ constexpr auto parameter_table(const Untangling_parameters* p)
   return std::tuple_cat(
       parameter_table(static_cast<const Curve_run_parameters*>(p)),
       std::make_tuple(parameter<strategy_t>(&P::strategy),
-                      parameter<number_of_chains_t>(&P::number_of_chains, Range::POSITIVE),
+                      parameter<number_of_chains_t>(&P::number_of_chains, Range::UP_TO_A_MILLION),
                       parameter<tolerance_t>(&P::tolerance, Range::NOT_NEGATIVE),
                       parameter<stop_at_proof_t>(&P::stop_at_proof),
                       parameter<lower_ropelength_t>(&P::lower_ropelength),
@@ -151,7 +152,7 @@ constexpr auto parameter_table(const Chain_parameters*)
 {
   using namespace internal_np;
   using P = Chain_parameters;
-  return std::make_tuple(parameter<closures_t>(&P::closures, Range::POSITIVE),
+  return std::make_tuple(parameter<closures_t>(&P::closures, Range::UP_TO_A_MILLION),
                          parameter<random_seed_t>(&P::random_seed),
                          parameter<find_core_t>(&P::find_core), parameter<stride_t>(&P::stride),
                          parameter<progress_t>(&P::progress));
