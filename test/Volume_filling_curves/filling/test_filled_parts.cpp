@@ -107,6 +107,26 @@ TEST(Parts, of_any_domain_are_found_by_samples)
   expect_filled(domain, 0.25, 2);
 }
 
+template <typename Function>
+std::size_t number_of_parts(const Function& f, const CGAL::Bbox_3& box, double lipschitz, double r)
+{
+  Curve curve;
+  const VFC::Implicit_domain_3<Function> domain(f, box, lipschitz);
+  return VFC::fill(curve, domain, preview(r).number_of_iterations(0)).parts;
+}
+
+// Few edges of a thin domain, or of one with too large a bound of the slope, are proved inside.
+TEST(Parts, of_implicit_domains_are_not_torn_apart)
+{
+  const auto ball = [](const Point& p) { return std::hypot(p.x(), p.y(), p.z()) - 1; };
+  EXPECT_EQ(number_of_parts(ball, {-1, -1, -1, 1, 1, 1}, 30, 0.3), 1u);
+  const double thin = 0.02;
+  const auto plate = [thin](const Point& p) {
+    return (std::max)({std::abs(p.x()) - 1, std::abs(p.y()) - 1, std::abs(p.z()) - thin});
+  };
+  EXPECT_EQ(number_of_parts(plate, {-1, -1, -thin, 1, 1, thin}, 1, 2 * thin), 1u);
+}
+
 TEST(Parts, have_no_curve_if_one_is_given)
 {
   const Mesh_domain domain(meshes::to_mesh(two_spheres));
