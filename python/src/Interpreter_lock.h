@@ -38,7 +38,7 @@ auto outliving_interpreter(const Function& function)
 #endif
 }
 
-// Calls a function of Python by one argument.
+// Calls a function of Python with one argument.
 inline py::object called(const py::object& function, const py::object& argument)
 {
   PyObject* const answer = outliving_interpreter(
@@ -60,7 +60,7 @@ private:
   std::optional<py::gil_scoped_acquire> m_lock;
 };
 
-// Lets the lock go, which the thread holds before and afterwards.
+// Releases the lock, which the thread holds before and afterwards.
 class Interpreter_unlock
 {
 public:

@@ -301,7 +301,7 @@ struct Finger_growth
  *
  * If there are several components, the one with the smallest share of the volume grows next, which
  * divides the domain evenly. Pinned and sliding nodes stay where they are, and no finger grows from
- * an edge between nodes that slide together; networks keep their graph. The nodes are renumbered.
+ * an edge on which inserted nodes would slide; networks keep their graph. The nodes are renumbered.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded
@@ -316,7 +316,7 @@ struct Finger_growth
  *
  * \throws std::invalid_argument if a parameter is out of its range, if no thickness is given, if it
  * is too small for the curves or the domain, or if a field is out of its range at a point (the
- * message names the parameter and the point); or if all nodes of a component slide, see `fill()`
+ * message names the parameter and the point); or if inserted nodes would slide all over a component
  *
  * Exceptions of a field and of the domain pass through.
  */

@@ -120,7 +120,7 @@ struct Curve_draft
     edge_lines.push_back(line);
   }
 
-  // Calls is_dropped(e) for each edge in order, which sees the edges from e on as they were.
+  // Calls is_dropped(e) for each edge in order; meanwhile, the edges from e on are unchanged.
   template <typename Is_dropped>
   void remove_edges_if(const Is_dropped& is_dropped)
   {

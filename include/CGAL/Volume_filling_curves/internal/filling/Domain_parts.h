@@ -36,10 +36,9 @@ namespace internal {
 // its parts, as a mesh does by its shells, including parts too small to hold a sample. For other
 // domains, parts are the connected components of nearby samples; an isolated cluster is merged with
 // the samples in the largest ball reached from it by ascent, and with those that the center of that
-// ball sees: of a gyroid sheet in a cube, 16 of 17 clusters were isolated before. Hence samples of
-// one part are certainly connected; a part with a passage narrower than the distance between
-// samples may count as two. Near-linear in the number of samples, but quadratic if most of them are
-// isolated.
+// ball sees: in a thin domain, the ball may hold no others. Hence samples of one part are certainly
+// connected; a part with a passage narrower than the distance between samples may count as two.
+// Near-linear in the number of samples, but quadratic if most of them are isolated.
 template <typename Traits, typename Domain>
 class Domain_parts
 {
@@ -148,8 +147,8 @@ private:
                             m_samples.traits());
   }
 
-  // Unites the sets of samples in the same ball inside, which is connected, and of those that its
-  // center sees. The ball of the largest set is left out: balls of other sets reach that one.
+  // Unites the sets of samples in the same ball inside, which is connected, or seen from its
+  // center. The ball of the largest set is left out: balls of other sets reach that one.
   void unite_around_balls()
   {
     Disjoint_sets sets(m_parts.size());

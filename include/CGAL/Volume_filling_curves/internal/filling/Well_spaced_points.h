@@ -92,7 +92,7 @@ private:
   static constexpr int max_halvings = 20;                    // of the box
   static constexpr std::size_t max_candidates = 200'000'000; // 5 GB; a million nodes need a million
   static constexpr std::size_t max_cubes = 2'000'000'000;    // 8 GB; also those outside of the box
-  // In units of the box. Candidates outside of other boxes take little time, and stay for the sake
+  // In units of the box. Candidates outside of larger boxes take little time, and stay for the sake
   // of the random order.
   static constexpr double min_cube_of_thin_box = 64;
   static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
@@ -150,7 +150,7 @@ private:
     if(m_is_kept.back()) m_candidates.push_back(p);
   }
 
-  // Distances of points outside of the domain may be 0, those from its box are not.
+  // Outside, the distance to the boundary may be 0; the one to the box is not.
   bool is_outside(const Cube& cube) const
   {
     constexpr double half_diagonal = 0.87; // of a cube of side 1, rounded up

@@ -29,10 +29,9 @@ namespace internal {
 
 // Locator of the edges of a curve near a box, which observes the curve while it changes one node at
 // a time. The boxes of the edges are collected at the first query, and again now and then, since
-// the curve may have moved away, or grown beyond the frame of the boxes: fingers out of a small
-// circle took quadratic time without that. Linear time to build, logarithmic per change; a query
-// takes near-constant time if edges are short or few, and only rounding adds edges that are not
-// near.
+// the curve may have moved away, or grown beyond the frame of the boxes, as fingers from a small
+// circle do. Linear time to build, logarithmic per change; a query takes near-constant time if
+// edges are short or few, and only rounding adds edges that are not near.
 template <typename Network>
 class Edge_locator final : public Curve_network_observer_3<typename Network::Traits>
 {
@@ -103,7 +102,7 @@ private:
   const Network& m_curve;
   Dynamic_box_tree m_boxes;
   std::size_t m_number_of_collected = 0;
-  std::size_t m_number_of_updates = 0; // since then
+  std::size_t m_number_of_updates = 0; // since the boxes were collected
   bool m_is_built = false;
 };
 

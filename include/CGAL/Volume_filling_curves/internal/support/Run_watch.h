@@ -30,10 +30,9 @@ struct Run_stopped
 
 class Run_watch;
 
-// Scope in which a watch is that of the current thread, and of the blocks of loops that it starts,
-// in whatever threads they run: loops over blocks, and loops that call check_run(), or check()
-// without a watch, end with Run_stopped once the run is to stop. A null watch suspends an outer
-// scope.
+// Scope in which the current thread, and the blocks of loops that it starts, in whatever threads
+// they run, have a watch: loops over blocks, and loops that call check_run(), or check() without a
+// watch, end with Run_stopped once the run is to stop. A null watch suspends an outer scope.
 class Watched_scope
 {
 public:
