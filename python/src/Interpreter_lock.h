@@ -10,9 +10,11 @@
 #include <pybind11/pybind11.h>
 
 #include <chrono>
-#include <cxxabi.h>
 #include <optional>
 #include <thread>
+#ifdef __GLIBCXX__
+#include <cxxabi.h>
+#endif
 
 // The interpreter's lock in daemon threads, which may outlive the interpreter. If a thread asks for
 // the lock while the interpreter ends, Python up to 3.13 unwinds the thread's stack, and the first

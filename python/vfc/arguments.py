@@ -66,7 +66,7 @@ def vector(value: Any, name: str) -> np.ndarray:
 
 def field(value: Any, name: str) -> Any:
     """An array of floats in place of any array; numbers and functions stay what they are."""
-    is_array = isinstance(value, (list, tuple)) or np.ndim(value) > 0
+    is_array = not callable(value) and (isinstance(value, (list, tuple)) or np.ndim(value) > 0)
     return numbers(value, name) if is_array else unmasked(value, name)
 
 

@@ -62,7 +62,7 @@ struct Frame_file
 };
 
 // Returns the frames of a run in a folder, in order, for a film. \throws Usage_error if there are
-// none
+// none, or the folder cannot be read
 std::vector<Frame_file> frames_in(const std::string& folder);
 
 } // namespace vfc

@@ -184,7 +184,7 @@ private:
   {
     std::size_t apex = 0; // opposite the longest edge
     for(std::size_t i = 1; i < 3; ++i)
-      if(edge_opposite(t, i).squaredNorm() > edge_opposite(t, apex).squaredNorm()) apex = i;
+      if(is_longer(edge_opposite(t, i), edge_opposite(t, apex))) apex = i;
     const Vector &a = t[apex], &b = t[(apex + 1) % 3], &c = t[(apex + 2) % 3];
     const Vector middle = (b + c) / 2;
     return is_covered({a, b, middle}, bisections) && is_covered({a, middle, c}, bisections);
@@ -195,6 +195,13 @@ private:
   {
     const double square = v.squaredNorm();
     return std::isnormal(square) ? std::sqrt(square) : internal::stable_norm(v);
+  }
+
+  static bool is_longer(const Vector& v, const Vector& w)
+  {
+    const double a = v.squaredNorm(), b = w.squaredNorm();
+    if(std::isnormal(a) && std::isnormal(b)) return a > b;
+    return internal::stable_norm(v) > internal::stable_norm(w);
   }
 
   static Vector edge_opposite(const std::array<Vector, 3>& t, std::size_t i)

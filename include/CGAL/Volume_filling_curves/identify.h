@@ -31,6 +31,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/named_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/watched.h>
 #include <CGAL/Volume_filling_curves/internal/polylines/polyline_ranges.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Chain_identity.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/parameters.h>
 

@@ -214,6 +214,8 @@ TEST(Implicit_domain, decides_at_any_size)
     const Point center(0, 0, 0);
     EXPECT_TRUE(domain.is_triangle_inside(center, Point(size / 2, 0, 0), Point(0, size / 2, 0)));
     EXPECT_FALSE(domain.is_triangle_inside(center, Point(2 * size, 0, 0), center));
+    const Point left(-0.8 * size, 0, 0), right(0.8 * size, 0, 0); // no ball covers the edge
+    EXPECT_TRUE(domain.is_triangle_inside(left, right, right));
   }
 }
 

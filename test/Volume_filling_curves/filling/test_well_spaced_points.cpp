@@ -65,6 +65,19 @@ TEST(Well_spaced_points, keep_their_distance_and_leave_no_room)
   }
 }
 
+// Outside, the distances of a box are 0. The cube around this one has 1.7 million candidates.
+TEST(Well_spaced_points, are_not_sought_outside_of_a_thin_box)
+{
+  const Box_domain_3<> box(Point(0, 0, 0), Point(100, 1, 100));
+  std::size_t number_of_queries = 0;
+  const auto distance = [&](const Point&) {
+    ++number_of_queries;
+    return 2.5;
+  };
+  EXPECT_GT(spaced(box, distance, 0.1).size(), 900u);
+  EXPECT_LT(number_of_queries, 300000u);
+}
+
 TEST(Well_spaced_points, follow_a_distance_that_varies)
 {
   const Box_domain_3<> box(Point(0, 0, 0), Point(1, 1, 1));

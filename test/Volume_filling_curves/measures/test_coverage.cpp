@@ -12,6 +12,7 @@
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/coverage.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Linked_samples.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Unbounded_domain_3.h>
 
@@ -274,6 +275,36 @@ TEST(Linked_samples, are_linked_far_from_the_origin)
   const std::vector<Point> samples = {Point(1e20, 0.1, 0.5), Point(1e20, 0.2, 0.5)};
   CGAL::Volume_filling_curves::internal::Linked_samples<Box> linked(box, samples, 0.1);
   EXPECT_EQ(linked.sets().find(0), linked.sets().find(1));
+}
+
+// Accepts edges that do not cross the planes x = 0 and y = 0.
+struct Quadrants
+{
+  using Point_3 = Point;
+
+  bool is_triangle_inside(const Point& p, const Point& q, const Point&) const
+  {
+    return (p.x() < 0) == (q.x() < 0) && (p.y() < 0) == (q.y() < 0);
+  }
+};
+
+TEST(Linked_samples, are_linked_as_by_brute_force)
+{
+  internal::Random_source random(1);
+  const Quadrants quadrants;
+  for(const std::size_t n : {2u, 100u, 500u}) {
+    std::vector<Point> samples;
+    for(std::size_t k = 0; k < n; ++k)
+      samples.emplace_back(random.real() - 0.5, random.real() - 0.5, random.real() - 0.5);
+    internal::Linked_samples<Quadrants> linked(quadrants, samples, 0.5 / std::cbrt(n));
+    internal::Disjoint_sets sets(n);
+    for(std::size_t j = 0; j < n; ++j)
+      for(std::size_t k = 0; k < j; ++k)
+        if(std::sqrt(CGAL::squared_distance(samples[j], samples[k])) <= linked.link() &&
+           quadrants.is_triangle_inside(samples[j], samples[k], samples[k]))
+          sets.unite(j, k);
+    for(std::size_t k = 0; k < n; ++k) EXPECT_EQ(linked.sets().find(k), sets.find(k));
+  }
 }
 
 TEST(Empty_regions, end_at_walls)

@@ -158,8 +158,10 @@ private:
         });
     std::size_t number_of_sets = m_parts.size();
     for(std::size_t k = 0; k < m_parts.size() && number_of_sets > 1 && !m_watch.must_stop(); ++k)
-      if(&m_parts[k] != &*most)
-        number_of_sets -= unite_within_ball(k, sets) + unite_with_visible(k, sets);
+      if(&m_parts[k] != &*most) {
+        number_of_sets -= unite_within_ball(k, sets);
+        number_of_sets -= unite_with_visible(k, sets);
+      }
     regroup(sets);
   }
 
@@ -185,8 +187,9 @@ private:
   {
     const Point_3 center = to_point(m_widest[k].center(), m_samples.traits());
     std::size_t number_of_unions = 0;
-    for(const Neighbor& neighbor : nearest_samples(center))
-      if(sets.find(neighbor.part) != sets.find(k) && is_visible(neighbor, center)) {
+    const auto is_apart = [&](std::size_t j) { return sets.find(j) != sets.find(k); };
+    for(const Neighbor& neighbor : nearest_samples(center, is_apart))
+      if(is_apart(neighbor.part) && is_visible(neighbor, center)) {
         sets.unite(neighbor.part, k);
         ++number_of_unions;
       }
@@ -223,13 +226,15 @@ private:
     Point_3 point;
   };
 
-  // from the nearest one
-  std::vector<Neighbor> nearest_samples(const Point_3& p) const
+  // Samples of the parts for which `is_wanted(part)` holds, from the nearest one.
+  template <typename Predicate>
+  std::vector<Neighbor> nearest_samples(const Point_3& p, const Predicate& is_wanted) const
   {
     std::vector<Neighbor> neighbors;
     for(std::size_t k = 0; k < m_parts.size(); ++k)
-      for(const Point_3& q : m_parts[k].points)
-        neighbors.push_back({(to_vector(q) - to_vector(p)).squaredNorm(), k, q});
+      if(is_wanted(k))
+        for(const Point_3& q : m_parts[k].points)
+          neighbors.push_back({(to_vector(q) - to_vector(p)).squaredNorm(), k, q});
     const std::size_t n = (std::min)(tried_samples, neighbors.size());
     const auto end = neighbors.begin() + static_cast<std::ptrdiff_t>(n);
     std::partial_sort(neighbors.begin(), end, neighbors.end(), [](const auto& a, const auto& b) {
@@ -247,7 +252,7 @@ private:
   // The part of the nearest sample that is visible from p.
   std::size_t part_of_visible_sample(const Point_3& p) const
   {
-    for(const Neighbor& neighbor : nearest_samples(p))
+    for(const Neighbor& neighbor : nearest_samples(p, [](std::size_t) { return true; }))
       if(is_visible(neighbor, p)) return neighbor.part;
     return m_widest.size();
   }

@@ -92,8 +92,8 @@ private:
   static constexpr int max_halvings = 20;                    // of the box
   static constexpr std::size_t max_candidates = 200'000'000; // 5 GB; a million nodes need a million
   static constexpr std::size_t max_cubes = 2'000'000'000;    // 8 GB; also those outside of the box
-  // In units of the box. Candidates outside of larger boxes take little time, and stay for the sake
-  // of the random order.
+  // The content of the cube, in units of the box's. Candidates outside of larger boxes take little
+  // time, and stay for the sake of the random order.
   static constexpr double min_cube_of_thin_box = 64;
   static constexpr std::size_t run_length = 16; // of candidates with a box for all of them
 

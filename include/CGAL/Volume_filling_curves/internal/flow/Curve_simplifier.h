@@ -209,16 +209,16 @@ private:
     double largest = 0;
     for(const std::size_t v : curve.nodes())
       largest = (std::max)(largest, to_vector(curve.point(v)).cwiseAbs().maxCoeff());
-    return largest > 0 ? std::ldexp(1., -std::ilogb(largest)) : 1;
+    return largest > 0 ? scale_to_one(largest) : 1;
   }
 
   Vector position(std::size_t v) const { return m_factor * to_vector(m_curve.point(v)); }
 
   Guard& m_guard;
   const Network& m_curve;
-  double m_factor;
+  const double m_factor;
   Replaced_chains<Network> m_chains;
-  double m_max_distance;
+  const double m_max_distance;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> m_candidates;
 };
 

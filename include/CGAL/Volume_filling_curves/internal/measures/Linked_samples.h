@@ -94,10 +94,9 @@ private:
   // Links a sample to the near ones from `begin` on, up to those in cell `last`.
   void link_to_near(std::size_t k, Iterator begin, Iterator end, const Cell& last)
   {
-    const Point_3& p = m_samples[k];
     for(auto other = begin; other != end && other->first <= last; ++other) {
       const std::size_t j = other->second;
-      const Point_3& q = m_samples[j];
+      const Point_3 &p = m_samples[(std::max)(j, k)], &q = m_samples[(std::min)(j, k)];
       if((to_vector(p) - to_vector(q)).squaredNorm() > m_link * m_link) continue;
       if(m_sets.find(j) == m_sets.find(k)) continue;
       if(m_domain.is_triangle_inside(p, q, q)) m_sets.unite(j, k);

@@ -87,8 +87,8 @@ struct Any_leaf_query
   void visit(std::size_t i) { is_found = is_found || predicate(i); }
 };
 
-// Returns whether `predicate(i)` holds for a leaf i in boxes for which `may_hold(box)` holds. Ends
-// with the first one.
+// Returns whether `predicate(i)` holds for a leaf i. Leaves out parts of the tree for whose boxes
+// `may_hold(box)` does not hold, and ends with the first such leaf.
 template <typename May_hold, typename Predicate>
 bool any_leaf(const Box_tree& tree, const May_hold& may_hold, const Predicate& predicate)
 {

@@ -104,7 +104,7 @@ public:
     const double now = seconds();
     if(now >= m_stop)
       m_is_stopped = true;
-    else if(m_report && now >= m_next_report && is_own_thread())
+    else if(m_report && is_own_thread() && now >= m_next_report)
       report();
     return m_is_stopped;
   }
