@@ -11,6 +11,7 @@
 #include <CGAL/Volume_filling_curves/Ball_domain_3.h>
 #include <CGAL/Volume_filling_curves/Box_domain_3.h>
 #include <CGAL/Volume_filling_curves/Curve_network_3.h>
+#include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
 #include <CGAL/Volume_filling_curves/internal/filling/Filling_size.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
@@ -146,9 +147,16 @@ TEST(Fill_limits, a_domain_too_thin_for_any_default_thickness_is_refused)
   }
 }
 
+// the signed distance to a ball in each unit cube
+double distance_to_balls(const Point& p)
+{
+  const auto from_center = [](double x) { return x - std::floor(x) - 0.5; };
+  return std::hypot(from_center(p.x()), from_center(p.y()), from_center(p.z())) - 0.4;
+}
+
 TEST(Fill_limits, a_run_that_is_stopped_returns_soon_whatever_the_number_of_parts)
 {
-  const Box plate(Point(0, 0, 0), Point(1, 1, 1e-3)); // seven thousand sets of samples
+  const VFC::Implicit_domain_3 balls(&distance_to_balls, CGAL::Bbox_3(0, 0, 0, 12, 12, 12));
   Curve curve;
   double seconds_at_stop = 0;
   const auto go_on = [&](const Run_progress& progress) {
@@ -157,9 +165,9 @@ TEST(Fill_limits, a_run_that_is_stopped_returns_soon_whatever_the_number_of_part
     return false;
   };
   const double start = cpu_time::of_process();
-  const auto result = VFC::fill(curve, plate, np::thickness(0.003).progress(go_on));
+  const auto result = VFC::fill(curve, balls, np::thickness(0.3).progress(go_on));
   EXPECT_EQ(result.status, Filling_status::INTERRUPTED);
-  EXPECT_GT(result.parts, 1000u);
+  EXPECT_EQ(result.parts, 1728u);
   EXPECT_EQ(result.unreachable_parts, 0u);
   EXPECT_LT(cpu_time::of_process() - seconds_at_stop, seconds_at_stop - start);
 }
