@@ -176,7 +176,6 @@ template <typename Traits = Curve_flow_traits_3<>>
  *
  * \throws std::invalid_argument if there are fewer than 3 nodes, or if the radius is not between
  * 1e-150 and 1e150
- * or beyond 1e150
  */
 template <typename Traits = Curve_flow_traits_3<>>
 [[nodiscard]] Curve_network_3<Traits> make_regular_polygon(std::size_t number_of_nodes,

@@ -80,7 +80,7 @@ private:
       ends.push_back(ends_of_rest(position(nodes[i]), position(nodes[i + 1]),
                                   corners[i].tangent_length, corners[i + 1].tangent_length));
     for(std::size_t i = 0; i < ends.size(); ++i) {
-      check_sometimes(nullptr, calls);
+      check_run_sometimes(calls);
       if(ends[i][0] != ends[i][1]) add(path, segment(nodes[i], ends[i][0], ends[i][1]));
       const Corner& corner = corners[i + 1];
       if(corner.half_turn_tangent > 0)
@@ -94,7 +94,7 @@ private:
     std::vector<Corner> corners(nodes.size());
     unsigned calls = 0;
     for(std::size_t i = 1; i + 1 < nodes.size(); ++i) {
-      check_sometimes(nullptr, calls);
+      check_run_sometimes(calls);
       corners[i] = corner(nodes[i - 1], nodes[i], nodes[i + 1]);
     }
     if(is_closed)

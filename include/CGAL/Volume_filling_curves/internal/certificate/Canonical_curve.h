@@ -80,10 +80,8 @@ public:
   std::uint64_t number_of_components() const
   {
     Disjoint_sets components(m_points.size());
-    std::uint64_t count = m_points.size();
-    for(const Edge& edge : m_edges)
-      if(components.unite(edge[0], edge[1])) --count;
-    return count;
+    for(const Edge& edge : m_edges) components.unite(edge[0], edge[1]);
+    return components.number_of_sets();
   }
 
   Sha256::Digest digest() const

@@ -94,7 +94,7 @@ private:
     bool is_generic = true;
     unsigned pairs = 0;
     for_each_overlapping_pair(Box_tree(images_of_edges()), [&](std::size_t e, std::size_t f) {
-      check_sometimes(nullptr, pairs);
+      check_run_sometimes(pairs);
       if(is_generic) is_generic = meet(e, f);
     });
     return is_generic;

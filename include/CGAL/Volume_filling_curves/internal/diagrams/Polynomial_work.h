@@ -36,7 +36,7 @@ public:
   {
     if(operations > m_left) throw Polynomial_limit();
     m_left -= operations;
-    check_sometimes(nullptr, m_steps);
+    check_run_sometimes(m_steps);
   }
 
 private:

@@ -54,7 +54,7 @@ public:
     Number result = 1;
     unsigned steps = 0;
     while(!m_queue.empty()) {
-      check_sometimes(nullptr, steps);
+      check_run_sometimes(steps);
       const auto [length, row] = m_queue.top();
       m_queue.pop();
       if(m_is_done[row] || length != m_rows[row].size()) continue;

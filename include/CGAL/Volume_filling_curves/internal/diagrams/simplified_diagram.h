@@ -44,7 +44,7 @@ public:
     for(std::size_t before = number_of_crossings() + 1; number_of_crossings() < before;) {
       before = number_of_crossings();
       for(Slot s = 0; s < m_diagram.number_of_slots(); ++s) {
-        check_sometimes(nullptr, m_calls);
+        check_run_sometimes(m_calls);
         if(!m_diagram.is_used(s) || !m_diagram.is_outgoing(s)) continue;
         if(Editable_diagram::is_over(s) != Editable_diagram::is_over(m_diagram.mate(s)))
           m_rerouting.shorten(s, all);
@@ -62,7 +62,7 @@ public:
   void shake(std::size_t moves_per_crossing, Random_source& random)
   {
     for(std::size_t k = moves_per_crossing * number_of_crossings(); k > 0 && !is_work_done(); --k) {
-      check_sometimes(nullptr, m_calls);
+      check_run_sometimes(m_calls);
       const Slot s = static_cast<Slot>(random.index(m_diagram.number_of_slots()));
       const std::size_t length = 1 + random.index(max_shaken_length);
       if(m_diagram.is_used(s) && m_diagram.is_outgoing(s))

@@ -156,44 +156,33 @@ private:
         std::max_element(m_parts.begin(), m_parts.end(), [](const auto& a, const auto& b) {
           return a.points.size() < b.points.size();
         });
-    std::size_t number_of_sets = m_parts.size();
-    for(std::size_t k = 0; k < m_parts.size() && number_of_sets > 1 && !m_watch.must_stop(); ++k)
-      if(&m_parts[k] != &*most) {
-        number_of_sets -= unite_within_ball(k, sets);
-        number_of_sets -= unite_with_visible(k, sets);
-      }
+    for(std::size_t k = 0; k < m_parts.size(); ++k) {
+      if(sets.number_of_sets() == 1 || m_watch.must_stop()) break;
+      if(&m_parts[k] == &*most) continue;
+      unite_within_ball(k, sets);
+      unite_with_visible(k, sets);
+    }
     regroup(sets);
   }
 
-  // Returns by how many the sets become fewer.
-  std::size_t unite_within_ball(std::size_t k, Disjoint_sets& sets) const
+  void unite_within_ball(std::size_t k, Disjoint_sets& sets) const
   {
     const auto is_in_ball = [&](const Point_3& p) {
       return (to_vector(p) - m_widest[k].center()).norm() < m_widest[k].radius();
     };
-    std::size_t number_of_unions = 0;
     for(std::size_t j = 0; j < m_parts.size(); ++j) {
       const auto& points = m_parts[j].points;
-      if(sets.find(j) != sets.find(k) && std::any_of(points.begin(), points.end(), is_in_ball)) {
+      if(sets.find(j) != sets.find(k) && std::any_of(points.begin(), points.end(), is_in_ball))
         sets.unite(j, k);
-        ++number_of_unions;
-      }
     }
-    return number_of_unions;
   }
 
-  // likewise
-  std::size_t unite_with_visible(std::size_t k, Disjoint_sets& sets) const
+  void unite_with_visible(std::size_t k, Disjoint_sets& sets) const
   {
     const Point_3 center = to_point(m_widest[k].center(), m_samples.traits());
-    std::size_t number_of_unions = 0;
     const auto is_apart = [&](std::size_t j) { return sets.find(j) != sets.find(k); };
     for(const Neighbor& neighbor : nearest_samples(center, is_apart))
-      if(is_apart(neighbor.part) && is_visible(neighbor, center)) {
-        sets.unite(neighbor.part, k);
-        ++number_of_unions;
-      }
-    return number_of_unions;
+      if(is_apart(neighbor.part) && is_visible(neighbor, center)) sets.unite(neighbor.part, k);
   }
 
   // United parts keep the widest ball.

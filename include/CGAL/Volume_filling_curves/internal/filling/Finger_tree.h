@@ -36,10 +36,11 @@ namespace internal {
 
 // Tree of fingers that grow from curves through a whole domain before the flow. They follow a
 // random spanning tree of well-spaced points that starts from all points of the curves (Prim's
-// algorithm). A small circle becomes the outline of a tree, isotopic to it, in time proportional to
-// the number of points. The component with the least volume per share grows next. Points that
-// no straight finger reaches, for example end a neck, are reached by thin fingers along paths from
-// a search.
+// algorithm). A small circle becomes the outline of a tree, isotopic to it. The component with the
+// least volume per share grows next. Points that no straight finger reaches, for example behind a
+// neck, are reached by thin fingers along paths from a search. Near-linear in the number of points,
+// but for the search among edges, which the tree of boxes holds in the order of their growth:
+// 13,000, 102,000 and 270,000 points of a box take 0.5, 7 and 35 s.
 template <typename Guard, typename Domain>
 class Finger_tree
 {

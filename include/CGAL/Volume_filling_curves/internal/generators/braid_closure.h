@@ -134,7 +134,7 @@ private:
     for(std::size_t sector = 0; sector < m_sectors.size(); ++sector) {
       const int letter = m_sectors[sector][strand];
       for(std::size_t i = 0; i < samples; ++i) {
-        check_sometimes(nullptr, calls);
+        check_run_sometimes(calls);
         const double t = static_cast<double>(i) / static_cast<double>(samples);
         curve.push_back(position(strand, letter, sector, t));
       }

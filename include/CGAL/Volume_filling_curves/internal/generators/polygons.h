@@ -59,7 +59,7 @@ inline Polygon equally_spaced(const Polygon& polygon, std::size_t n)
   double walked = 0;
   unsigned calls = 0;
   for(std::size_t i = 0; i < polygon.size() && result.size() < n; ++i) {
-    check_sometimes(nullptr, calls);
+    check_run_sometimes(calls);
     const Vector &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const double length = (b - a).norm();
     for(double next = static_cast<double>(result.size()) * spacing;

@@ -70,7 +70,7 @@ inline Polygons random_polygon(std::size_t number_of_nodes, std::uint64_t seed)
   }
   unsigned calls = 0;
   for(std::size_t k = 0; n > 3 && k < turns_per_edge * n; ++k) {
-    check_sometimes(nullptr, calls);
+    check_run_sometimes(calls);
     const std::size_t i = random.index(n), j = random.index(n);
     if(i != j) turn_pair(edges[i], edges[j], random);
   }

@@ -51,7 +51,7 @@ inline Polygons torus_knot(int p, int q, std::size_t number_of_nodes, std::uint6
   unsigned calls = 0;
   for(std::size_t c = 0; c < curves.size(); ++c)
     for(std::size_t i = 0; i < samples; ++i) {
-      check_sometimes(nullptr, calls);
+      check_run_sometimes(calls);
       const double t = static_cast<double>(i) / static_cast<double>(samples);
       const double shift = static_cast<double>(c) / p; // of the strands around the core
       const auto [x, y] = cos_sin(turns * t);

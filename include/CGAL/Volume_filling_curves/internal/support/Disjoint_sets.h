@@ -24,10 +24,12 @@ namespace internal {
 class Disjoint_sets
 {
 public:
-  explicit Disjoint_sets(std::size_t n) : m_parents(n)
+  explicit Disjoint_sets(std::size_t n) : m_parents(n), m_number_of_sets(n)
   {
     std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
   }
+
+  std::size_t number_of_sets() const { return m_number_of_sets; }
 
   std::size_t find(std::size_t i)
   {
@@ -35,18 +37,18 @@ public:
     return i;
   }
 
-  // Returns whether they were two sets.
-  bool unite(std::size_t i, std::size_t j)
+  void unite(std::size_t i, std::size_t j)
   {
     i = find(i);
     j = find(j);
     if(j < i) std::swap(i, j);
     m_parents[j] = i;
-    return i != j;
+    if(i != j) --m_number_of_sets;
   }
 
 private:
   std::vector<std::size_t> m_parents;
+  std::size_t m_number_of_sets;
 };
 
 // The numbers of the nodes' components, from 1 in the order of their first edges; 0 for a node

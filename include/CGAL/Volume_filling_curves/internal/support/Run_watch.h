@@ -255,6 +255,11 @@ inline void check_sometimes(Run_watch* watch, unsigned& counter)
   if(watch != nullptr) watch->check_sometimes(counter);
 }
 
+inline void check_run_sometimes(unsigned& counter)
+{
+  check_sometimes(nullptr, counter);
+}
+
 } // namespace internal
 } // namespace Volume_filling_curves
 } // namespace CGAL
