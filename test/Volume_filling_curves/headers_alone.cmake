@@ -9,8 +9,9 @@
 # precompiled. This hides no missing #include: a header's own lines follow all that it includes, and
 # each header that it includes is checked as well.
 #
-# A header that another one includes before all others, and that reads the same `shared_headers`, is
-# checked with that one: 72 of 307.
+# A unit is a chain of headers with the same `shared_headers`, each of which includes the one before:
+# 178 units for 314 headers. This hides nothing either, since a header's own lines follow all that it
+# includes, and what stands before it is a part of that.
 
 set(shared_headers # read by many, and slow to read
   CGAL/Volume_filling_curves/internal/geometry/Vector.h
@@ -23,10 +24,6 @@ file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${package_dir}/include
 foreach(header IN LISTS headers)
   file(STRINGS ${package_dir}/include/${header} includes REGEX "^#include <")
   list(TRANSFORM includes REPLACE "#include <(.*)>" "\\1")
-  list(FILTER includes EXCLUDE REGEX "^CGAL/license/")
-  if(includes)
-    list(GET includes 0 first_of_${header})
-  endif()
   foreach(included IN LISTS includes)
     list(APPEND readers_of_${included} ${header})
   endforeach()
@@ -44,25 +41,39 @@ foreach(shared IN LISTS shared_headers)
   endwhile()
 endforeach()
 
-# Leaves out those that are checked with others.
+# Puts each header before one of its readers.
+set(ends_of_chains)
 foreach(header IN LISTS headers)
-  set(first ${first_of_${header}})
-  if(first IN_LIST headers AND "${shared_by_${header}}" STREQUAL "${shared_by_${first}}")
-    list(APPEND headers_checked_with_others ${first})
+  set(next)
+  foreach(reader IN LISTS readers_of_${header})
+    if(NOT next AND NOT DEFINED before_${reader} AND
+       "${shared_by_${reader}}" STREQUAL "${shared_by_${header}}")
+      set(next ${reader})
+    endif()
+  endforeach()
+  if(next)
+    set(before_${next} ${header})
+  else()
+    list(APPEND ends_of_chains ${header})
   endif()
 endforeach()
 
-# Headers that share the same ones are compiled together.
+# Chains that share the same headers are compiled together.
 set(groups)
-list(REMOVE_ITEM headers ${headers_checked_with_others})
-foreach(header IN LISTS headers)
-  string(MAKE_C_IDENTIFIER ${header} name)
+foreach(end IN LISTS ends_of_chains)
+  set(includes)
+  set(header ${end})
+  while(header)
+    string(PREPEND includes "#include <${header}>\n#include <${header}>\n")
+    set(header ${before_${header}})
+  endwhile()
+  string(MAKE_C_IDENTIFIER ${end} name)
   set(unit ${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${name}.cpp)
-  file(CONFIGURE OUTPUT ${unit} CONTENT "#include <${header}>\n#include <${header}>\n")
-  string(MAKE_C_IDENTIFIER "alone_${shared_by_${header}}" group)
+  file(CONFIGURE OUTPUT ${unit} CONTENT "${includes}")
+  string(MAKE_C_IDENTIFIER "alone_${shared_by_${end}}" group)
   list(APPEND groups ${group})
   list(APPEND units_of_${group} ${unit})
-  set(precompiled_for_${group} ${shared_by_${header}})
+  set(precompiled_for_${group} ${shared_by_${end}})
 endforeach()
 list(REMOVE_DUPLICATES groups)
 
