@@ -64,6 +64,7 @@ Mended_mesh read_and_mend(const std::string& file, double alpha, Work_watch& wat
   Mended_mesh result(file);
   watch.begin("reading");
   Mesh_soup soup = read_mesh_soup(file, result.findings);
+  poll_interruptions(); // not before: the file may be a pipe that nobody writes to
   result.mesh = examine(soup, result.findings, watch);
   if(!result.findings.is_mendable()) return result;
   if(!has_common_size(soup))
@@ -106,7 +107,6 @@ Mesh_and_defects read_mended_mesh(Session& session,
                                   const std::string& file,
                                   const Mending_options& options)
 {
-  poll_interruptions();
   Mended_mesh mended = mend_in_time(session, file, options);
   session.end_stage(mended.mending ? "mending" : "reading");
   if(mended.mending)

@@ -53,6 +53,8 @@ TEST_F(Command_line_signals, while_reading_leave_a_line_and_a_report)
   make_pipe("in.obj");
   for(const std::vector<std::string>& command :
       std::vector<std::vector<std::string>>{{"fill", "in.off", "-o", "out.obj"},
+                                            {"fill", "in.off", "--repair", "-o", "out.obj"},
+                                            {"repair", "in.off", "-o", "out.off"},
                                             {"check", "in.off"},
                                             {"untangle", "in.obj", "-o", "out.obj"},
                                             {"simplify", "in.obj", "-o", "out.obj"},
