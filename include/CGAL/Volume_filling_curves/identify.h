@@ -205,11 +205,11 @@ template <typename ConcurrencyTag = Sequential_tag,
   CGAL_precondition_msg(!curves.has_garbage(), "the network has no garbage");
   const auto given = internal::get_parameters<internal::Chain_signature>(np);
   internal::check_parameters(given);
-  internal::check_embedded(curves);
-  auto chain = internal::points_of_chain(curves, component);
   return internal::measured(parameters::progress(given.progress), [&](internal::Run_watch* watch) {
     const internal::Watched_scope scope(watch);
-    return internal::Chain_identification<ConcurrencyTag>(std::move(chain), given, *watch)();
+    internal::check_embedded(curves);
+    return internal::Chain_identification<ConcurrencyTag>(
+        internal::points_of_chain(curves, component), given, *watch)();
   });
 }
 

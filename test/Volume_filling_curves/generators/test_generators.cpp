@@ -285,6 +285,14 @@ TEST(Random_polygon, has_edges_of_length_one_and_closes)
   }
 }
 
+// Two million nodes take minutes even without moves.
+TEST(Hard_unknot, can_end_while_edges_are_halved)
+{
+  generators::Run_watch over(0);
+  const generators::Watched_scope scope(&over);
+  EXPECT_THROW((void)generators::hard_unknot(40, 0, 1), generators::Run_stopped);
+}
+
 // For closed equilateral walks the mean squared distance of the nodes 0 and n/2 is n^2/(4(n-1)).
 TEST(Random_polygon, has_the_size_of_a_random_one)
 {

@@ -268,6 +268,19 @@ TEST(Identify_chain, progress_can_end_the_run)
   EXPECT_EQ(calls, 3);
 }
 
+// Both take seconds for millions of nodes.
+TEST(Identify_chain, can_end_during_the_check_and_on_the_way_out_of_the_hull)
+{
+  const Chain crossed{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}};
+  const auto end = [](const VFC::Run_progress&) { return false; };
+  EXPECT_THROW((void)VFC::identify_chain(crossed, VFC::parameters::progress(end)),
+               VFC::Run_interrupted);
+  VFC::internal::Run_watch over(0);
+  const VFC::internal::Watched_scope scope(&over);
+  EXPECT_THROW((void)VFC::internal::minimally_interfering_closure({{0, 0, 0}, {1, 0, 0}}),
+               VFC::internal::Run_stopped);
+}
+
 using Long_identify_chain = shared_curves::Shared_data_test;
 
 // The knots that KnotProt publishes: 3_1 for 2EFV and 3KZN, 4_1 for 3ULK.

@@ -56,8 +56,10 @@ public:
   void refine(std::size_t number_of_nodes)
   {
     const std::size_t n = m_curve.number_of_edges();
-    for(std::size_t e = 0; e < n && m_curve.number_of_nodes() < number_of_nodes; ++e)
+    for(std::size_t e = 0; e < n && m_curve.number_of_nodes() < number_of_nodes; ++e) {
+      check_run();
       halve_edge(m_guard, e);
+    }
     m_guard.collect_garbage();
   }
 

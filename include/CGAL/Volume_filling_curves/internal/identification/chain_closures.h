@@ -15,6 +15,7 @@
 #include <CGAL/Volume_filling_curves/internal/geometry/Random_source.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/elementary_functions.h>
+#include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,13 +105,14 @@ struct Hull_exit
 
 // The distance to the plane that touches the hull in a direction is least for the nearest face. The
 // best of many directions is improved by a pattern search, in doubles: whatever exit is taken, the
-// closure is an exact polygon.
+// closure is an exact polygon. \throws Run_stopped in a Watched_scope
 inline Hull_exit hull_exit(const std::vector<Vector>& chain, const Vector& end)
 {
   constexpr std::size_t number_of_directions = 500; // 0.16 apart
   constexpr double first_step = 0.1, last_step = 1e-6;
   Hull_exit best;
   const auto improve = [&](const Vector& direction) {
+    check_run();
     double distance = 0;
     for(const Vector& p : chain) distance = (std::max)(distance, direction.dot(p - end));
     if(distance >= best.distance) return false;
@@ -130,7 +132,7 @@ inline Hull_exit hull_exit(const std::vector<Vector>& chain, const Vector& end)
 
 // The polygon of the minimally interfering closure (Tubiana, Orlandini, Micheletti 2011): the ends
 // of the chain are joined by a segment or, if that is shorter, extended to the nearest points of
-// the convex hull, and far beyond.
+// the convex hull, and far beyond. \throws Run_stopped in a Watched_scope
 inline Closed_polygons minimally_interfering_closure(std::vector<Vector> chain)
 {
   const Hull_exit at_front = hull_exit(chain, chain.front()),
