@@ -161,7 +161,7 @@ py::dict repair(const Doubles& vertices,
         return std::pair(done, vfc::is_sound(mesh, watch));
       },
       progress);
-  if(!is_sound) throw std::invalid_argument("the mesh cannot be mended: no face has an area");
+  if(!is_sound) throw std::invalid_argument("the mesh cannot be repaired: no face has an area");
   const py::tuple arrays = arrays_of(mesh);
   py::dict d;
   d["vertices"] = arrays[0];

@@ -23,7 +23,7 @@ class RepairedMesh:
     Attributes:
         vertices: array of shape (n, 3)
         faces: integer array of shape (m, 3), oriented outwards
-        steps: what was mended, in words; empty if nothing was
+        steps: what was repaired, in words; empty if nothing was
         distance_from_input: the greatest distance of the result from the input's surface, estimated
             from some 10,000 points, in the input's unit
         distance_to_result: that of the input's surface from the result, which may leave out parts
@@ -58,7 +58,7 @@ def check_mesh(vertices: Any, faces: Any, *, progress: Progress = None) -> list[
 
 def repair(vertices: Any, faces: Any, *, alpha: float = 0,
            progress: Progress = None) -> RepairedMesh:
-    """Mends a mesh by the steps that change it least, so that `fill()` takes it.
+    """Repairs a mesh by the steps that change it least, so that `fill()` takes it.
 
     Equal vertices are merged, small sheets and flat faces are removed, holes are closed,
     self-intersections are cut out and shells are united. Only if that does not suffice, a new surface
@@ -73,7 +73,7 @@ def repair(vertices: Any, faces: Any, *, alpha: float = 0,
             `Interrupted` is raised
 
     Raises:
-        ValueError: if the mesh cannot be mended, for example if no face has an area
+        ValueError: if the mesh cannot be repaired, for example if no face has an area
     """
     return RepairedMesh(**_vfc.repair(numbers(vertices, "vertices"), integers(faces, "faces"),
                                       number(alpha, "alpha"), progress))

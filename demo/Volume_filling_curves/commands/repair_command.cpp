@@ -62,7 +62,7 @@ void add_repair_command(Command_line& command_line)
   add_mesh(command, options->mesh)
       .required()
       ->description("a triangle mesh, .off, .obj, .ply, .stl or .vtp, with defects or without");
-  add_file(command, "-o,--output", options->output, "the mended mesh, .off, .obj or .ply")
+  add_file(command, "-o,--output", options->output, "the repaired mesh, .off, .obj or .ply")
       .required();
   add_number(
       command, "--alpha", options->mending.alpha,
@@ -82,7 +82,7 @@ void add_repair_command(Command_line& command_line)
       "the\nsurface moved. Equal inputs give equal meshes.\n"
       "Shells that are oriented inward and overlap others are cavities, and are cut out.\n"
       "Exit status: 0 vfc fill accepts the mesh, 2 the time limit was reached, 4 the mesh cannot "
-      "be\nmended, 5 interrupted.");
+      "be\nrepaired, 5 interrupted.");
 }
 
 } // namespace vfc

@@ -127,8 +127,8 @@ void add_fill_options(CLI::App& command, Fill_options& options)
                    "in the plane, .wkt")
       ->required();
   command.add_flag("--repair", options.may_repair,
-                   "mend MESH and obstacles first, like vfc repair, and report each repair; "
-                   "obstacles that cross MESH are cut out of it; vertices of the mended mesh "
+                   "repair MESH and obstacles first, like vfc repair, and report each repair; "
+                   "obstacles that cross MESH are cut out of it; vertices of the repaired mesh "
                    "take the values at the nearest points of MESH");
   add_obstacle_option(command, options.obstacles);
   add_curve_output(command, options.output);

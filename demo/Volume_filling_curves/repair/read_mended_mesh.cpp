@@ -43,8 +43,8 @@ void report_mending(Session& session, const std::string& file, const Mending& me
   report = {{"steps", mending.steps},
             {"distance_from_file", mending.from_file},
             {"distance_to_mended", mending.to_mended}};
-  for(const std::string& step : mending.steps) session.console().note(file + ": mended: " + step);
-  session.console().note(file + ": mended: the surface is up to " + to_text(mending.from_file) +
+  for(const std::string& step : mending.steps) session.console().note(file + ": repaired: " + step);
+  session.console().note(file + ": repaired: the surface is up to " + to_text(mending.from_file) +
                          " from that in the file, which is up to " + to_text(mending.to_mended) +
                          " from it, by estimate");
 }
@@ -69,7 +69,7 @@ Mended_mesh read_and_mend(const std::string& file, double alpha, Work_watch& wat
   if(!result.findings.is_mendable()) return result;
   if(!has_common_size(soup))
     throw Input_error(result.findings.summary(),
-                      "a mesh between 1e-20 and 1e20 in size, which can be mended");
+                      "a mesh between 1e-20 and 1e20 in size, which can be repaired");
   result.mending = repair_mesh(soup, alpha, result.mesh.mesh, watch);
   watch.begin("checking");
   Mesh_findings after(file);
@@ -78,7 +78,7 @@ Mended_mesh read_and_mend(const std::string& file, double alpha, Work_watch& wat
   result.mesh.number_of_vertices_in_file = soup.points.size();
   result.mesh.unmended = std::make_shared<const Mesh_soup>(std::move(soup));
   if(!result.mesh.is_valid)
-    throw Input_error(result.findings.summary(), "a mesh that repair can mend");
+    throw Input_error(result.findings.summary(), "a mesh that can be repaired");
   return result;
 }
 
@@ -113,7 +113,7 @@ Mesh_and_defects read_mended_mesh(Session& session,
     report_mending(session, file, *mended.mending);
   else {
     accept(session, mended.findings);
-    session.console().note(file + ": there is nothing to mend");
+    session.console().note(file + ": there is nothing to repair");
   }
   return std::move(mended.mesh);
 }
@@ -121,7 +121,7 @@ Mesh_and_defects read_mended_mesh(Session& session,
 No_result unfinished(const Work_watch& watch, const std::string& file, double time_limit)
 {
   const std::string reason =
-      watch.is_interrupted() ? "interrupted" : "not mended within " + to_text(time_limit) + " s";
+      watch.is_interrupted() ? "interrupted" : "not repaired within " + to_text(time_limit) + " s";
   return No_result(watch.is_interrupted() ? INTERRUPTED : LIMIT_REACHED,
                    file + ": " + reason + ", while " + watch.step() + "; nothing was written");
 }

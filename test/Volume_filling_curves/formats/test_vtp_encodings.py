@@ -134,7 +134,7 @@ def check_every_encoding_is_read(folder):
     result = vfc(folder, "check", "a.vtp")
     assert result.returncode == 0, result.stdout + result.stderr
     result = vfc(folder, "repair", "a.vtp", "-o", "cube.off")
-    assert "nothing to mend" in result.stderr, result.stderr
+    assert "nothing to repair" in result.stderr, result.stderr
 
 
 def check_blocks_of_any_size(folder):

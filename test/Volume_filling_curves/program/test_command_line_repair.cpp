@@ -35,7 +35,7 @@ TEST_F(Command_line_meshes, repair_mends_what_fill_refuses_and_says_so)
       << refused.err;
   const Finished mended = run("repair open.obj -o mended.off --report r.json");
   EXPECT_EQ(mended.status, 0);
-  EXPECT_NE(mended.err.find("open.obj: mended: 1 hole closed, of width"), std::string::npos)
+  EXPECT_NE(mended.err.find("open.obj: repaired: 1 hole closed, of width"), std::string::npos)
       << mended.err;
   const Json report = json("r.json");
   EXPECT_EQ(report["status"], "done");
@@ -68,7 +68,7 @@ TEST_F(Command_line_meshes, repair_ends_at_its_time_limit_and_says_so)
   write("open.obj", cube_vertices + cube_faces.substr(cube_faces.find('\n') + 1));
   const Finished late = run("repair open.obj -o mended.off --time-limit 0 --report r.json");
   EXPECT_EQ(late.status, 2) << late.err;
-  EXPECT_NE(late.err.find("not mended within 0 s"), std::string::npos) << late.err;
+  EXPECT_NE(late.err.find("not repaired within 0 s"), std::string::npos) << late.err;
   EXPECT_EQ(json("r.json")["status"], "limit");
   EXPECT_FALSE(exists("mended.off"));
   EXPECT_EQ(run("fill open.obj --repair -o a.obj --thickness 0.5 --time-limit 0").status, 2);
@@ -131,7 +131,7 @@ TEST_F(Command_line_meshes, the_time_limit_holds_for_obstacles_too)
                                     "{ (exec 3>late.obj; sleep 0.6; cat obstacle.obj >&3) & }",
                                     command + " --obstacle late.obj --time-limit 0.5");
     EXPECT_EQ(late.status, 2) << late.err;
-    EXPECT_NE(late.err.find("not mended within 0.5 s"), std::string::npos) << late.err;
+    EXPECT_NE(late.err.find("not repaired within 0.5 s"), std::string::npos) << late.err;
     EXPECT_FALSE(exists("x.obj"));
   }
 }
