@@ -96,7 +96,8 @@ TEST(Wall_distance, is_kept_between_the_necks_of_ports)
 std::string complaint(Curve curve, double wall_distance)
 {
   try {
-    (void)VFC::fill(curve, box, preview(0.1).wall_distance(wall_distance));
+    (void)VFC::fill(curve, box,
+                    preview(0.1).wall_distance(wall_distance).start(VFC::Filling_start::CIRCLE));
   } catch(const std::invalid_argument& error) {
     return error.what();
   }
@@ -112,6 +113,10 @@ TEST(Wall_distance, is_refused_if_it_leaves_no_room_or_the_curve_is_nearer)
   EXPECT_EQ(complaint(start, 0.3),
             "wall_distance is 0.3, but the curve to start from comes as near "
             "to the boundary as 0.2");
+  Curve slide = start;
+  slide.set_constraint(1, VFC::Node_constraint::on_boundary(0.1));
+  EXPECT_EQ(complaint(slide, 0.15), "wall_distance is 0.15, but a node is constrained to the "
+                                    "distance from the boundary 0.1");
   EXPECT_EQ(complaint(Curve(), -1), "wall_distance is -1, but must be finite and not negative");
 }
 

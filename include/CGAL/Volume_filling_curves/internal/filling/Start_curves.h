@@ -17,6 +17,7 @@
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
+#include <CGAL/Volume_filling_curves/internal/vocabulary/Node_constraint.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -151,6 +152,13 @@ private:
   void check_wall_distance(const Network& curves) const
   {
     if(m_parameters.wall_distance == 0) return;
+    for(const std::size_t v : curves.nodes()) {
+      const Node_constraint& constraint = curves.constraint(v);
+      if(constraint.kind() == Node_constraint::Kind::BOUNDARY &&
+         constraint.distance() < m_parameters.wall_distance)
+        refuse_wall_distance("a node is constrained to the distance from the boundary ",
+                             constraint.distance());
+    }
     const Least_depth<ConcurrencyTag, Network, Domain> depths(curves, m_domain);
     const double distance = depths().distance;
     if(!(distance > m_parameters.wall_distance))

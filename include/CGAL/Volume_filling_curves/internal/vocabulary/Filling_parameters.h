@@ -100,7 +100,8 @@ struct Filling_parameters : Curve_run_parameters
   /// The distance from the boundary that the whole curve keeps, apart from the necks of ports, in
   /// the input's unit: certified like containment. The curve still covers the domain as well as it
   /// can from there; points nearer to the boundary than that do not count in
-  /// `Filling_result::unfilled_fraction`. 0 (default) stands for none.
+  /// `Filling_result::unfilled_fraction`. A node that a constraint keeps nearer to the boundary is
+  /// refused. 0 (default) stands for none.
   double wall_distance = 0;
 
   /// A direction field for the curve to follow: a function of the point that returns a vector, a
