@@ -148,7 +148,8 @@ Mesh mesh_of(const Doubles& vertices, const Integers& faces)
   namespace PMP = CGAL::Polygon_mesh_processing;
   const Triangles triangles = triangles_of(vertices, faces);
   if(!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces))
-    throw std::invalid_argument("faces: they are no oriented manifold; repair() mends such meshes");
+    throw std::invalid_argument(
+        "faces: they are no oriented manifold; repair() repairs such meshes");
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(triangles.points, triangles.faces, mesh);
   return mesh;

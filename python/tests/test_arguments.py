@@ -78,6 +78,9 @@ class Wrong_arguments(unittest.TestCase):
             ("sides is -1", lambda: vfc.tube(circle(), 0.1, sides=-1)),
             ("pin: there is no point -1", lambda: vfc.untangle(circle(), pin=[-1])),
             ("pin: there is no point 16", lambda: vfc.untangle(circle(), pin=[16])),
+            ("pin is 18446744073709551615, but", lambda: vfc.untangle(circle(), pin=[2**64 - 1])),
+            ("faces is 18446744073709551615, but",
+             lambda: vfc.Mesh(CUBE_VERTICES, CUBE_FACES.astype(np.uint64) - np.uint64(1))),
             ("pin has the shape", lambda: vfc.untangle(circle(), pin=3)),
             ("center .*three coordinates", lambda: vfc.Ball((0, 0), 1)),
             ("radius is 1.*too large", lambda: vfc.Ball((0, 0, 0), 10**400)),
@@ -126,6 +129,9 @@ class Arrays(unittest.TestCase):
                      knot[::-1][::-1], list(map(tuple, knot)), knot.astype(">f8"), knot.astype(object)
                      .astype(np.longdouble)):
             self.assertTrue(np.array_equal(vfc.simplify(same).curves, vfc.simplify(knot).curves))
+        matrix = vfc.simplify(np.asmatrix(knot)).curves
+        self.assertTrue(np.array_equal(matrix, vfc.simplify(knot).curves))
+        self.assertEqual(repr(vfc.Polygons(np.asmatrix(SQUARE))), repr(vfc.Polygons(SQUARE)))
         self.assertAlmostEqual(vfc.length(4 * SQUARE.astype(int) @ np.eye(2, 3, dtype=int)), 16)
 
     def test_points_that_memory_does_not_hold(self):

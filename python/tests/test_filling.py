@@ -81,6 +81,7 @@ class Filling(unittest.TestCase):
     def test_directions_of_a_wrong_shape_are_refused(self):
         for options, message in [({"direction_field": np.ones((8, 2))}, r"\(n, 3\)"),
                                  ({"direction_field": np.ones((7, 3))}, "direction_field has 7 rows"),
+                                 ({"direction_field": np.array(1)}, r"\(n, 3\) or \(3,\)"),
                                  ({"direction_field": (0, 1)}, r"direction_field .* or \(3,\)")]:
             with self.assertRaisesRegex(ValueError, message):
                 vfc.fill(CUBE_VERTICES, CUBE_FACES, **options)

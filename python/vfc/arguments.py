@@ -52,7 +52,14 @@ def integers(value: Any, name: str) -> np.ndarray:
     array = _array(value, name)
     if array.dtype.kind not in "iu" and array.size > 0:
         raise TypeError(f"{name} must hold integers, but has the dtype {array.dtype}")
+    if array.dtype.kind == "u" and array.size > 0:
+        integer(array.max(), name)  # NumPy itself would turn it into a negative index
     return array.astype(np.int64, order="C", copy=False)
+
+
+def is_one(value: Any) -> bool:
+    """Whether these are rows of coordinates, not a list of such arrays. Rows of np.matrix have two dimensions."""
+    return len(value) > 0 and (value.ndim == 2 if isinstance(value, np.ndarray) else np.ndim(value[0]) == 1)
 
 
 def vector(value: Any, name: str) -> np.ndarray:

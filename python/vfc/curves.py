@@ -13,7 +13,7 @@ from typing import Any, Sequence, Union
 import numpy as np
 
 from . import _vfc
-from .arguments import integers, numbers
+from .arguments import integers, is_one, numbers
 
 
 @dataclass(repr=False, eq=False)
@@ -37,7 +37,7 @@ Closed = Union[bool, Sequence[bool]]
 
 
 def _is_one(curves: Curves) -> bool:
-    return not isinstance(curves, Network) and len(curves) > 0 and np.ndim(curves[0]) == 1
+    return not isinstance(curves, Network) and is_one(curves)
 
 
 def _flags(closed: Closed, count: int) -> list[bool]:

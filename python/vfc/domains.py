@@ -10,7 +10,7 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 
 from . import _vfc
-from .arguments import integers, number, numbers, vector
+from .arguments import integers, is_one, number, numbers, vector
 
 
 class Domain:
@@ -67,7 +67,7 @@ class Polygons(Domain):
         for polygon in polygons:
             if not hasattr(polygon, "__getitem__") or len(polygon) == 0:
                 raise TypeError(f"a polygon is {polygon!r}, but must be an array of corners, or a list of such arrays")
-        rings = [[polygon] if np.ndim(polygon[0]) == 1 else list(polygon) for polygon in polygons]
+        rings = [[polygon] if is_one(polygon) else list(polygon) for polygon in polygons]
         super().__init__(
             _vfc.inside_of_polygons([[numbers(ring, "corners") for ring in part] for part in rings]),
             f"{len(rings)} polygons, {sum(len(part) - 1 for part in rings)} holes")

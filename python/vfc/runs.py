@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from math import isnan
 from typing import Any, Callable, Optional
 
+import numpy as np
+
 from . import _options, _results, _vfc
 from .arguments import field
 from .curves import Closed, Curves, from_core, kept, origins, size, to_core
@@ -106,6 +108,8 @@ def fill(domain: Any, faces: Any = None, *, curves: Optional[Curves] = None, clo
         raise TypeError("closed and pin are about curves, but no curves are given")
     for name in ("thickness", "direction_field"):
         options[name] = field(options.get(name), name)
+    if isinstance(options["direction_field"], np.ndarray):
+        options["direction_field"] = np.atleast_1d(options["direction_field"])
     given = [] if curves is None else kept(curves)
     core = to_core(given, closed, pin)
     record = _record(certificate)
