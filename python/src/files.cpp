@@ -81,6 +81,8 @@ const vfc::Curve_format& format_to_write(const std::string& file)
 std::error_code error_of_writing(const std::string& file, const Curve& curve)
 {
   const vfc::Curve_format& format = format_to_write(file);
+  if(curve.number_of_edges() == 0) // no format reads it
+    throw std::invalid_argument(shown(file) + ": there is no curve to write");
   const internal::Curve_paths paths(curve);
   return internal::write_whole_file(
       file, format.write != nullptr ? format.write(paths) : format.write_with_columns(paths, {}));

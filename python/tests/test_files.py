@@ -32,6 +32,13 @@ class Files(unittest.TestCase):
             self.assertTrue(np.array_equal(curves[0], circle()) and np.array_equal(curves[1], ARC), name)
             self.assertTrue(np.array_equal(vfc.read(str(file))[0][0], circle()))
 
+    def test_no_curve_is_not_written(self):
+        for name in ("a.obj", "a.polylines.txt", "a.ply", "a.vtp", "a.vect", "a.xyz", "a.txt", "a.dat"):
+            for nothing in ([], vfc.Network(ARC, np.zeros((0, 2), int))):
+                with self.assertRaisesRegex(ValueError, f"{name}: there is no curve"):
+                    vfc.write(self.folder / name, nothing)
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_names_that_are_no_utf_8(self):
         name = os.fsencode(self.folder) + b"/\xff.obj"
         for file in (name, os.fsdecode(name)):

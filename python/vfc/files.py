@@ -47,7 +47,7 @@ def write(file: Any, curves: Curves, *, closed: Closed = True) -> None:
 
     Raises:
         OSError: if the file cannot be written
-        ValueError: if the name has no extension of these
+        ValueError: if the name has no extension of these, or there is no curve
     """
     if b"\0" in os.fsencode(file):
         raise ValueError("the name of the file has a null character")
