@@ -12,14 +12,20 @@
 #include <CGAL/Volume_filling_curves/Implicit_domain_3.h>
 #include <CGAL/Volume_filling_curves/Triangle_mesh_domain_3.h>
 #include <CGAL/Volume_filling_curves/internal/certificate/Isotopy_certificate.h>
+#include <CGAL/Volume_filling_curves/internal/search/Box_tree.h>
+#include <CGAL/Volume_filling_curves/internal/search/Nearest_pair_descent.h>
 #include <CGAL/Volume_filling_curves/verify_certificate.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <random>
 #include <vector>
 
 namespace test_filled_parts {
@@ -35,6 +41,8 @@ Soup moved(Soup soup, double x, double y, double z)
   for(Point& p : soup.points) p = {p.x() + x, p.y() + y, p.z() + z};
   return soup;
 }
+
+using Polylines = std::vector<std::vector<Point>>;
 
 const Soup two_spheres = meshes::sphere(1, 2) + meshes::sphere(0.6, 2, Point(2, 0, 0));
 
@@ -152,6 +160,48 @@ TEST(Parts, are_in_the_certificate)
   EXPECT_EQ(start.number_of_components(), 2u);
   EXPECT_TRUE(
       VFC::verify_certificate(certificate, start, curve, meshes::to_mesh(two_spheres)).is_valid);
+}
+
+// A search for overlapping boxes that counts the pairs of hulls that it compares.
+struct Counted_overlaps : VFC::internal::Overlap_query
+{
+  using Part = VFC::internal::Box_tree::Part;
+  mutable std::size_t number = 0;
+
+  double entry(const Part& a, const Part& b) const
+  {
+    ++number;
+    return Overlap_query::entry(a, b);
+  }
+
+  void visit(const Part&, const Part&) const {}
+};
+
+std::size_t compared_hulls(const Polylines& closed_polylines)
+{
+  std::vector<CGAL::Bbox_3> edges;
+  for(const auto& polyline : closed_polylines)
+    for(std::size_t k = 0; k + 1 < polyline.size(); ++k)
+      edges.push_back(polyline[k].bbox() + polyline[k + 1].bbox());
+  const VFC::internal::Box_tree tree(edges);
+  Counted_overlaps overlaps;
+  VFC::internal::Nearest_pair_descent(tree, overlaps).run();
+  return overlaps.number;
+}
+
+// In a random order, 400 circles take twenty times as many comparisons.
+TEST(Parts, come_in_an_order_in_space_if_they_are_many)
+{
+  std::vector<std::array<int, 3>> cubes;
+  for(int x = 0; x < 20; ++x)
+    for(int y = 0; y < 20; ++y) cubes.push_back({2 * x, 2 * y, 0});
+  const Mesh_domain domain(meshes::to_mesh(meshes::voxels(cubes)));
+  Curve curve;
+  Polylines circles = VFC::fill(curve, domain, preview(0.5).number_of_iterations(0)).start;
+  EXPECT_EQ(circles.size(), 400u);
+  const std::size_t in_space = compared_hulls(circles);
+  std::shuffle(circles.begin(), circles.end(), std::mt19937(1));
+  EXPECT_LT(10 * in_space, compared_hulls(circles));
 }
 
 // A visitor that takes note of a warning.

@@ -18,9 +18,11 @@
 #include <CGAL/Volume_filling_curves/internal/filling/Thin_walls.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_estimates.h>
 #include <CGAL/Volume_filling_curves/internal/filling/filling_shape.h>
+#include <CGAL/Volume_filling_curves/internal/geometry/Box.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Space.h>
 #include <CGAL/Volume_filling_curves/internal/geometry/Vector.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/Thickness.h>
+#include <CGAL/Volume_filling_curves/internal/search/Surface_area_order.h>
 #include <CGAL/Volume_filling_curves/internal/state/Run_state.h>
 #include <CGAL/Volume_filling_curves/internal/support/Run_watch.h>
 #include <CGAL/Volume_filling_curves/internal/vocabulary/Filling_parameters.h>
@@ -117,13 +119,14 @@ public:
   // the estimated size of the filling
   const Filling_size& size() const { return m_size; }
 
-  // A circle in each part that is wide enough for a curve, as closed polylines.
+  // A circle in each part that is wide enough for a curve, as closed polylines: a few in the order
+  // of the parts, many in an order in space.
   std::vector<std::vector<Point_3>> circles() const
   {
     std::vector<std::vector<Point_3>> circles;
     for(std::size_t k = 0; k < m_is_wide.size(); ++k)
       if(m_is_wide[k]) circles.push_back(circle(m_parts.widest_balls()[k]));
-    return circles;
+    return circles.size() > few_circles ? in_spatial_order(circles) : circles;
   }
 
   std::size_t number_of_wide_parts() const
@@ -265,6 +268,22 @@ private:
     const double r = m_thickness(to_point(ball.center(), m_samples.traits()));
     return ball.circle((std::min)(radius_of_root * r, radius), nodes_of_root);
   }
+
+  // Trees of edges rely on the order of the curves, but parts come in the order of random samples:
+  // 100, 900 and 1,600 separate squares of 57 nodes took 1.05, 1.9 and 2.7 times as long to fill.
+  static std::vector<std::vector<Point_3>> in_spatial_order(
+      const std::vector<std::vector<Point_3>>& circles)
+  {
+    std::vector<Bbox_3> boxes;
+    for(const auto& circle : circles) {
+      Box box;
+      for(const Point_3& p : circle) box.extend(to_vector(p));
+      boxes.push_back(to_bbox(box));
+    }
+    return Surface_area_order(boxes).sorted(circles);
+  }
+
+  static constexpr std::size_t few_circles = 32; // need no order
 
   bool is_wide(const Vector& center, double radius) const
   {
