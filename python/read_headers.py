@@ -38,7 +38,7 @@ IN_PYTHON = {  # what the headers say of C++: what Python's users need
     "The final `Curve_flow_3::gradient_norm()`": "The gradient of the flow at the end, dimensionless",
     "`Curve_flow_3::gradient_norm()`": "the `UntanglingResult.gradient_norm`",
     "`Curve_flow_3::loose_share()`": "the share of loose contacts and bends",
-    "the visitor asked to stop": "the function `progress` returned `False`",
+    "the visitor or `progress` ended the run": "the function `progress` returned `False`",
     "`verify_certificate()`": "`verify()`",
     "an `alignment()` of": "an alignment of",
     "as defined by `untangle()`, is": "by rays from its ends to infinity, is",

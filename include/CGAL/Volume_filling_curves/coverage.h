@@ -119,7 +119,8 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
 }
 
 /*!
- * returns the statistics of distances from `sample_distances()`.
+ * returns the statistics of distances from `sample_distances()`. Takes \cgalBigO{m \log m} time for
+ * `m` samples.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -161,7 +162,7 @@ template <typename Traits, typename Domain, typename Thickness>
 
 /*!
  * returns the share of the samples that are farther than 2 r from the curve; it is at most 1 % for
- * a curve that fills the domain.
+ * a curve that fills the domain, and 0 without samples. Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -195,7 +196,8 @@ template <typename Traits, typename Domain, typename Thickness>
  *
  * A region is a set of samples farther than 2 r from the curve, connected by segments inside the
  * domain between nearby samples. It contains a ball of radius r/2 that lies inside the domain and
- * farther than 2 r from the curve.
+ * farther than 2 r from the curve. At most 256 regions are found. Takes time linear in the number
+ * of samples and, for each region, near-linear in the number of those farther than 2 r.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`

@@ -61,7 +61,7 @@ struct Empty_region_3
   /// the center of a ball that lies in the region
   Point_3 point;
 
-  /// the radius of the ball
+  /// the radius of the ball, in the input's unit
   double radius;
 
   /// the volume of the region, or its area in a planar domain, estimated from its share of the

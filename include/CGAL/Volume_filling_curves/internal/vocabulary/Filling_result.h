@@ -39,7 +39,7 @@ enum class Filling_status
                           ///< than required; `Filling_result::shape_excesses` states where
   LIMIT,                  ///< the limit of iterations or of time was reached
   STALLED,                ///< several steps in a row could not be certified, however short
-  INTERRUPTED             ///< the visitor asked to stop
+  INTERRUPTED             ///< the visitor or `progress` ended the run
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
@@ -96,23 +96,27 @@ struct Port_neck
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/fill.h
 ///
-/// The result of `fill()`. Whatever the status, the curve lies strictly inside the domain and is
-/// ambient isotopic to the start. In a planar domain, the shares of the volume are shares of the
-/// area.
+/// The result of `fill()`. Whatever the status, the curve is ambient isotopic to the start, and
+/// lies strictly inside the domain unless the run was stopped before it had checked the given
+/// curves. Lengths are in the input's unit. In a planar domain, shares of the volume are shares of
+/// the area.
 ///
 /// \tparam Point_3 the type of points
 template <typename Point_3>
 struct Filling_result
 {
   Filling_status status = Filling_status::LIMIT; ///< how the run ended
-  double thickness = 0; ///< r, in the input's unit; if it varies, the mean over the nodes
+  double thickness = 0;                          ///< r; if it varies, the mean over the nodes
 
   /// the default thickness, if the run used a larger one to limit the curve to about 200,000 nodes;
   /// otherwise 0
   double default_thickness = 0;
 
-  double medial_radius = 0; ///< the mean medial radius, capped at the boundary and at 2 r
-  double gradient_norm = 0; ///< the final `Curve_flow_3::gradient_norm()`
+  /// the mean medial radius, capped at the boundary and at 2 r; NaN if the run was stopped before
+  /// the flow or within a step
+  double medial_radius = 0;
+  /// the final `Curve_flow_3::gradient_norm()`; NaN if the run was stopped before it was known
+  double gradient_norm = 0;
   /// the unfilled share of the volume, which is farther than 2 r from the curve; with
   /// `Wall::KEEP_CLEAR`, the volume within 2 r of the boundary, or within half the radius of the
   /// widest ball inside if that is less, does not count, nor does the volume nearer to it than a
@@ -158,10 +162,11 @@ struct Filling_result
   /// exceed that
   std::vector<Shape_excess_3<Point_3>> shape_excesses;
 
-  /// the reason, in English, why more than 1 % of the volume is farther than 2 r from the curve,
-  /// another strand nearer than r along more than 5 % of the length, or a constraint or the length
-  /// not reached, if the status is `PARTIAL`, `CONSTRAINT_NOT_REACHED`, `LENGTH_NOT_REACHED` or
-  /// `STALLED`; otherwise empty
+  /// the reason, in English. With the status `LENGTH_NOT_REACHED` it states the length. With
+  /// `PARTIAL`, `CONSTRAINT_NOT_REACHED` or `STALLED` it states which limits of the shape are
+  /// exceeded, and why more than 1 % of the volume is farther than 2 r from the curve, or another
+  /// strand nearer than r along more than 5 % of the length; empty if a stalled curve has none of
+  /// these faults. Empty with any other status
   std::string reason;
 
   /// the straight parts of the curve at the ports, in their order

@@ -34,7 +34,7 @@ enum class Untangling_status
   LIMIT,                  ///< the limit of iterations or of time was reached
   STALLED,    ///< the length, the gradient, or a suspected unknot stopped making progress, or the
               ///< thickness is too small, see `Untangling_result::fitting_thickness`
-  INTERRUPTED ///< the visitor asked to stop
+  INTERRUPTED ///< the visitor or `progress` ended the run
 };
 
 /// \ingroup PkgVolumeFillingCurvesRef
