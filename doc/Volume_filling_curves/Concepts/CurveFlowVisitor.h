@@ -17,13 +17,14 @@
  * `Untangling_strategy::SEARCH` of one search. `Untangling_strategy::FLOW` consists of one flow if
  * a thickness is given; a measured one that proves too small is followed by a flow with a larger
  * one. With `Untangling_strategy::AUTO` a flow follows a search; if the flow jams, both are
- * repeated, up to four times. During each flow the functions are called in the order `on_start()`,
- * `go_further()`, `on_iteration()`, `go_further()`, `on_iteration()`, ...
+ * repeated, with at most four searches in all. During each flow the functions are called in the
+ * order `on_start()`, `go_further()`, `on_iteration()`, `go_further()`, `on_iteration()`, ...
  *
  * All functions are called between steps, in the thread that called `untangle()` or `fill()`; the
  * reading functions of `CGAL::Volume_filling_curves::Curve_flow_3` then describe the current curve.
  * A visitor cannot change the curve. It may throw: the exception reaches the caller, and the curve
- * is the one after the last step, ambient isotopic to the input.
+ * is the one after the last step, ambient isotopic to the input, or the input itself if the
+ * exception is an `std::invalid_argument`.
  *
  * A visitor passed by value must be copyable, and changes of the copy are lost. Pass `std::ref()`
  * of a visitor to keep its state.

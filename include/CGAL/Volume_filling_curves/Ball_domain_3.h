@@ -52,7 +52,7 @@ public:
    * constructs the ball.
    *
    * \param center the center; its coordinates are rounded to `double`
-   * \param radius the radius
+   * \param radius the radius, in the input's unit
    *
    * \throws std::invalid_argument if a coordinate is not finite, or the radius is not positive and
    * finite

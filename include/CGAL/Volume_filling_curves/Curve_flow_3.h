@@ -116,10 +116,9 @@ public:
    *
    * \pre the network has no garbage
    *
-   * \throws std::invalid_argument if a parameter is not positive and finite (`thickness`,
-   * `coupling` and `time_step` may also be 0), if `spacing` is larger than 1, or if a node slides
-   * along the boundary and there is no domain; if the curve is smaller than 1e-150 and no thickness
-   * is given; or if the curve would have far more than 20 million nodes
+   * \throws std::invalid_argument if a parameter is out of its range, or if a node slides along the
+   * boundary and there is no domain; if the curve is smaller than 1e-150 and no thickness is given;
+   * or if the curve would have far more than 20 million nodes
    */
   explicit Curve_flow_3(Guard& guard,
                         const Curve_flow_parameters& parameters = Curve_flow_parameters())
@@ -344,8 +343,8 @@ public:
 
   /// returns how loose the curve is: about 0.01 if it is tight, 1 if nothing resists its tension;
   /// then the thickness is too small for the curve. This is the sum of the norms of the nodes'
-  /// gradients, divided by the same sum for the length alone, or by 2 pi if that is more; pinned
-  /// nodes are left out.
+  /// gradients, divided by the same sum for the length alone, weighted by the direction field if
+  /// there is one, or by 2 pi if that is more; pinned nodes are left out.
   double loose_share() const { return m_direction.loose_share(); }
 
   /// returns the mean of the medial radii along the curve, each capped at `largest`, in the input's

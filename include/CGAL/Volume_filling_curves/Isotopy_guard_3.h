@@ -66,10 +66,9 @@ namespace Volume_filling_curves {
  * have coordinates beyond 1e150, are refused.
  *
  * The guard borrows the network, which must outlive it and must not be assigned to meanwhile. A
- * network has at most one guard: the constructors throw `std::logic_error` if there is another.
- * Algorithms that change the network, such as `Curve_flow_3`, take the guard; `untangle()`,
- * `fill()` and `simplify_curves()` construct their own. Guards of different networks can be used
- * concurrently.
+ * network has at most one guard. Algorithms that change the network, such as `Curve_flow_3`, take
+ * the guard; `untangle()`, `fill()` and `simplify_curves()` construct their own. Guards of
+ * different networks can be used concurrently.
  *
  * With a domain, all that the curve sweeps must also lie strictly inside: a curve that starts
  * inside stays inside. This is as reliable as the answers of the domain.
@@ -106,13 +105,15 @@ public:
 
   /// @}
 
-  /// constructs a guard of `curve` without a domain.
+  /// constructs a guard of `curve` without a domain. `Domain` must be `Unbounded_domain_3`.
+  /// \throws std::logic_error if the network has a guard
   explicit Isotopy_guard_3(Curve_network_3<Traits>& curve) : Isotopy_guard_3(curve, Boundary()) {}
 
   /// constructs a guard that keeps `curve` inside `domain`, which must outlive the guard.
   /// \pre the curve lies inside `domain`
-  /// \throws std::invalid_argument if the domain is unbounded or smaller than 1e-150, or if its box
-  /// is empty
+  /// \throws std::invalid_argument if the domain is smaller than 1e-150, if its box is empty, or if
+  /// it is unbounded and not `Unbounded_domain_3`
+  /// \throws std::logic_error if the network has a guard
   Isotopy_guard_3(Curve_network_3<Traits>& curve, const Domain& domain)
       : Isotopy_guard_3(curve, Boundary(domain))
   {}

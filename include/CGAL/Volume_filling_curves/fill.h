@@ -145,20 +145,31 @@ auto fill(Curve_network_3<Traits>& curves,
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded or not strictly inside the domain
- * (the message lists the nodes); if all nodes of a component slide or are pinned, and fingers are
- * to grow (the message names the component and its first node); if the domain is unbounded, larger
- * than 1e150 or smaller than 1e-150, or has no `scaled()` beyond 1e38 or below 1e-38; if hardly any
- * point of its box is inside, or its answers contradict each other; if a parameter is out of its
- * range (the message names it and, for a field, the point); if both a length and a thickness are
- * given; if ports do not fit: their number is odd, curves are given as well, one of them is not at
- * the boundary or has no room for its neck, or no path joins two of them; if the number of
- * `volume_shares` is not that of components; if a mesh or a polygon bounds no domain, see
- * `Triangle_mesh_domain_3` and `Polygon_domain_3`; if `resume_from` is the state of a different
- * run; or if the curve would have more than 20 million nodes, which take some 30 GB, or more than 2
- * million with the default thickness
+ * \throws std::invalid_argument if
+ * - the curves are not embedded or not strictly inside the domain (the message lists the nodes);
+ * - fingers are to grow, and all nodes of a component slide or are pinned (the message names the
+ *   component and its first node);
+ * - the domain is unbounded, larger than 1e150 or smaller than 1e-150, or has no `scaled()` beyond
+ *   1e38 or below 1e-38;
+ * - hardly any point of the domain's box is inside, or the domain's answers contradict each other;
+ * - a mesh or a polygon bounds no domain, see `Triangle_mesh_domain_3` and `Polygon_domain_3`;
+ * - a parameter is out of its range (the message names it and, for a field, the point);
+ * - the thickness, `bend_radius` or `strand_distance` is larger than the diagonal of the domain's
+ *   box;
+ * - `wall_distance` is too large: a given curve comes as near to the boundary, a node is to slide
+ *   nearer to it, or no point inside is farther away;
+ * - both a length and a thickness are given;
+ * - ports do not fit: their number is odd, curves are given as well, one of them is not at the
+ *   boundary or has no room for its neck, or no path joins two of them;
+ * - the number of `volume_shares` is not that of components, or there are neither curves nor ports;
+ * - the curve would have more than 20 million nodes, which take some 30 GB, or more than 2 million
+ *   with the default thickness
  *
- * Exceptions of the visitor, of a field and of the domain pass through.
+ * \throws Run_state_error (an `std::invalid_argument`) if `resume_from` is damaged or belongs to a
+ * different run
+ *
+ * If one of these is thrown, the curves are unchanged. Exceptions of the visitor, of a field and of
+ * the domain pass through.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Traits,

@@ -64,7 +64,7 @@ namespace Volume_filling_curves {
  *
  * \throws std::invalid_argument if the curves are not embedded (the message lists the nodes), if a
  * coordinate is beyond 1e150 or the size is below 1e-150, or if a parameter is out of its range
- * (the message names it)
+ * (the message names it). The curves are unchanged in that case
  */
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::size_t simplify_curves(Curve_network_3<Traits>& curves,

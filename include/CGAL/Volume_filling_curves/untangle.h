@@ -79,12 +79,20 @@ namespace Volume_filling_curves {
  *
  * \pre the network has no garbage
  *
- * \throws std::invalid_argument if the curves are not embedded, if a pinned end is enclosed so that
- * no straight ray leads from it to the outside, or if a node is pinned or slides although the
- * length is to be kept (the message names nodes); if a coordinate is beyond 1e150 or the size is
- * below 1e-150; if a parameter is out of its range (the message names it); if curves of that
- * spacing and thickness would have more than 20 million nodes; or if `resume_from` is the state of
- * a different run
+ * \throws std::invalid_argument if
+ * - the curves are not embedded (the message names the nodes), a coordinate is beyond 1e150, or the
+ *   size is below 1e-150;
+ * - a pinned end is enclosed: no straight ray leads from it to the outside (the message names it);
+ * - a node is to slide along a boundary, and there is no domain (the message names the node);
+ * - a node is pinned or slides although the length is to be kept (the message names the node);
+ * - a parameter is out of its range (the message names it);
+ * - the thickness, `bend_radius` or `strand_distance` is larger than the diagonal of the box of the
+ *   curves;
+ * - `bend_radius` or `strand_distance` is given with the strategy `SEARCH`;
+ * - curves of that spacing and thickness would have more than 20 million nodes
+ *
+ * \throws Run_state_error (an `std::invalid_argument`) if `resume_from` is damaged or belongs to a
+ * different run
  *
  * If one of these is thrown, the curves are unchanged. Exceptions of the visitor pass through.
  */

@@ -126,8 +126,8 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
- * `FaceListGraph`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or a model
+ * of `FaceListGraph`
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result
@@ -174,14 +174,16 @@ Untangling_result untangle(Polylines& polylines,
  *
  * \tparam ConcurrencyTag enables parallel algorithms
  * \tparam Traits a model of `CurveFlowTraits_3`
- * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, or a model of
- * `FaceListGraph`
+ * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type, bounded, or a model
+ * of `FaceListGraph`
  * \tparam Visitor a model of `CurveFlowVisitor`, or a `std::reference_wrapper` of one
  *
  * \param curves the curves, replaced by the result
  * \param domain the domain, or a closed triangle mesh, which bounds it
  * \param parameters the parameters
  * \param visitor receives the progress of the run, and can end it
+ *
+ * \pre the network has no garbage
  *
  * \returns the same as the overload with named parameters, and throws the same exceptions
  */

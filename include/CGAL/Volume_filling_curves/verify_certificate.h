@@ -191,8 +191,8 @@ auto enclosure_of(const Domain& domain)
  *
  * \pre no two faces of a mesh meet elsewhere than in a common vertex or a common edge
  *
- * \throws std::invalid_argument like the overload without a domain, and if a mesh is not closed or
- * has a face that is not a triangle or a coordinate that is not finite
+ * \throws std::invalid_argument like the overload without a domain, and if a mesh has no faces, is
+ * not closed, or has a face that is not a triangle or a coordinate that is not finite
  * \throws Run_interrupted if `progress` returns `false`
  */
 template <typename Start,

@@ -61,13 +61,14 @@ public:
   /// the dimension of the domain
   static constexpr int dimension = internal::dimension_of<Domain>;
 
-  /// constructs the inset of `domain`, which must outlive it, by the distance `c`.
+  /// constructs the inset of `domain`, which must outlive it, by the distance `c`, in the input's
+  /// unit.
   ///
   /// \throws std::invalid_argument if `c` is negative or not finite, or the box of `domain` is
   /// narrower than 2 c in some direction
   Inset_domain_3(const Domain& domain, double c) : m_domain(&domain), m_c(c) { check(); }
 
-  /// constructs the inset of a domain that it owns.
+  /// constructs the inset of a domain that it owns, with the same exceptions.
   Inset_domain_3(Domain&& domain, double c)
       : m_owned(std::make_shared<const Domain>(std::move(domain))), m_domain(m_owned.get()), m_c(c)
   {
