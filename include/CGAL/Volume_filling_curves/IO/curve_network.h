@@ -37,9 +37,9 @@ namespace Volume_filling_curves {
  * \brief constructs a curve network from polylines, and lists their defects.
  *
  * This function does the same as the constructor of `Curve_network_3` from polylines, but treats
- * defects like `IO::read_curve_network()`: it throws nothing, drops an edge that occurs twice with
- * a warning, and so on. It does not test whether edges meet. Takes \cgalBigO{n \log n} time for `n`
- * points.
+ * defects like `IO::read_curve_network()`: it lists errors instead of throwing them, drops an edge
+ * that occurs twice with a warning, and so on. It does not test whether edges meet. Takes
+ * \cgalBigO{n \log n} time for `n` points.
  *
  * \tparam PolylineRange a model of `ConstRange` whose items are points, or ranges of points
  * \tparam Traits a model of `CurveFlowTraits_3`
@@ -216,6 +216,8 @@ bool write_curve_network(const std::string& filename,
  * \brief writes a curve network to a file, like the overload above, without an error code.
  *
  * \returns whether the file was written
+ *
+ * \pre the network has no garbage
  */
 template <typename Traits>
 bool write_curve_network(const std::string& filename,

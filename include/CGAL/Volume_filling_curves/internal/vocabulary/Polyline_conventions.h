@@ -20,9 +20,9 @@ namespace Volume_filling_curves {
  *
  * \brief determines which polylines are closed curves.
  *
- * This is the type of the named parameter `closure` of all functions that take polylines, and of a
- * parameter of `IO::read_curve_network()`, which documents its effect on files. In a closed curve,
- * a last point that repeats the first is not a new node.
+ * This is the type of the named parameter `closure` of all functions that take polylines but
+ * `verify_certificate()`, and of a parameter of `IO::read_curve_network()`, which documents its
+ * effect on files. In a closed curve, a last point that repeats the first is not a new node.
  */
 enum class Closure
 {
@@ -38,7 +38,9 @@ enum class Closure
  * \brief determines whether a curve network may have junctions, that is, nodes with more than two
  * edges.
  *
- * This is the type of the named parameter `junctions` of all functions that take polylines.
+ * This is the type of the named parameter `junctions` of the constructor of `Curve_network_3` from
+ * polylines and of `polylines_to_curve_network()`, and of a parameter of
+ * `IO::read_curve_network()`. All other functions that take polylines forbid junctions.
  */
 enum class Junctions
 {
