@@ -19,11 +19,12 @@
  * Models are copyable and assignable. Default construction is required only where no traits object
  * is passed. Functors are copyable, and a functor and its copies can be called concurrently.
  *
- * Every kernel of \cgal with exact predicates is a model.
+ * Every kernel of \cgal is a model if its predicates are exact and its number type holds every
+ * `double`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Volume_filling_curves::Curve_flow_traits_3}
- * \cgalHasModels{\cgal's kernels with exact predicates}
+ * \cgalHasModels{\cgal's kernels with exact predicates and a number type that holds every `double`}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Volume_filling_curves::Curve_network_3`

@@ -9,9 +9,9 @@
  * \cgalConcept
  *
  * The concept `VolumeFillingDomainWithSurface_3` describes a domain whose boundary is a searchable
- * surface, such as a mesh, or a searchable curve in the plane: `distance()` returns exact distances
- * instead of lower bounds, queries are answered in batches, and connected parts are known exactly.
- * This makes `CGAL::Volume_filling_curves::fill()` faster.
+ * surface, such as a mesh, or a searchable curve in the plane: `distance()` returns distances, up
+ * to rounding, instead of lower bounds, queries are answered in batches, and connected parts are
+ * known exactly. This makes `CGAL::Volume_filling_curves::fill()` faster.
  *
  * The members are used only if all of them exist. They can be called concurrently.
  *

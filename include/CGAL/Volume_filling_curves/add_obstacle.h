@@ -73,8 +73,8 @@ bool has_vertex_on_side(const TriangleMesh& mesh, const Domain& domain, bool is_
  * the other. Vertices without faces are ignored. Takes \cgalBigO{n \log n} time for `n` faces
  * unless many of them have intersecting bounding boxes.
  *
- * \tparam TriangleMesh a model of `MutableFaceGraph` and `HalfedgeListGraph` with an internal
- * vertex point map
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph`, `HalfedgeListGraph` and
+ * `CopyConstructible`, with an internal vertex point map
  *
  * \param mesh the mesh, closed and without self-intersections; its outermost shells have the same
  * orientation
