@@ -187,7 +187,8 @@ public:
    *
    * Tries the fractions 1, 1/2, 1/4, ... of the displacements down to `min_fraction`.
    *
-   * \tparam ConcurrencyTag enables a parallel run (`Parallel_tag`); the result is the same
+   * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag`
+   * or `Parallel_if_available_tag`; the result is the same
    *
    * \param targets one row per node with its x, y and z
    * \param min_fraction the least fraction to try
@@ -225,7 +226,8 @@ public:
    * or meet a boundary, move 1/2, 1/4, ..., 1/64 of their displacements, or stay; all others move
    * fully.
    *
-   * \tparam ConcurrencyTag enables a parallel run (`Parallel_tag`); the result is the same
+   * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag`
+   * or `Parallel_if_available_tag`; the result is the same
    *
    * \param targets one row per node with its x, y and z
    *

@@ -91,7 +91,8 @@ std::vector<Empty_region_3<typename Traits::Point_3>> find_empty_regions(
  * curve has no edges. Takes \cgalBigO{(n + m) \log n} time for `n` edges and `m` samples of most
  * curves.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
  *

@@ -214,7 +214,8 @@ template <typename Traits>
  * Takes \f$O(n \log n + k)\f$ time per direction for \f$n\f$ nodes and \f$k\f$ pairs of segments
  * whose projections come close.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
@@ -279,8 +280,8 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 /*!
  * computes all measures of a curve.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`, as for `average_crossing_number()`,
- * which takes most of the time
+ * \tparam ConcurrencyTag enables parallel algorithms, as for `average_crossing_number()`, which
+ * takes most of the time
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve

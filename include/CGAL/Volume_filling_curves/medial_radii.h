@@ -69,9 +69,11 @@ Medial_spheres measured_medial_spheres(const Network& curve,
  * \brief returns for each node the mean of its medial radii over all directions, each capped at
  * `largest`: a measure of the clearance around the curve.
  *
- * `mean_medial_radius()` is their mean along the curve, and explains medial radii.
+ * `mean_medial_radius()`, which explains medial radii, is their mean along the curve, and takes as
+ * long.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
@@ -115,9 +117,10 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  *
  * As the number of directions grows, this tends to the radius of the smallest circle that is
  * tangent to the curve at the node and passes through another node \cgalCite{vfc:gm-gctis-99}. The
- * minimum over all nodes is about `polygonal_thickness()`.
+ * minimum over all nodes is about `polygonal_thickness()`. Takes as long as `mean_medial_radius()`.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
@@ -163,7 +166,8 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * Nodes are weighted by their share of the length. Takes near-linear time for curves whose nodes
  * are spaced evenly.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve
@@ -205,7 +209,8 @@ template <typename ConcurrencyTag = CGAL::Sequential_tag,
  * junctions it is at least the thickness at which the number of nodes grows to about four times the
  * input's, or to two thousand. Takes near-linear time for most curves.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \param curve the curve

@@ -112,7 +112,7 @@ void check_inside(const Network& curve, const Domain& domain)
 
 /*!
  * finds the nodes and edges of the curve that are not strictly inside the domain, as exactly as the
- * domain answers. Takes one triangle test and two point tests of the domain per edge.
+ * domain answers. Takes a point test of the domain per node and a triangle test per edge.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
@@ -141,10 +141,11 @@ template <typename Traits,
 /*!
  * returns the least distance of a curve to the boundary of a domain, and where it is. The minimum
  * is taken over whole edges. For a triangle mesh and for polygons it is exact up to rounding; for
- * other domains it may be too large by 0.1 % of the distance, or of half of the edge. The time of
- * one distance query per edge, which ends at the least distance known, and few others.
+ * other domains it may be too large by 0.1 % of the distance, or of half of the edge. Takes the
+ * time of one distance query per edge, which ends at the least distance known, and of few others.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3`
  *

@@ -136,13 +136,13 @@ template <typename Traits, typename NamedParameters = CGAL::parameters::Default_
 }
 
 /*!
- * returns the least distance between two strands, and where it is: `min_clearance()` with its
- * places, for a thickness that may vary.
+ * returns the least distance between two strands and the points where it is reached, like
+ * `min_clearance()`, but for a thickness that may vary.
  *
  * Two edges belong to different strands if they are of different components, or at least
  * \f$\pi r\f$ of the curve lies between them. Where r varies, that of a pair is the mean of the
- * values in the middles of both edges. Near-linear time in the number of nodes for curves with
- * evenly spaced nodes.
+ * values in the middles of both edges. Takes near-linear time for curves whose nodes are spaced
+ * evenly.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
@@ -176,10 +176,11 @@ template <typename Traits,
 
 /*!
  * returns the share of the length, by whole edges, along which another strand is nearer than r: 0
- * for a curve that keeps its thickness. Strands are those of `min_strand_distance()`. Near linear
- * in the number of nodes and of pairs of edges nearer than r.
+ * for a curve that keeps its thickness. Strands are those of `min_strand_distance()`. Takes time
+ * near-linear in the number of nodes and of pairs of edges nearer than r.
  *
- * \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the result is the same
+ * \tparam ConcurrencyTag enables parallel algorithms: `Sequential_tag` (default), `Parallel_tag` or
+ * `Parallel_if_available_tag`; the result is the same
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Thickness a number, or a functor with <tt>double operator()(Point_3 p) const</tt>
  *
