@@ -66,7 +66,7 @@ public:
   void on_thin_domain(const CGAL::Volume_filling_curves::Thickness_fit& fit);
 
   /// is called every few milliseconds during a search. If it returns `false`, the search ends, the
-  /// curve becomes the best polygon found so far, and the status is
-  /// `Untangling_status::INTERRUPTED`.
+  /// curve becomes the best polygon found so far unless that would take more than 5 seconds, and
+  /// the status is `Untangling_status::INTERRUPTED`.
   bool on_search(const CGAL::Volume_filling_curves::Search_progress& progress);
 };

@@ -88,6 +88,8 @@ OutputIterator curve_network_to_polylines(const Curve_network_3<Traits>& network
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  *
+ * \param network the network
+ *
  * \pre the network has no garbage
  */
 template <typename Traits>
@@ -105,6 +107,8 @@ template <typename Traits>
  * `point_matrix()`. Takes linear time.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \param network the network
  *
  * \pre the network has no garbage, and fewer than \f$2^{31}\f$ nodes
  */
@@ -139,6 +143,8 @@ template <typename Traits>
  * nodes of the network and of its input.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
+ *
+ * \param network the network
  *
  * \pre the network has no garbage
  */

@@ -61,7 +61,8 @@ namespace Volume_filling_curves {
  * polynomial of dimension 4 distinguishes them.
  *
  * A knot of 10 crossings takes milliseconds. Polynomials that would take more than about a second
- * are left out: HOMFLY-PT typically above 100 crossings, and those for names above 25.
+ * are left out: HOMFLY-PT typically above 100 crossings, and the colored Jones polynomials, without
+ * which a knot has no name, above 25.
  *
  * \tparam NamedParameters a sequence of named parameters
  *

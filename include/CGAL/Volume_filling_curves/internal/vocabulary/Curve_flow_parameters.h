@@ -18,7 +18,9 @@ namespace Volume_filling_curves {
 /// \ingroup PkgVolumeFillingCurvesRef
 ///
 /// The matrix that maps the gradient of the energy to the direction of a step. `L` is the Laplacian
-/// of the curve, `M` the diagonal matrix of the nodes' weights.
+/// of the curve, `M` the diagonal matrix of the nodes' shares of the length, and R the radius of a
+/// medial sphere; alpha, beta and lambda are `medial_weight`, `coupling` and `screening` of the
+/// `Curve_flow_parameters`.
 enum class Preconditioner
 {
   MEDIAL,       ///< `L`, coupled with weight beta / R along medial spheres, + lambda `M`
@@ -103,7 +105,7 @@ struct Curve_flow_parameters
   /// the input: `default_thickness()` in `untangle()`, and see `Filling_parameters` for `fill()`.
   double thickness = 0;
 
-  /// The number N of medial spheres per node.
+  /// The number N of medial spheres per node; always 2 in a planar domain.
   std::size_t number_of_directions = 16;
 
   /// The largest radius of a medial sphere, in units of r. Below 1 the curve shrinks where it can.
@@ -120,7 +122,7 @@ struct Curve_flow_parameters
 
   /// The weight alpha of the medial spheres in the energy, in units of 1 / r^2. With 3.36^2, the
   /// value of the paper (section 3.3), the mean medial radius of a curve that fills a domain
-  /// reaches r while the curve grows, and settles at 0.93 r.
+  /// reaches r while the curve grows, and settles at 0.93 r. Half of it counts in a planar domain.
   double medial_weight = 3.36 * 3.36;
 
   /// The weight beta of the coupling along medial spheres in the preconditioner, dimensionless;

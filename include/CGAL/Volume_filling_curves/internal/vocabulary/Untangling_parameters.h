@@ -115,8 +115,9 @@ struct Untangling_parameters : Curve_run_parameters
   double bend_radius = 0;
 
   /// The least distance between strands, in the input's unit: of edges with at least half of a turn
-  /// of curve between them, pi times `bend_radius`, or pi/2 times the distance. 0 (default) stands
-  /// for none; otherwise like `bend_radius`, with a `thickness` of at least this distance / 0.95.
+  /// of curve between them, pi times `bend_radius`, or pi/2 times the distance if that is more. 0
+  /// (default) stands for none; otherwise like `bend_radius`, with a `thickness` of at least this
+  /// distance / 0.95.
   double strand_distance = 0;
 };
 
