@@ -65,6 +65,9 @@ namespace Volume_filling_curves {
  * Positions are rounded to `double` before they are certified; positions that are not finite, or
  * have coordinates beyond 1e150, are refused.
  *
+ * If edges have similar lengths, a change of one node takes constant time, and a motion of all
+ * nodes near-linear time.
+ *
  * The guard borrows the network, which must outlive it and must not be assigned to meanwhile. A
  * network has at most one guard. Algorithms that change the network, such as `Curve_flow_3`, take
  * the guard; `untangle()`, `fill()` and `simplify_curves()` construct their own. Guards of

@@ -74,7 +74,8 @@ bool has_vertex_on_side(const TriangleMesh& mesh, const Domain& domain, bool is_
  * unless many of them have intersecting bounding boxes.
  *
  * \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph`, `HalfedgeListGraph` and
- * `CopyConstructible`, with an internal vertex point map
+ * `CopyConstructible`, with an internal vertex point map, whose points are those of a kernel with
+ * exact predicates
  *
  * \param mesh the mesh, closed and without self-intersections; its outermost shells have the same
  * orientation

@@ -88,7 +88,8 @@ auto fill(Curve_network_3<Traits>& curves,
  *
  * If neither curves nor ports are given, a small circle is placed at the widest point of each
  * connected part of the inside that is wide enough. A part is wide enough if it holds a ball whose
- * radius is an eighth of r, or an eighth of the radius of the widest ball inside if that is less.
+ * radius is an eighth of r, or an eighth of the radius of the widest ball inside if that is less; a
+ * `wall_distance` reduces the radii of both balls.
  * Fingers then grow from the curves through the whole domain, and open (see `Filling_start`).
  * Meshes, polygons and models of `VolumeFillingDomainWithSurface_3` define their parts themselves,
  * a mesh by its shells. In other domains parts are found from samples, and a part with a passage

@@ -90,7 +90,7 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
  * \returns the number of points removed
  *
  * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
- * polylines. The polylines are unchanged in that case.
+ * polylines. After an exception the polylines are unchanged.
  */
 template <typename Polylines,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

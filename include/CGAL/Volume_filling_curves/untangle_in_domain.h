@@ -137,7 +137,7 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * \returns how the run ended, which proofs were found, and statistics
  *
  * \throws std::invalid_argument like that overload and the constructor of `Curve_network_3` from
- * polylines. The polylines are unchanged in that case.
+ * polylines. After an exception the polylines are unchanged.
  */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Polylines,

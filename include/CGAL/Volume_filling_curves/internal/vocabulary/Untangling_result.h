@@ -157,12 +157,12 @@ struct Untangling_result
   /// limit, strands may still block the closing rays. In a domain, which has no closing rays,
   /// `false` if there is such a component.
   bool is_closure_kept = true;
-  double thickness = 0; ///< r, in the input's unit
+  double thickness = 0; ///< r, in the input's unit; 0 if the run ended before it was known
   /// A thickness that suits the curve, in the input's unit, if the flow has stalled because the
   /// given one is too small: the curve is then smooth on that scale, but not tight. Otherwise 0.
   double fitting_thickness = 0;
-  /// The final `Curve_flow_3::gradient_norm()`, which grows while the ropelength is lowered. NaN if
-  /// the run stopped before it was known.
+  /// The final `Curve_flow_3::gradient_norm()`, which grows while the ropelength is lowered. NaN or
+  /// 0 if no flow has measured it.
   double gradient_norm = 0;
   /// the tightest bend and the closest strands in comparison with what is required, as far as they
   /// exceed that, whatever the status
