@@ -202,7 +202,8 @@ Filling_result<typename Traits::Point_3> fill(
  * polyline or container means that no curves are given. See the overload for `Curve_network_3`.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
- * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
+ * \tparam Polylines a model of `SequenceContainer` with `push_back()`. Its items are default
+ * constructible: points, objects whose points `point_map` reads and writes, or such containers
  * \tparam Domain a bounded model of `VolumeFillingDomain_3` with the same point type, a model of
  * `FaceListGraph`, a `CGAL::Polygon_2`, a `CGAL::Polygon_with_holes_2`, or a range of polygons with
  * holes

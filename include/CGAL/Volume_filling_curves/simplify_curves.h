@@ -81,7 +81,8 @@ std::size_t simplify_curves(Curve_network_3<Traits>& curves,
  * As usual in \cgal, a polyline is closed if its last point repeats the first; its result is then
  * closed in the same way. See the overload for `Curve_network_3`.
  *
- * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
+ * \tparam Polylines a model of `SequenceContainer` with `push_back()`. Its items are default
+ * constructible: points, objects whose points `point_map` reads and writes, or such containers
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result

@@ -122,7 +122,8 @@ Untangling_result untangle(Curve_network_3<Traits>& curves,
  * `Curve_network_3`.
  *
  * \tparam ConcurrencyTag enables parallel algorithms
- * \tparam Polylines a model of `SequenceContainer` whose items are points, or such containers
+ * \tparam Polylines a model of `SequenceContainer` with `push_back()`. Its items are default
+ * constructible: points, objects whose points `point_map` reads and writes, or such containers
  * \tparam NamedParameters a sequence of named parameters
  *
  * \param polylines the polylines, replaced by the result

@@ -169,7 +169,7 @@ struct Filling_parameters : Curve_run_parameters
 template <typename Point_3 = Curve_flow_traits_3<>::Point_3>
 struct Finger_parameters
 {
-  /// The thickness r of the filling, in the input's unit. There is no default.
+  /// The thickness r of the filling, in the input's unit. It must be given, since 0 is refused.
   double thickness = 0;
 
   /// A thickness that varies in space, instead of `thickness`: a function of the point, which must
@@ -188,7 +188,7 @@ struct Finger_parameters
   /// The seed of the points and of the tree.
   std::size_t random_seed = 0;
 
-  /// The time limit, in seconds. Infinite by default.
+  /// The time limit, in seconds, at which no further fingers grow. Infinite by default.
   double time_limit = std::numeric_limits<double>::infinity();
 
   /// Is called every few milliseconds, like `Curve_run_parameters::progress`; if it returns

@@ -103,7 +103,8 @@ struct Run_progress
 /// \ingroup PkgVolumeFillingCurvesRef
 /// \headerfile CGAL/Volume_filling_curves/untangle.h
 ///
-/// The progress of a random search.
+/// The progress of a random search: that of its best chain so far, see
+/// `Untangling_parameters::number_of_chains`.
 struct Search_progress
 {
   std::size_t sweeps = 0; ///< the number of sweeps, which are a hundred attempted moves per edge

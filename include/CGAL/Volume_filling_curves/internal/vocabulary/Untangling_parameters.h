@@ -76,8 +76,9 @@ struct Untangling_parameters : Curve_run_parameters
   /// flow.
   Untangling_strategy strategy = Untangling_strategy::AUTO;
 
-  /// The number of independent searches; the one that succeeds with the fewest moves provides the
-  /// result. Each runs in a thread of its own if the `ConcurrencyTag` allows it.
+  /// The number of independent chains of random moves in each search. The chain that succeeds with
+  /// the fewest moves provides the result or, if none succeeds, the one with the fewest edges. Each
+  /// runs in a thread of its own if the `ConcurrencyTag` allows it.
   std::size_t number_of_chains = 2;
 
   /// The tolerance for tight curves, dimensionless. A curve is tight if
