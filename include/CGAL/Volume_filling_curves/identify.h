@@ -99,9 +99,9 @@ template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
  *
  * A copy of the curves is simplified by certified operations and projected along 20 directions with
  * exact predicates. The diagram with the fewest crossings is identified, see the overload for a
- * `Planar_diagram`. Hence a proof of the name holds for the curves themselves. If the diagram keeps
- * more than 10 crossings although the knot may have fewer, the search of `untangle()` first reduces
- * the number of edges of a curve of at most 200 edges.
+ * `Planar_diagram`. Hence a proof of the name holds for the curves themselves. If a diagram with
+ * fewer crossings may prove the name, and the simplified curves have at most 200 edges, the search
+ * of `untangle()` reduces the number of edges, and the result is identified likewise.
  *
  * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam NamedParameters a sequence of named parameters

@@ -159,7 +159,7 @@ public:
    *     \cgalParamType{a model of `ReadablePropertyMap`, and of `WritablePropertyMap` if a result
    *       replaces the polylines, whose key type is the type of the polylines' items and whose
    *       value type has the members `x()`, `y()` and `z()`}
-   *     \cgalParamDefault{`CGAL::Identity_property_map`}
+   *     \cgalParamDefault{`CGAL::Identity_property_map<Point_3>()`}
    *   \cgalParamNEnd
    *   \cgalParamNBegin{closure}
    *     \cgalParamDescription{which polylines are closed}
