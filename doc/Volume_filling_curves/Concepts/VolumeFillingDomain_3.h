@@ -16,7 +16,8 @@
  * as the three answers: a model documents for which data they are exact, answers `false` in case of
  * doubt, and never returns a distance that exceeds the true one by more than rounding, which the
  * guard subtracts: 1e-9 of the diagonal of the box, or four units in the last place of its largest
- * coordinate if that is more. `distance_along()` only steers the curve.
+ * coordinate if that is more. `distance_along()` only steers the curve and places the necks of
+ * ports.
  *
  * The members can be called concurrently.
  *
@@ -79,6 +80,8 @@ public:
 
   /// returns a lower bound of the distance from `p` to the boundary along the unit vector
   /// `direction`, at most `limit`.
+  ///
+  /// \pre `is_inside(p)`
   double distance_along(const Point_3& p, const Vector_3& direction, double limit) const;
 
   /// @}
