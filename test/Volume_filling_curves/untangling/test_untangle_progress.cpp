@@ -13,9 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <set>
+#include <thread>
 
 // Runs report their progress from the start, and end on request, even within a step. The tests
 // count calls, not times.
@@ -138,6 +140,13 @@ TEST(Untangle_progress, ends_while_the_input_is_checked)
   EXPECT_EQ(result.status, Untangling_status::LIMIT);
   EXPECT_EQ(result.proofs.size(), 1u);
   expect_valid(curve, trefoil().number_of_nodes());
+  EXPECT_EQ(result.link, Link_status::NOT_A_LINK);
+  Network link = braid("1 1", 50000); // a check of milliseconds
+  const auto wait = [](const Run_progress&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200)); // longer than the run's grace
+    return true;
+  };
+  EXPECT_EQ(untangle(link, parameters::time_limit(0).progress(wait)).link, Link_status::UNDECIDED);
 }
 
 // A watch whose time is over ends each part of a step; the curve is embedded, without garbage.

@@ -95,6 +95,15 @@ private:
   std::size_t m_visits_left = 10'000'000;
 };
 
+// whether the curves are several closed ones
+template <typename Network>
+bool is_link(const Network& curves)
+{
+  for(std::size_t c = 0; c < curves.number_of_components(); ++c)
+    if(!curves.is_closed(c)) return false;
+  return curves.number_of_components() > 1;
+}
+
 // Proof that a link of several closed components is trivial. A nonzero linking number proves the
 // contrary. A link is trivial if each component is a proved unknot and the components can be
 // removed one after another: a component whose convex hull is disjoint from those of all remaining
@@ -122,10 +131,7 @@ public:
 
   Link_status operator()(const std::vector<Unknot_proof>& proofs)
   {
-    const std::size_t n = m_curve.number_of_components();
-    for(std::size_t c = 0; c < n; ++c)
-      if(!m_curve.is_closed(c)) return Link_status::NOT_A_LINK;
-    if(n < 2) return Link_status::NOT_A_LINK;
+    if(!is_link(m_curve)) return Link_status::NOT_A_LINK;
     if(has_linking_number()) return Link_status::LINKED;
     const bool are_unknots =
         std::find(proofs.begin(), proofs.end(), Unknot_proof::NONE) == proofs.end();

@@ -18,6 +18,7 @@
 #include <CGAL/Volume_filling_curves/internal/curve/lengths_and_turning.h>
 #include <CGAL/Volume_filling_curves/internal/flow/Node_set.h>
 #include <CGAL/Volume_filling_curves/internal/guard/Motion_record.h>
+#include <CGAL/Volume_filling_curves/internal/knots/Link_triviality.h>
 #include <CGAL/Volume_filling_curves/internal/knots/Unknot_proofs.h>
 #include <CGAL/Volume_filling_curves/internal/measures/Doubly_critical_distance.h>
 #include <CGAL/Volume_filling_curves/internal/parameters/check_parameters.h>
@@ -134,6 +135,7 @@ private:
     result.status =
         m_watch.is_interrupted() ? Untangling_status::INTERRUPTED : Untangling_status::LIMIT;
     result.proofs.assign(m_curves.number_of_components(), Unknot_proof::NONE);
+    if(is_link(m_curves)) result.link = Link_status::UNDECIDED;
     result.gradient_norm = std::numeric_limits<double>::quiet_NaN();
     certify_no_change(m_curves, m_parameters.certificate);
     return result;
