@@ -20,6 +20,8 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/property_map.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -136,6 +138,26 @@ TEST(Polylines, have_items_with_points)
   EXPECT_EQ(origins[1].size(), polylines.back().size());
   EXPECT_EQ(origins[1].front().source, 61u);
   EXPECT_EQ(polylines.back().back().second, Point_3(6, coil().back().y(), coil().back().z()));
+}
+
+// A point map that cannot write.
+struct Read_only_map
+{
+  using key_type = Point_3;
+  using value_type = Point_3;
+  using reference = const Point_3&;
+  using category = boost::read_write_property_map_tag;
+
+  friend const Point_3& get(const Read_only_map&, const Point_3& p) { return p; }
+  friend void put(const Read_only_map&, Point_3&, const Point_3&) { throw std::runtime_error(""); }
+};
+
+TEST(Polylines, are_unchanged_if_a_point_map_throws)
+{
+  Polyline polyline = coil();
+  const auto np = parameters::point_map(Read_only_map()).max_distance(0.1);
+  EXPECT_THROW(simplify_curves(polyline, np), std::runtime_error);
+  EXPECT_EQ(polyline, coil());
 }
 
 TEST(Polylines, fill_a_domain)

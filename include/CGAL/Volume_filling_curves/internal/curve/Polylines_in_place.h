@@ -24,6 +24,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -91,21 +92,22 @@ private:
     return target.get();
   }
 
-  // Writes the values of a function for the nodes of each path.
+  // Writes the values of a function for the nodes of each path. If it throws, nothing changes.
   template <typename Function, typename Container>
   static void write(const std::vector<std::vector<std::size_t>>& paths,
                     const Function& f,
                     Container& container)
   {
-    container.clear();
+    Container written;
     if constexpr(is_range_of_ranges<Container>) {
       for(const auto& path : paths) {
-        container.emplace_back();
-        for(const std::size_t v : path) container.back().push_back(f(v));
+        written.emplace_back();
+        for(const std::size_t v : path) written.back().push_back(f(v));
       }
     } else if(!paths.empty()) {
-      for(const std::size_t v : paths.front()) container.push_back(f(v));
+      for(const std::size_t v : paths.front()) written.push_back(f(v));
     }
+    container = std::move(written);
   }
 
   Polylines& m_polylines;
