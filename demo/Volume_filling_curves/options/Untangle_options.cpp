@@ -55,8 +55,8 @@ void add_untangle_options(CLI::App& command, Untangle_options& options)
       "with few edges; auto: the search first, then the flow to an even, smooth shape");
   command
       .add_option("--chains", parameters.number_of_chains,
-                  "independent random searches, which share the threads; that with the fewest "
-                  "moves gives the result")
+                  "chains of random moves side by side, which share the threads; that with the "
+                  "fewest moves gives the result")
       ->check(CLI::Range(std::size_t(1), max_chains).description(""))
       ->capture_default_str()
       ->type_name("N");

@@ -53,21 +53,21 @@ namespace Volume_filling_curves {
  *
  * \tparam Function a functor with <tt>double operator()(Point_3 p) const</tt>, or with another
  * result type that `CGAL::to_double()` converts
- * \tparam Traits_ a model of `CurveFlowTraits_3`
+ * \tparam Traits a model of `CurveFlowTraits_3`
  *
  * \cgalModels{ScalableVolumeFillingDomain_3}
  */
-template <typename Function, typename Traits_ = Curve_flow_traits_3<>>
+template <typename Function, typename Traits = Curve_flow_traits_3<>>
 class Implicit_domain_3
 {
   using Vector = internal::Vector;
 
 public:
   /// the point type of the traits
-  using Point_3 = typename Traits_::Point_3;
+  using Point_3 = typename Traits::Point_3;
 
   /// the vector type of the traits
-  using Vector_3 = typename Traits_::Vector_3;
+  using Vector_3 = typename Traits::Vector_3;
 
   /*!
    * constructs the domain.
@@ -85,7 +85,7 @@ public:
   Implicit_domain_3(Function function,
                     const CGAL::Bbox_3& bbox,
                     double lipschitz_bound = 1,
-                    const Traits_& traits = Traits_())
+                    const Traits& traits = Traits())
       : m_function(std::move(function)),
         m_bbox(bbox),
         m_lipschitz(lipschitz_bound),
@@ -213,7 +213,7 @@ private:
   CGAL::Bbox_3 m_bbox;
   double m_lipschitz;
   double m_unit = 1; // of the function, a power of two
-  Traits_ m_traits;
+  Traits m_traits;
 };
 
 } // namespace Volume_filling_curves

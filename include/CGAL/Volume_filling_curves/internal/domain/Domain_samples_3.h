@@ -37,15 +37,15 @@ namespace Volume_filling_curves {
  * `is_inside()` for random points of the domain's box: on average, the number of samples times the
  * volume of the box over that of the domain.
  *
- * \tparam Traits_ a model of `CurveFlowTraits_3`
+ * \tparam Traits a model of `CurveFlowTraits_3`
  * \tparam Domain a model of `VolumeFillingDomain_3` with the same point type
  */
-template <typename Traits_, typename Domain>
+template <typename Traits, typename Domain>
 class Domain_samples_3
 {
 public:
   /// the type of points
-  using Point_3 = typename Traits_::Point_3;
+  using Point_3 = typename Traits::Point_3;
 
   /// the number of samples for the statistics of a report
   static constexpr std::size_t default_number = 20000;
@@ -67,7 +67,7 @@ public:
   explicit Domain_samples_3(const Domain& domain,
                             std::size_t number = default_number,
                             std::uint64_t seed = 0,
-                            const Traits_& traits = Traits_(),
+                            const Traits& traits = Traits(),
                             const std::function<bool()>& go_further = nullptr)
       : m_domain(domain), m_traits(traits)
   {
@@ -107,7 +107,7 @@ public:
   const Domain& domain() const { return m_domain; }
 
   /// returns the traits object.
-  const Traits_& traits() const { return m_traits; }
+  const Traits& traits() const { return m_traits; }
 
   /// returns an estimate of the volume of the domain, or of the area of a planar one: that of the
   /// box times the share of its points that were inside.
@@ -120,7 +120,7 @@ private:
   }
 
   const Domain& m_domain;
-  Traits_ m_traits;
+  Traits m_traits;
   std::vector<Point_3> m_points;
   double m_volume = 0;
 };
