@@ -106,7 +106,7 @@ template <typename Point_3>
 struct Filling_result
 {
   Filling_status status = Filling_status::LIMIT; ///< how the run ended
-  double thickness = 0;                          ///< r; if it varies, the mean over the nodes
+  double thickness = 0; ///< r, in the input's unit; if it varies, the mean over the nodes
 
   /// the default thickness, if the run used a larger one to limit the curve to about 200,000 nodes;
   /// otherwise 0
