@@ -73,7 +73,7 @@ void read_off(const std::string& file, Points& points, Polygons& polygons)
 // Numbers are from 0, as in the sentences of the library.
 [[noreturn]] void refuse(const std::string& defect)
 {
-  throw std::invalid_argument(defect + "; 'vfc repair' repairs the mesh");
+  throw std::invalid_argument(defect + "; use 'vfc repair'");
 }
 
 // \throws std::invalid_argument if a face has a vertex that does not exist

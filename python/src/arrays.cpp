@@ -148,8 +148,7 @@ Mesh mesh_of(const Doubles& vertices, const Integers& faces)
   namespace PMP = CGAL::Polygon_mesh_processing;
   const Triangles triangles = triangles_of(vertices, faces);
   if(!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces))
-    throw std::invalid_argument(
-        "faces: they are no oriented manifold; repair() repairs such meshes");
+    throw std::invalid_argument("faces: they are no oriented manifold; use repair()");
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(triangles.points, triangles.faces, mesh);
   return mesh;

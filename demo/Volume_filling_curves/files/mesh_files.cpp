@@ -87,7 +87,7 @@ bool is_curve_file(const std::string& file)
 // Expected contents of a file, and the remedy.
 std::string expected(const Mesh_findings& findings)
 {
-  if(findings.is_mendable()) return "a valid mesh; vfc repair, or fill with --repair, repairs it";
+  if(findings.is_mendable()) return "a valid mesh; use vfc repair, or fill with --repair";
   if(is_curve_file(findings.file())) return "a valid mesh; it holds a curve";
   return "a valid mesh";
 }

@@ -96,8 +96,7 @@ TEST(Wall_distance, is_kept_between_the_necks_of_ports)
 std::string complaint(Curve curve, double wall_distance)
 {
   try {
-    (void)VFC::fill(curve, box,
-                    preview(0.1).wall_distance(wall_distance).start(VFC::Filling_start::CIRCLE));
+    (void)VFC::fill(curve, box, preview(0.1).wall_distance(wall_distance));
   } catch(const std::invalid_argument& error) {
     return error.what();
   }
@@ -113,7 +112,7 @@ TEST(Wall_distance, is_refused_if_it_leaves_no_room_or_the_curve_is_nearer)
   EXPECT_EQ(complaint(start, 0.3),
             "wall_distance is 0.3, but the curve to start from comes as near "
             "to the boundary as 0.2");
-  Curve slide = start;
+  Curve slide = polyline({Point(0.5, 0.5, 0.5), Point(1, 0.5, 0.5), Point(1.5, 0.5, 0.5)});
   slide.set_constraint(1, VFC::Node_constraint::on_boundary(0.1));
   EXPECT_EQ(complaint(slide, 0.15), "wall_distance is 0.15, but a node is constrained to the "
                                     "distance from the boundary 0.1");
